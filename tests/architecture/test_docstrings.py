@@ -7,7 +7,7 @@ import pytest
 
 from support.sources import PACKAGE, tree_of
 
-LAYERS = ["kin", "content", "session", "ui/scene", "ui/figure", "front"]
+LAYERS = ["kin", "content", "session", "ui", "benches", "front"]
 
 SENTENCE = re.compile(r"(?:\A|(?<=[.!?])\s+|\n\s*\n\s*|\n\s*-{3,}\n\s*)((?:What|Of|Those that)\b[^\n]*)")
 """The opening of a sentence, as far as it stands on its line, if it is one of those that a reader has to read twice."""

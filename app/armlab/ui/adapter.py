@@ -1,4 +1,4 @@
-"""Every private or undocumented part of viser that Armlab touches, here and in `armlab.ui.quick`, each with a test.
+"""All private or undocumented parts of viser that Armlab uses, here and in `armlab.ui.quick`, each with a test.
 
 viser is pinned to the tested version; when the pin moves, the tests of this module say what has to follow.
 """
@@ -33,16 +33,16 @@ SECRET_HEADER = "X-Armlab-Secret"
 ORIGIN_HEADER = "X-Armlab-Origin"
 
 CLOSING = 0.5
-"""Seconds for the polite end of a connection to the front, which is on this machine. What a page has sent that cannot
-be read would else keep it, with all that was sent behind it, for 10 s."""
+"""Time for the orderly end of a connection to the front, which runs on the same computer, seconds. Messages of a page
+that cannot be read would otherwise keep it open for 10 s, with all that were sent after them."""
 
 
 def make_server(port: int) -> viser.ViserServer:
-    """Return a viser server on loopback, silent, that takes from its pages only what the lab's own page sends.
+    """Return a viser server on loopback, silent, that accepts from its pages only the messages of the lab's own page.
 
     viser prints a banner with its own address even when told to be quiet; people must see the front's address only.
-    What is shared by all pages has no controls: viser's handlers for it, public tunnels and forms that are passed on to
-    everybody among them, are taken away.
+    No controls are shared by all pages: viser's handlers for shared ones are removed, with those for public tunnels and
+    for forms that are passed on to all pages.
     """
     logging.getLogger("websockets.server").setLevel(logging.CRITICAL)
     # Each text would be kept for ever, so that it is shown once: a stranger may send as many as he likes.
@@ -58,7 +58,7 @@ def make_server(port: int) -> viser.ViserServer:
 
 
 def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMapping[str, Turns]) -> None:
-    """Put a gate before everything a connection sends, and have its messages wait for their turn."""
+    """Put a gate before all messages of a connection, and let them wait for their turn."""
     gate, handle, turns = Gate(), connection._handle_incoming_message, Turns()
     send_at_once(connection.get_message_buffer())
     socket: Any = server._websock_server._live_connections.get(connection.client_id)
@@ -86,7 +86,7 @@ def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMappi
 
 
 def _in_turn(receive: Callable[[], Awaitable[bytes]], turns: Turns) -> Callable[[], Awaitable[bytes]]:
-    """Return what receives the messages of a connection one a turn: what waits, waits in the front and the browser."""
+    """Return a function that receives a connection's messages one at a time; the others wait in front and browser."""
 
     async def received() -> bytes:
         await turns.come()
@@ -96,7 +96,7 @@ def _in_turn(receive: Callable[[], Awaitable[bytes]], turns: Turns) -> Callable[
 
 
 def _value_now(server: viser.ViserServer, client_id: Any, message: Any) -> Any:
-    """Return the value of the control that an update is for; None for other messages and controls that are gone."""
+    """Return the value of the control that an update is for, or None for other messages and removed controls."""
     client = server._connected_clients.get(client_id)
     if client is None or not isinstance(message, _messages.GuiUpdateMessage):
         return None
@@ -111,7 +111,7 @@ def stop_server(server: viser.ViserServer) -> None:
 
 
 def request_headers(server: viser.ViserServer, client: viser.ClientHandle) -> dict[str, str] | None:
-    """Return the headers the front sent when it opened this client's connection; None when it is already gone."""
+    """Return the headers that the front sent when it opened this client's connection, or None if it has closed."""
     connection = server._websock_server._live_connections.get(client.client_id)
     if connection is None or connection.request is None:
         return None
@@ -119,7 +119,7 @@ def request_headers(server: viser.ViserServer, client: viser.ClientHandle) -> di
 
 
 def origin_of(client: viser.ClientHandle) -> str:
-    """Return the address under which a page knows the lab, such as ``http://lab:8080``; empty when it is gone."""
+    """Return the address under which a page knows the lab, such as ``http://lab:8080``; empty if it is closed."""
     headers = request_headers(client._viser_server, client) or {}
     return next((value for name, value in headers.items() if name.lower() == ORIGIN_HEADER.lower()), "")
 
@@ -137,7 +137,7 @@ def is_removed(handle: Any) -> bool:
 
 
 def of_one_page(control: viser.TransformControlsHandle) -> None:
-    """Have the pose of a handle, as a hand moves it, not sent to the other pages that have it: there are none.
+    """Stop viser from sending the pose of a dragged handle to other pages with the same handle: there are none.
 
     viser would send two messages for each event, which reach nobody and wake up what sends.
     """
@@ -145,13 +145,13 @@ def of_one_page(control: viser.TransformControlsHandle) -> None:
 
 
 def take_value(handle: Any) -> Any:
-    """Return the text of a text control and forget it: viser would hold the last one of every control."""
+    """Return the text of a text control and forget it: viser would keep the last one of every control."""
     text, handle._impl.value = handle._impl.value, ""
     return text
 
 
 def set_value(handle: Any, value: Any) -> None:
-    """Set the value of a control without calling its callbacks, which viser would do as if the student had moved it."""
+    """Set the value of a control without its callbacks, which viser would call as if the student had moved it."""
     if is_removed(handle) or handle._impl.value == value:
         return
     handle._impl.value = value
@@ -173,26 +173,26 @@ def _queue_gui(handle: Any, updates: dict[str, Any]) -> None:
 
 
 def set_wxyz(handle: Any, wxyz: tuple[float, float, float, float]) -> None:
-    """Turn a scene node: the same message as assigning ``wxyz``, without the comparisons around it."""
+    """Turn a scene node by the same message as assigning ``wxyz``, without the comparisons around it."""
     handle._impl.wxyz = np.array(wxyz)
     handle._impl.api._queue_scene_message(_messages.SetOrientationMessage(handle._impl.name, wxyz))
 
 
 def set_position(handle: Any, position: tuple[float, float, float]) -> None:
-    """Move a scene node. viser's own setter drops moves it takes for noise; this one does not."""
+    """Move a scene node. viser's own setter drops small moves as noise; this one does not."""
     handle._impl.position = np.array(position)
     handle._impl.api._queue_scene_message(_messages.SetPositionMessage(handle._impl.name, position))
 
 
 def set_scale(handle: Any, scale: float | tuple[float, float, float]) -> None:
-    """Scale a scene node: the same message as assigning ``scale``, without the conversions around it."""
+    """Scale a scene node by the same message as assigning ``scale``, without the conversions around it."""
     handle._impl.props.scale = scale
     message = _messages.SceneNodeUpdateMessage(handle._impl.name, {"scale": scale})
     handle._impl.api._queue_scene_message(message)
 
 
 def on_event(handle: Any, register: str, callback: Callable[[Any], None]) -> None:
-    """Call back on an event of a student, on viser's loop, in order; echoes of the lab's own writes are left out.
+    """Call back on an event of a student, on viser's loop, in order; echoes of the lab's own writes are dropped.
 
     Only ``async`` callbacks that never wait keep their order; viser runs plain functions in a pool of threads.
     """
@@ -212,9 +212,9 @@ def on_event(handle: Any, register: str, callback: Callable[[Any], None]) -> Non
 
 
 def on_scene_click(client: Any, callback: Callable[[Any], None]) -> Callable[[], None]:
-    """Call back when a student clicks where no node takes the click; return what ends that.
+    """Call back when a student clicks where no node takes the click; return a function that stops this.
 
-    While somebody listens viser shows another pointer over the scene; it turns and zooms as always.
+    While a callback is registered viser shows another pointer over the scene; it turns and zooms as always.
     """
 
     async def forward(event: Any) -> None:
@@ -230,13 +230,13 @@ def on_scene_click(client: Any, callback: Callable[[Any], None]) -> Callable[[],
 
 
 def _note_failure(what: str, error: Exception) -> None:
-    """Note in one line what a message has led to, since strangers send messages, too; the trace is for debugging."""
+    """Log in one line the failure that a message caused, since strangers send messages, too; the trace is for debug."""
     log.error("%s failed: %s", what, in_one_line(error))
     log.debug("%s failed", what, exc_info=error)
 
 
 async def picture_of(client: Any, seconds: float = 20.0) -> NDArray[np.uint8]:
-    """Return the scene as the browser draws it, shape (rows, columns, 4): red, green, blue, and opacity.
+    """Return the scene as drawn by the browser, shape (rows, columns, 4): red, green, blue, and opacity.
 
     viser waits for the browser in the calling thread, so that is another one.
 

@@ -1,4 +1,4 @@
-"""Where the arm is looked at from."""
+"""The camera of a browser."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from armlab.content.robots import Robot
 from armlab.ui.figure.figure import Figure
 
 FIELD_OF_VIEW = math.radians(32.0)
-"""viser's 75 degrees distort arms."""
+"""Angle of view, radians; viser's 75 degrees distort arms."""
 
 PRESETS: dict[str, tuple[float, float] | None] = {
     "Home": None,
@@ -23,17 +23,18 @@ PRESETS: dict[str, tuple[float, float] | None] = {
     "Side": (0.0, 6.0),
     "Top": (-90.0, 89.0),
 }
-"""Azimuth and elevation in degrees; the home view is the robot's own."""
+"""Azimuth and elevation of each view, in degrees; the home view is the robot's own."""
 
 
 GROWN = 1.6
-"""An edited arm so many times larger or smaller is looked at anew."""
+"""Factor by which an edited arm must grow or shrink for a new view."""
 
 MARGIN = 0.9
-"""Stepping back never brings the eye closer than so much of where it was."""
+"""Least distance of the eye after it has stepped back, relative to its distance before."""
 
 SETTLING = 4.0
-"""Seconds after the start, or the opening of a dock, in which the panels may still take their part of the window."""
+"""Time after the start, or the opening of a dock, in which the panels may still take their part of the window,
+seconds."""
 
 
 class Camera:
@@ -62,13 +63,13 @@ class Camera:
         client.camera.on_update(self._moved)
 
     async def _moved(self, _camera: object) -> None:
-        """Look again when docking the panels has changed the shape of the picture, of which viser tells afterwards."""
+        """Look again when docking the panels has changed the shape of the picture, which viser reports late."""
         reshaped = abs(self._client.camera.aspect - self._aspect) > 0.01 * self._aspect
         if reshaped and time.monotonic() - self._began < SETTLING:
             self.look_from("Home")
 
     def make_room(self, on: bool, home: View | None = None) -> None:
-        """Take every named pose of an arm into the picture, not only its home: a lesson leads there.
+        """Show every named pose of an arm in the picture, not only its home pose, because a lesson uses them.
 
         The lesson may have a home view of its own.
 
@@ -80,7 +81,7 @@ class Camera:
             self.look_from("Home")
 
     def follow(self, robot: Robot, figure: Figure, stay: bool = False) -> None:
-        """Look at another arm, from its home view or from where the eye is unless it has become much larger."""
+        """Look at another arm, from its home view, or from the present place unless its size differs much."""
         self._robot, self._figure = robot, figure
         if not stay or not 1.0 / GROWN < figure.anatomy.size / self._size < GROWN:
             self.look_from("Home")
@@ -88,7 +89,7 @@ class Camera:
             self.keep_in_view()
 
     def keep_in_view(self) -> None:
-        """Step back, in the direction the eye looks now, if the arm or what is around it is not in the picture."""
+        """Step back, in the present direction of view, if the arm or a point around it is not in the picture."""
         if self._robot is None or self._figure is None or len(self._pose()) != self._robot.arm.n:
             return
         arm, q = self._robot.arm, self._pose()
@@ -104,7 +105,7 @@ class Camera:
         self._stand(middle, max(1.02 * radius / math.sin(self._narrow()), MARGIN * distance), back / distance)
 
     def _seen(self, points: NDArray[np.float64], back: NDArray[np.float64]) -> bool:
-        """Return whether points are in the picture of an eye that looks at a point against ``back``."""
+        """Return whether points are visible to an eye that looks at a point against ``back``."""
         camera = self._client.camera
         right = np.cross([0.0, 0.0, 1.0], back)
         if np.linalg.norm(right) < 1e-9:
@@ -118,7 +119,7 @@ class Camera:
         return bool(np.all(inside & (depth > 0.0)))
 
     def _narrow(self) -> float:
-        """Return half the angle of view, the smaller of height and width."""
+        """Return half the angle of view, for the smaller of height and width."""
         return math.atan(math.tan(FIELD_OF_VIEW / 2.0) * min(1.0, self._client.camera.aspect))
 
     def _stand(self, middle: NDArray[np.float64], distance: float, back: NDArray[np.float64]) -> None:
@@ -130,7 +131,7 @@ class Camera:
         camera.look_at = middle
 
     def look_from(self, preset: str) -> None:
-        """Look from one of the `PRESETS`, with the whole arm in the picture, at home and as it is now."""
+        """Look from one of the `PRESETS`, with the whole arm in the picture, at home and at present."""
         if self._robot is None or self._figure is None:
             return
         home = self._lesson or self._robot.camera
@@ -143,7 +144,7 @@ class Camera:
         self._stand(middle, distance, _direction(math.radians(azimuth), math.radians(elevation)))
 
     def as_view(self) -> View:
-        """Return where the eye is as a lesson or a robot file says it."""
+        """Return the present view in the form of a lesson or a robot file."""
         camera = self._client.camera
         back = np.asarray(camera.position) - np.asarray(camera.look_at)
         distance = float(np.linalg.norm(back))
@@ -157,7 +158,7 @@ class Camera:
         return View(round(math.degrees(math.atan2(y, x)), 1), round(elevation, 1), round(factor, 2))
 
     def _bounds(self, robot: Robot, figure: Figure) -> NDArray[np.float64]:
-        """Return the corners (2, 3) of a box around the arm at home, or in all its poses, and as it is now."""
+        """Return the corners (2, 3) of a box around the arm at home, or in all its poses, and at present."""
         boxes = [figure.bounds(q) for q in (robot.poses.values() if self._roomy else [robot.home])]
         if len(self._pose()) == robot.arm.n:  # while another arm is being fetched its pose is there already
             boxes.append(figure.bounds(self._pose()))

@@ -1,4 +1,4 @@
-"""The scene of one browser and one arm: the nodes everything else hangs on, and the pose they are shown in."""
+"""The scene of one browser and one arm: its parent nodes, and the pose that they show."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ from armlab.ui import adapter
 from armlab.ui.figure.drawn import Drawn
 
 JUMP = 0.35
-"""Joint changes larger than this (rad, or sizes of the arm) are shown as a short move; smaller ones at once, so that
-nothing lags behind a hand."""
+"""Largest joint change (rad, or sizes of the arm) that is shown at once, so that nothing lags behind a drag; a larger
+one is shown as a short move."""
 
 GLIDE_SPEED = 4.0
 GLIDE_SECONDS = (0.12, 0.5)
 GLIDE_RATE = 30.0
-"""Moves made by the lab: rad/s, shortest and longest duration, pictures a second."""
+"""Rate, rad/s, shortest and longest duration, s, and pictures a second of moves made by the lab."""
 
 PoseListener = Callable[[NDArray[np.float64]], None]
 
 
 class Canvas:
-    """What layers draw on.
+    """The canvas on which layers draw.
 
     Attributes
     ----------
@@ -72,16 +72,16 @@ class Canvas:
         return f"/{self._number}/{name}"
 
     def node(self, i: int) -> str:
-        """Return the name of the node of body i (0 is the base): what hangs under it moves with the body."""
+        """Return the name of the node of body i (0 is the base); its children move with the body."""
         return self._nodes[i].name
 
     def on_pose(self, listener: PoseListener) -> None:
-        """Call back with every configuration that is shown, moves included."""
+        """Call back with every configuration that is shown, including those of moves."""
         self._listeners.append(listener)
 
     @property
     def gliding(self) -> bool:
-        """Whether a short move is on its way."""
+        """Whether a short move is in progress."""
         return self._glide is not None
 
     @property
@@ -90,7 +90,7 @@ class Canvas:
         return self._shown
 
     def show_pose(self, q: NDArray[np.float64], at_once: bool = False) -> None:
-        """Show a configuration: at once when it is near or wanted so, by a short move when it is not."""
+        """Show a configuration: at once if it is near or ``at_once`` is set, else by a short move."""
         self._goal = q
         if at_once:
             self.stop()
@@ -102,12 +102,12 @@ class Canvas:
             self._begin_glide()
 
     def remove(self) -> None:
-        """Take everything out of the scene."""
+        """Remove everything from the scene."""
         self.stop()
         self._root.remove()
 
     def stop(self) -> None:
-        """Stop moving."""
+        """Stop a move."""
         if self._glide is not None:
             self._glide.cancel()
             self._glide = None

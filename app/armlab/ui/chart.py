@@ -1,4 +1,4 @@
-"""The axes of a picture drawn by hand: where a point lies, a grid with round values, and what is cut at the edge.
+"""The axes of a drawn picture: places of points, a grid with round values, and a cut at the edge.
 
 Lines and numbers have the classes that the kit's style sheet colours for light and dark.
 """
@@ -17,10 +17,10 @@ from armlab.ui.ticks import ticks
 Range = tuple[float, float]
 
 LARGE, SMALL = 1e5, 1e-4
-"""Values from here on, and ranges up to here, are written with a power of ten."""
+"""Least value, and largest range, that are written with a power of ten."""
 
 EDGE = 16.0
-"""From the right edge: a number that stands nearer ends there instead of standing in the middle."""
+"""Distance from the right edge below which a number ends at its line instead of standing in its middle."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class Chart:
         return (self.height - self.bottom) * (self.y[1] - y) / (self.y[1] - self.y[0])
 
     def grid(self, top: float = 0.0) -> list[Markup]:
-        """Return lines at round values, and the values beside them; ``top`` pixels are left for a name."""
+        """Return lines at round values, with the values beside them; ``top`` pixels stay free for a name."""
         right, floor = self.width, self.height - self.bottom
         lines = []
         for value in ticks(*self.x):
@@ -80,18 +80,18 @@ class Chart:
         return tag("path", clip_path=f"url(#{self.key}-clip)", d=d, **looks)
 
     def line(self, points: Iterable[tuple[float, float]], **looks: Attribute) -> Markup:
-        """Return straight pieces from point to point that end at the edge of the rectangle."""
+        """Return straight pieces between points, cut at the edge of the rectangle."""
         return self.cut("M" + "L".join(f"{self.px(x):.1f} {self.py(y):.1f}" for x, y in points), **looks)
 
     def picture(self, label: str, *inside: Inside) -> Markup:
-        """Return the whole; its class is the key, and the label is read aloud."""
+        """Return the whole picture; its class is the key, and the label is read aloud."""
         wide, tall = self.width - self.left, self.height - self.bottom
         clip = tag("clipPath", svg.shape("rect", x=self.left, y=0, width=wide, height=tall), id=f"{self.key}-clip")
         return svg.drawing(f"chart.{self.key}", self.width, self.height, label, clip, *inside)
 
 
 def value_text(value: float, span: Range) -> str:
-    """Return a value on an axis, as exact as its range needs.
+    """Return a value on an axis with the decimals that its range needs.
 
     >>> value_text(0.5, (0.0, 1.0)), value_text(-2e6, (-3e6, 0.0)), value_text(0.0, (0.0, 1e-6))
     ('0.5', '−2e6', '0')

@@ -1,4 +1,4 @@
-"""The command palette (Ctrl+K) and the keys."""
+"""The command palette (Ctrl+K) and the keyboard shortcuts."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from armlab.ui.switches import Switch
 
 
 class Page(Protocol):
-    """What an entry can act on: the page of a browser."""
+    """The page of a browser, on which an entry acts."""
 
     client: viser.ClientHandle
     camera: Camera
     session: Session
 
     def post(self, command: Command) -> None:
-        """Hand in a command."""
+        """Post a command."""
 
     def open_tab(self, key: str) -> None:
         """Bring a panel to the front."""
@@ -46,7 +46,7 @@ class Shortcut:
     key : str or None
         viser's name of the key; None for an entry without one.
     shown : str
-        The key as people write it.
+        The key in its usual notation.
     act : callable
         Gets the view.
     modifier : str or None

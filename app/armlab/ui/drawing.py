@@ -1,4 +1,4 @@
-"""What one layer draws: shown, hidden and removed as a whole, so that no layer has to care."""
+"""The drawing of one layer, which is shown, hidden and removed as a whole without any code in the layer."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from armlab.ui.pace import Pace, Paced
 
 
 class LayerCanvas:
-    """What a layer draws on: the canvas it shares with the others, and a scene that remembers what it has added.
+    """The canvas that a layer shares with the others, and a scene that remembers the nodes that the layer has added.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class LayerCanvas:
         return self._canvas.path(name)
 
     def node(self, i: int) -> str:
-        """Return the name of the node of body i (0 is the base): what hangs under it moves with the body."""
+        """Return the name of the node of body i (0 is the base); its children move with the body."""
         return self._canvas.node(i)
 
     def show_pose(self, q: NDArray[np.float64], at_once: bool = False) -> None:
@@ -64,14 +64,14 @@ class LayerCanvas:
         self._canvas.show_pose(q, at_once)
 
     def on_pose(self, listener: PoseListener) -> None:
-        """Call back with every configuration that is shown, moves included, while the layer is not hidden.
+        """Call back with every configuration that is shown, including those of moves, while the layer is not hidden.
 
         A layer that may lag gets fewer of them when a class needs the time, and always the last.
         """
         self._canvas.on_pose(self.paced(lambda q: None if self.hidden else listener(q)))
 
     def follow(self, state: State, draw: Callable[[State, NDArray[np.float64]], None]) -> Callable[[State], None]:
-        """Return what shows a state: ``draw(state, q)`` is called then, and with every configuration on the way."""
+        """Return the ``show`` of a layer: ``draw(state, q)`` is called for a state and each configuration of a move."""
         present = state
 
         def show(state: State) -> None:
@@ -83,7 +83,7 @@ class LayerCanvas:
         return show
 
     def paced(self, call: Callable[[Any], None]) -> Callable[[Any], None]:
-        """Return a function that calls this one, less often when there is no time, if the layer may lag."""
+        """Return a function that calls the given one, less often when time is short, if the layer may lag."""
         if self._pace is None:
             return call
         paced = Paced(call, self._pace)
@@ -92,7 +92,7 @@ class LayerCanvas:
 
     @property
     def shown_pose(self) -> NDArray[np.float64]:
-        """The configuration on screen, which during a short move is not yet that of the state."""
+        """The configuration on screen, which may differ from that of the state during a short move."""
         return self._canvas.shown
 
     def on_hide(self, listener: Callable[[], None]) -> None:
@@ -100,19 +100,19 @@ class LayerCanvas:
         self._on_hide.append(listener)
 
     def hide(self) -> None:
-        """Make everything of the layer invisible."""
+        """Make all nodes of the layer invisible."""
         self.hidden = True
         for listener in self._on_hide:
             listener()
         self._nodes.hide()
 
     def reveal(self) -> None:
-        """Make visible again what was visible before."""
+        """Make the nodes visible again that were visible before."""
         self.hidden = False
         self._nodes.reveal()
 
     def remove(self) -> None:
-        """Remove everything of the layer."""
+        """Remove all nodes of the layer."""
         if not self.hidden:
             for listener in self._on_hide:
                 listener()
@@ -123,7 +123,7 @@ class LayerCanvas:
 
 
 class _Remembered:
-    """A scene that remembers what was added through it."""
+    """A scene that remembers the nodes added through it."""
 
     def __init__(self, scene: viser.SceneApi) -> None:
         self._scene = scene

@@ -1,4 +1,4 @@
-"""The choice of an example at the head of a bench, and what to look at in the one in place."""
+"""The choice of an example at the head of a bench, with a sentence on what to look at."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from armlab.ui.html import Inside, Markup, joined, tag
 
 
 class Shown(Protocol):
-    """What is shown of an example."""
+    """Title and sentence of an example."""
 
     @property
     def title(self) -> str:
-        """In the list."""
+        """Title in the list."""
         ...
 
     @property
     def says(self) -> str:
-        """What to look at, in a sentence or two."""
+        """A sentence or two on what to look at."""
         ...
 
 
@@ -35,7 +35,7 @@ def examples(
     label: str = "Examples",
     written: Callable[[str], Inside] = _plain,
 ) -> Markup:
-    """Return the choice among examples, and below what to look at.
+    """Return the choice among examples, and below it the sentence of the chosen one.
 
     Parameters
     ----------
@@ -43,9 +43,9 @@ def examples(
     known : mapping of str to example
         By key, in the order of the list.
     chosen : str
-        Key of the one in place; empty when there is none.
+        Key of the loaded example; empty if there is none.
     action : callable
-        Gets the key of the one to put in place.
+        Gets the key of the example to load.
     label : str
     written : callable
         Returns how an example's sentences are set.

@@ -1,4 +1,4 @@
-"""Products of elementary transforms as they are written: with symbols, and with numbers."""
+"""Products of elementary transforms, written with symbols and with numbers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FACTORS = {
 
 
 def elementary(kind: str, axis: str, text: str) -> Markup:
-    """Return one elementary turn or shift with its number, as MathML; not cached, for numbers that move."""
+    """Return one elementary turn or shift with its number, as MathML; it is not cached, because the numbers change."""
     left, right = (tag("mo", sign, stretchy="false") for sign in "()")
     return tag("math", tag("msub", tag("mi", kind), tag("mi", axis)), left, tag("mn", text), right)
 
@@ -31,6 +31,6 @@ def product_latex(convention: Convention, units: Units, index: str, before: str)
 
 
 def turns(axes: str, fixed: bool, texts: Sequence[str]) -> Markup:
-    """Return a product of turns with numbers as it is multiplied: about fixed axes the first turn stands last."""
+    """Return a product of turns with numbers in the order of multiplication, for fixed axes the first turn last."""
     factors = [elementary("R", axis, text) for axis, text in zip(axes, texts, strict=True)]
     return joined(reversed(factors) if fixed else factors, between=" ")

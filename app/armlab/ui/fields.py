@@ -1,4 +1,4 @@
-"""Markup with input fields of our own, and the way back of what a person types there."""
+"""Markup with the lab's own input fields, and the way back for the text that a student types."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ from armlab.ui.html import Inside, Markup, joined, tag
 log = logging.getLogger(__name__)
 
 OnInput = Callable[[str, str], None]
-"""Gets the cell and the text of what a person typed or pressed."""
+"""Callback that gets the cell and the typed or pressed text."""
 
 LONGEST_CELL = 200
-"""Characters of the name of a cell."""
+"""Largest number of characters in the name of a cell."""
 
 LONGEST_TYPED = 20_000
-"""Characters that a field hands on, besides those that read files: the longest table has fewer."""
+"""Largest number of characters from a field, except those that read files; the longest table has fewer."""
 
 SEEN, READ = 1.0, 8.0
-"""Seconds that a sentence is there at least: whatever else is pressed, as on the way out of a field, and while
-something else goes on beside it."""
+"""Least time for which a sentence is shown, seconds: after another press, as on the way out of a field, and while other
+content changes beside it."""
 
 LARGEST_NUMBER = 2**53
-"""Numbers of messages below it are exact in a page."""
+"""Bound of the numbers of messages, below which they are exact in a page."""
 
 
 @dataclass
 class _Mistake:
-    """What was refused.
+    """An input that was refused.
 
     Attributes
     ----------
@@ -52,20 +52,20 @@ class _Mistake:
     _beside: str | None = None
 
     def stood(self, seconds: float) -> bool:
-        """Whether it has been there for so long."""
+        """Return whether the sentence has been shown for so many seconds."""
         return time.monotonic() - self._made > seconds
 
     def is_over(self, content: str) -> bool:
-        """Whether what stands beside it is not what it was refused beside, and it could be read."""
+        """Return whether the content beside the sentence has changed, and there was time to read the sentence."""
         if self._beside is None:
             self._beside = content
         return self._beside != content and self.stood(READ)
 
 
 class Fields:
-    """Markup with input fields of our own, whose values arrive when Enter is pressed or the field is left.
+    """Markup with the lab's own input fields, whose values arrive when Enter is pressed or the field is left.
 
-    Make the fields with `field`; the page's script sends what a person typed through a hidden text control.
+    Make the fields with `field`; the page's script sends the typed text through a hidden text control.
 
     Parameters
     ----------
@@ -112,24 +112,24 @@ class Fields:
 
     @property
     def stale(self) -> bool:
-        """Whether a person has typed or pressed since the markup was shown: what stands there may not hold."""
+        """Whether the student has typed or pressed since the markup was shown, so that its content may be outdated."""
         return self._revision != self._shown_revision
 
     @property
     def channel_id(self) -> str:
-        """Where buttons in the markup send their ``data-cell``: put it into their ``data-chan``."""
+        """Identifier to which buttons in the markup send their ``data-cell``; it belongs in their ``data-chan``."""
         return adapter.gui_id(self.channel)
 
     def refuse(self, cell: str, text: str, why: str) -> None:
-        """Show what was typed, marked, and below the fields why not.
+        """Show the typed text as refused, with the reason below the fields.
 
-        It stands until the next input, except for one that follows at once elsewhere. Of a field it goes when another
-        value is to be shown there, and of what is no field when other markup is, if it could be read by then.
+        It stays until the next input, except one that follows at once elsewhere. The sentence of a field is removed
+        when the field has another value; one of any other element when the markup changes and there was time to read.
         """
         self._mistake = _Mistake(cell, text[:LONGEST_TYPED], why)
 
     def refuse_later(self, cell: str, text: str) -> Callable[[str], bool]:
-        """Return what refuses what was typed just now, from any thread.
+        """Return a function that refuses the text typed last, from any thread.
 
         It returns whether the refusal is shown: not once something else was typed, or the fields are gone.
         """
@@ -146,7 +146,7 @@ class Fields:
         return refuse
 
     def forgive(self) -> None:
-        """Show the fields as they hold with the next `show`."""
+        """Show the fields with their valid values at the next `show`."""
         self._mistake = None
 
     def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "", **more: str) -> Markup:
@@ -156,12 +156,12 @@ class Fields:
         return markup.field(self.channel_id, cell, value, label, disabled, **attributes)
 
     def area(self, cell: str, value: str, label: str, lines: int) -> Markup:
-        """Return the markup of an input field of several lines, for a table a person types."""
+        """Return the markup of an input field of several lines, for a typed table."""
         value, wrong = self._refused(cell, value)
         return markup.area(self.channel_id, cell, value, label, lines, **wrong)
 
     def _refused(self, cell: str, value: str) -> tuple[str, dict[str, str]]:
-        """Return what stands in a field, and the marks of what was refused there."""
+        """Return the content of a field, and the attributes that mark it as refused."""
         mistake = self._mistake
         if mistake is None or mistake.cell != cell:
             return value, {}
@@ -173,12 +173,12 @@ class Fields:
         return mistake.text, {"aria_invalid": "true", "title": mistake.why}
 
     def visible(self, on: bool) -> None:
-        """Show or hide the whole."""
+        """Show or hide the whole element."""
         if self.html.visible != on:
             self.html.visible = on
 
     def show(self, *inside: Inside) -> None:
-        """Show this, which holds the fields."""
+        """Show content that holds the fields."""
         content = joined(*inside)
         self._shown_revision, self._content = self._revision, content
         mistake = self._mistake
@@ -192,10 +192,10 @@ class Fields:
 
 
 def _cut(said: object, longest: int) -> str:
-    """Return a text that is not longer; what is no text a page of ours does not send, and it may be large."""
+    """Return a text cut to a length; anything but text, which no page of the lab sends, becomes empty."""
     return said[:longest] if isinstance(said, str) else ""
 
 
 def _whole(text: str) -> str:
-    """Return text without half characters, which could be kept but never sent to a page again."""
+    """Return text without halves of characters, which could be kept but never sent to a page again."""
     return text.encode("utf-8", "replace").decode("utf-8")

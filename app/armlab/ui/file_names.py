@@ -8,7 +8,7 @@ from armlab.content.robots import KEY
 
 
 def file_name(name: str) -> str:
-    """Return a name that a robot file may have.
+    """Return a name that can be used for a robot file.
 
     >>> file_name("PUMA 560"), file_name("χ")
     ('puma_560', 'my_arm')

@@ -1,4 +1,4 @@
-"""Markup whose buttons, choices and fields carry what they do: commands, or what makes commands of a text."""
+"""Markup whose buttons, choices and fields carry their actions: commands, or functions from a text to commands."""
 
 from __future__ import annotations
 
@@ -13,28 +13,28 @@ from armlab.ui.fields import Fields, OnInput
 from armlab.ui.html import Attribute, Inside, Markup, joined
 
 Wish = Command | Sequence[Command] | None
-"""What an action asks for: commands of which all are done or none; None where only this page has changed."""
+"""Result of an action: commands, of which all are done or none; None if only this page has changed."""
 
 Pressed = Command | Sequence[Command] | Callable[[], Wish]
-"""What a button does: commands, or a function that returns them or changes the page itself."""
+"""Action of a button: commands, or a function that returns them or changes the page itself."""
 
 Typed = Callable[[str], Wish]
-"""What a field or a choice does with its text; an `InputError` is said at the field."""
+"""Action of a field or a choice, which gets its text; an `InputError` is shown at the field."""
 
 Picked = Callable[[float, float, int], Wish]
-"""What a place does, in parts of its box from the upper left; the last is the number of the drag, 0 for a click."""
+"""Action of a place, given in parts of its box from the upper left, and the number of the drag, 0 for a click."""
 
 
 class Marks(dict[str, Attribute]):
-    """Attributes of an element, to be unpacked into `tag`."""
+    """Attributes of an element, for unpacking into `tag`."""
 
 
 class Form:
-    """Markup with controls that carry what they do.
+    """Markup with controls that carry their actions.
 
-    What is made between two `show` is bound to what the second shows, and only that can be pressed or filled: a cell
-    that is not on the page, disabled, or not among the options does nothing. A refusal, of the text here or of a
-    command by the worker, stands where the wish came from, with the text as it was typed.
+    Controls made between two calls of `show` belong to the second call, and only those can be pressed or filled: a cell
+    that is not on the page, disabled, or not among the options does nothing. A refusal, of a text by the form or of a
+    command by the worker, is shown at the control that sent it, with the text as it was typed.
 
     Parameters
     ----------
@@ -59,16 +59,16 @@ class Form:
 
     @property
     def channel_id(self) -> str:
-        """Where the page's script sends a text of its own; see `takes`."""
+        """Identifier to which the page's script sends a text of its own; see `takes`."""
         return self._fields.channel_id
 
     @property
     def stale(self) -> bool:
-        """Whether a person has typed or pressed since the markup was shown; see `Fields.stale`."""
+        """Whether the student has typed or pressed since the markup was shown; see `Fields.stale`."""
         return self._fields.stale
 
     def forgive(self) -> None:
-        """Show the fields as they hold with the next `show`."""
+        """Show the fields with their valid values at the next `show`."""
         self._fields.forgive()
 
     # -- what can stand in the markup ----------------------------------------------------------------------------
@@ -131,7 +131,7 @@ class Form:
         return self._fields.area(cell, value, label, lines)
 
     def place(self, cell: str, action: Picked, drag: bool = False) -> Marks:
-        """Return the attributes of an element in which a place is clicked or, with ``drag``, dragged.
+        """Return the attributes of an element that can be clicked at a place or, with ``drag``, dragged.
 
         Commands of a drag wait by themselves, so that a newer one may replace them; a refusal of theirs is a notice.
         """
@@ -145,11 +145,11 @@ class Form:
         return Marks(data_chan=self._fields.channel_id, data_cell=cell)
 
     def takes(self, cell: str, action: Typed) -> None:
-        """Bind what the page's script says by itself."""
+        """Bind a text that the page's script sends by itself."""
         self._binding[cell] = action
 
     def shows(self, *of: object) -> bool:
-        """Return whether this is what is shown: made of the same things, and nothing was typed or pressed since.
+        """Return whether the form shows markup made of the same objects, and nothing was typed or pressed since.
 
         Then it need not be made again. Whoever asks makes it of these things alone.
         """
@@ -160,19 +160,19 @@ class Form:
     # -- what comes of it ----------------------------------------------------------------------------------------
 
     def show(self, *inside: Inside) -> None:
-        """Show this; what was made for it since the last one is what can be pressed now."""
+        """Show content; the controls made since the last call are the ones that can be used from now on."""
         self._bound, self._binding = self._binding, {}
         self._fields.show(*inside)
 
     def _refused(self, cell: str, text: str, why: str) -> Wish:
-        """Say why not, at the field or in a notice."""
+        """Show the reason of a refusal, at the field or in a notice."""
         if self._beside:
             self._fields.refuse(cell, text, cut(why))
             return None
         return Refuse(why)
 
     def visible(self, on: bool) -> None:
-        """Show or hide the whole."""
+        """Show or hide the whole form."""
         self._fields.visible(on)
 
     def _press(self, cell: str, action: Pressed, off: bool) -> None:
@@ -204,7 +204,7 @@ def _with(action: Typed, key: str) -> Callable[[], Wish]:
 
 
 def _place(text: str) -> tuple[float, float, int]:
-    """Return a place as a page sends it; `InputError` when no page of ours has sent it."""
+    """Return a place sent by a page; `InputError` if its text is none."""
     try:
         x, y, *drag = (float(each) for each in text.split(","))
         number = int(drag[0]) if drag else 0

@@ -1,4 +1,4 @@
-"""Numbers, units and mathematics on screen: degrees and millimetres, fixed decimals, matrices set as matrices."""
+"""Numbers, units and mathematics on screen: degrees and millimetres, fixed decimals, typeset matrices."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from armlab.ui.html import Inside, Markup, classes, tag
 MINUS = "\u2212"
 
 FIGURES, TINY, ROUNDING = 4, 1e-6, 1e-12
-"""Of a number in a field: figures at least, below what it has a power of ten, and what is nothing but rounding."""
+"""Least number of digits in a field, value below which a power of ten is written, and relative rounding."""
 
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
@@ -32,7 +32,7 @@ def number(value: float, decimals: int) -> str:
 
 
 def trimmed(value: float, decimals: int) -> str:
-    """Return a number with at most so many decimals, without zeros at its end.
+    """Return a number with at most the given number of decimals, without zeros at its end.
 
     >>> trimmed(0.4318, 5), trimmed(-90.0, 1)
     ('0.4318', '−90')
@@ -42,7 +42,7 @@ def trimmed(value: float, decimals: int) -> str:
 
 
 def readable(value: float, decimals: int) -> str:
-    """Return a number for a field, which reads back as nearly the same however small it is.
+    """Return a number for a field, which reads back as nearly the same value, however small it is.
 
     It has at most so many decimals, and more where `FIGURES` figures need them; below `TINY` a power of ten in the way
     it can be typed.
@@ -90,7 +90,7 @@ def matrix(values: NDArray[np.floating], decimals: int = 3, rule: int | None = N
 
 
 def pairs(rows: Sequence[tuple[Inside, Inside]]) -> Markup:
-    """Return name and value in two columns."""
+    """Return names and values in two columns."""
     return tag("div.kv", [(tag("span", name), tag("span", value)) for name, value in rows])
 
 

@@ -1,4 +1,4 @@
-"""What a page may say to the lab. Everything else a stranger can send is dropped before it reaches anything."""
+"""The messages that a page may send to the lab. All others, which a stranger can send, are dropped before any use."""
 
 from __future__ import annotations
 
@@ -22,35 +22,35 @@ SAID = frozenset(
         "ViewerCameraMessage",
     }
 )
-"""Messages that the lab's own page sends. viser knows more: files, forms, public tunnels."""
+"""Messages that the lab's own page sends; viser knows more, for files, forms and public tunnels."""
 
 FARTHEST = 1e6
-"""Metres, and everything else that is a number in a message of the scene; beyond it products would overflow."""
+"""Largest number in a message of the scene, such as a length in metres; with larger ones products would overflow."""
 
 LEAST = 1e-6
-"""Of the largest number of a direction."""
+"""Least value of the largest number of a direction."""
 
 LONGEST_NAME = 200
-"""Characters of the name of a node or a control."""
+"""Largest number of characters in the name of a node or a control."""
 
 MOST_NUMBERS = 64
-"""In one field of a message."""
+"""Largest number of numbers in one field of a message."""
 
 
 VECTORS = {"position": 3, "look_at": 3, "up_direction": 3, "wxyz": 4}
-"""How many numbers of a pose or a camera are in these fields."""
+"""Number of components of the vectors of a pose or a camera, by field."""
 
 NUMBERS = frozenset({int, float})
-"""Types of numbers in what was read from a message."""
+"""Types of the numbers in a message that was read."""
 
 DIRECTIONS = frozenset({"up_direction", "wxyz"})
-"""Those of them that say nothing when all numbers are zero."""
+"""Vectors that are invalid if all components are zero."""
 
 POSITIVE = frozenset({"fov", "near", "far", "image_height", "image_width"})
 
 
 class Gate:
-    """Looks at each message of one connection; says once what was dropped."""
+    """A gate that checks each message of one connection, and logs the first one that it drops."""
 
     def __init__(self) -> None:
         self.dropped = 0
@@ -73,14 +73,14 @@ class Gate:
         return not wrong
 
     def drop(self, why: str) -> None:
-        """Note that something was dropped; the log hears of the first time only."""
+        """Count a dropped message; only the first one is logged."""
         self.dropped += 1
         if self.dropped == 1:
             log.warning("a page that is not ours: %s; this and what follows of the kind is dropped", why[:200])
 
 
 def _wrong(kind: str, fields: Mapping[str, Any], value_now: Any) -> str:
-    """Return what is wrong with a message; empty when nothing is."""
+    """Return the fault of a message, or an empty text."""
     if kind not in SAID:
         return f"it sent {kind[:60]}"
     if kind == "GuiUpdateMessage":
@@ -103,7 +103,7 @@ def _wrong(kind: str, fields: Mapping[str, Any], value_now: Any) -> str:
 
 
 def _fits(value: Any, now: Any) -> bool:
-    """Return whether a control that holds ``now`` can hold a value: the same kind, and as many of them."""
+    """Return whether a control that holds ``now`` can hold a value: the same kind, and as many components."""
     if isinstance(now, bool) or isinstance(value, bool):
         return isinstance(value, bool) and isinstance(now, bool)
     if isinstance(now, (int, float)):
@@ -118,7 +118,7 @@ def _fits(value: Any, now: Any) -> bool:
 
 
 def _is_vector(value: Any, length: int, is_direction: bool) -> bool:
-    """Return whether a field is a list of so many numbers, and not of zeros where it is a direction."""
+    """Return whether a field is a list of the given length of numbers, and not all zero if it is a direction."""
     if not isinstance(value, (list, tuple)) or len(value) != length:
         return False
     return NUMBERS.issuperset(map(type, value)) and (not is_direction or max(map(abs, value)) > LEAST)

@@ -1,4 +1,4 @@
-"""Elements of a page: texts and attributes are escaped where an element is made, so that nothing typed becomes markup.
+"""Elements of a page: texts and attributes are escaped when an element is made, so that no text becomes markup.
 
 `tag` makes one, with what is inside; a `Markup` that it returns stands as it is in another. This is the only place
 where text becomes markup; formulas and the text of lessons come from their own readers, which check them.
@@ -15,10 +15,11 @@ from markupsafe import Markup, escape
 __all__ = ["Attribute", "Inside", "Markup", "classes", "joined", "styles", "tag"]
 
 Inside = str | Iterable["Inside"] | None
-"""What stands in an element: a text, which is escaped; markup; several of these one after the other; or nothing."""
+"""Content of an element: a text, which is escaped; markup; several of these in a row; or nothing."""
 
 Attribute = str | int | bool | None
-"""A text, which is escaped; True of an attribute without a value; False and None of one that is not there."""
+"""Value of an attribute: a text, which is escaped; True for one without a value; False and None for one that is
+absent."""
 
 _KIND = re.compile(r"([a-z][a-zA-Z0-9]*)((?:\.[\w-]+)*)")
 
@@ -50,7 +51,7 @@ def tag(kind: str, /, *inside: Inside, **attributes: Attribute) -> Markup:
 
 
 def joined(*inside: Inside, between: str = "") -> Markup:
-    """Return markup of several things one after the other.
+    """Return markup of several things in a row.
 
     >>> print(joined("a & b", [tag("i", "c")], None, between=", "))
     a &amp; b, <i>c</i>
@@ -61,7 +62,7 @@ def joined(*inside: Inside, between: str = "") -> Markup:
 
 
 def styles(rules: Iterable[str]) -> Markup:
-    """Return rules of a style sheet in an element, where nothing is escaped: `ValueError` for one that could end it."""
+    """Return style rules in an element, where nothing is escaped; `ValueError` for a rule that could end it."""
     text = "".join(rules)
     if "<" in text:
         raise ValueError(f"expected rules of a style sheet, got {text!r}")
@@ -69,7 +70,7 @@ def styles(rules: Iterable[str]) -> Markup:
 
 
 def classes(kind: str, **more: bool) -> str:
-    """Return the kind of an element with those classes that hold.
+    """Return the kind of an element with those classes whose values are true.
 
     >>> classes("td.a", zero=True, lit=False)
     'td.a.zero'
@@ -95,7 +96,7 @@ def _attribute(name: str, value: Attribute) -> str:
 
 
 def _text(inside: Inside) -> str:
-    """Return the markup of what stands in an element."""
+    """Return the markup of the content of an element."""
     if type(inside) is Markup:
         return inside
     if isinstance(inside, str):

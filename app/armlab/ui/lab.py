@@ -39,36 +39,36 @@ from armlab.ui.wished import wished
 log = logging.getLogger(__name__)
 
 UNVISITED = 3.0
-"""Seconds after which lessons are read in a lab that nobody has opened yet."""
+"""Time after which lessons are read in a lab that nobody has opened yet, seconds."""
 
 SETTLING = 1.0
-"""Seconds that a browser has for itself to show the first page it was sent."""
+"""Time that a browser has for itself to show the first page it was sent, seconds."""
 
 GRANT_PATIENCE = 2.0
-"""Seconds to wait for the arm or lesson a link names before the page is built without it."""
+"""Time to wait for the arm or lesson that a link names before the page is built without it, seconds."""
 
 PIECE_PATIENCE = 2.0
-"""Seconds to wait at the end for the piece of long work at hand."""
+"""Time to wait at the end for the present piece of long work, seconds."""
 
 SAVE_INTERVAL = 0.75
-"""Seconds between savings; with the time of one a crash loses at most a second."""
+"""Time between two savings, seconds; together with the time of one, a crash loses at most a second."""
 
 BUILDING = 1.0 / 3.0
-"""Part of the event loop's time in which pages may be built while others are open: a class that opens the lab, or a
-stranger who comes again and again, is not to hold up the arms of those who are there."""
+"""Share of the event loop's time in which pages may be built while others are open, so that a class that opens the lab,
+or a stranger who returns again and again, does not stop the arms of the others."""
 
 SELDOM = 30
-"""Small collections of garbage to a whole one: pages that have closed may wait for it, hands that drag should not."""
+"""Number of small garbage collections for each whole one: closed pages can wait for it, moving arms cannot."""
 
 PIECE = 0.002
-"""Seconds of the building of a page after which others have their turn."""
+"""Time of building a page after which others have their turn, seconds."""
 
 LOOK_INTERVAL = 1.0
-"""Seconds between looks at the files of lessons: a teacher sees at once what was written."""
+"""Time between two looks at the files of lessons, seconds, so that a teacher soon sees a change."""
 
 
 class Lab:
-    """Everything behind the front.
+    """All parts of the lab behind the front.
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ class Lab:
         return self.server.get_port()
 
     def stop(self) -> None:
-        """Save everything and end."""
+        """Save everything and stop the lab."""
         self._stopped.set()
         self.first_page.set()
         self.runner.stop()
@@ -165,12 +165,12 @@ class Lab:
                 await self._open(client, session)
 
     def _add_lessons(self) -> None:
-        """Add the folders of lessons, which changes nothing when they are there."""
+        """Add the folders of lessons; those that are there already stay as they are."""
         for folder in self._own_lessons:
             add_folder(folder)
 
     async def _open(self, client: viser.ClientHandle, session: Session) -> None:
-        """Build the page of a browser in small pieces, with time for others after each."""
+        """Build the page of a browser in small pieces, with time for other work after each."""
         view = View(
             client,
             session,
@@ -205,9 +205,9 @@ class Lab:
         self.loop.call_later(SETTLING, self.first_page.set)
 
     async def _grant(self, session: Session, wish: str) -> None:
-        """Do what a readable link asks for, before the page is built.
+        """Carry out the request of a link, if it can be read, before the page is built.
 
-        What it cannot have, the session says in a notice.
+        The session shows a notice if the request cannot be met.
         """
         command = wished(session.state, wish)
         if command is None:
@@ -234,7 +234,7 @@ class Lab:
                     self.worker.post(view.session, Play(False))
 
     def _publish(self, session: Session) -> None:
-        """Have the views of a session shown, on the event loop; called by the worker."""
+        """Let the views of a session be shown, on the event loop; called by the worker."""
         if session.token in self._due:
             return
         self._due.add(session.token)
@@ -255,7 +255,7 @@ class Lab:
         self._follow_jobs(session)
 
     def _follow_jobs(self, session: Session) -> None:
-        """Have the long work done that somebody looks at."""
+        """Let the long work of a session be done whose panels are open."""
         if self._of_session.get(session.token):
             state = session.state
             self.runner.follow(session, frozenset(state[Panels].open(hidden_panels(state))))
@@ -287,7 +287,7 @@ class Lab:
                 said = repr(error)
 
     def _reload(self, keys: frozenset[str]) -> None:
-        """Show lessons whose files have changed to those who have them open, and everybody the list of all."""
+        """Show changed lessons to students who have them open, and the list of lessons to all."""
         for views in tuple(self._of_session.values()):
             session = next(iter(views)).session
             key = session.state[LessonPart].open.partition("/")[0]
@@ -298,7 +298,7 @@ class Lab:
 
 
 def _set_aside() -> None:
-    """Have the collector of garbage pass over what is there from the start, once a process.
+    """Exclude the objects that exist at the start from garbage collection, once in a process.
 
     These are 100 000 objects that stay until the end. Looking at them again and again takes a tenth of a second each
     time, during which no arm moves. Before the first page: what belongs to one must be found when it goes.

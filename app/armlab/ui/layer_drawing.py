@@ -1,4 +1,4 @@
-"""One layer on one canvas: built when it is first wanted, and what fails in it stops no other."""
+"""One layer on one canvas: built when it is first wanted; its failures stop no other layer."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Drawing:
 
     @property
     def seen(self) -> bool:
-        """Whether it is in the scene now."""
+        """Whether the layer is in the scene now."""
         return self._built and not self.canvas.hidden
 
     def show(self, state: State, open_panels: frozenset[str], bare: bool, hidden: frozenset[str]) -> None:

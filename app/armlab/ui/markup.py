@@ -1,4 +1,4 @@
-"""Our own buttons, choices and fields as markup: the page's script sends what a person does with them.
+"""The lab's own buttons, choices and fields as markup; the page's script sends what the student does with them.
 
 ``channel`` is the `channel_id` of the `Fields` that gets ``cell`` and the value.
 """
@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from armlab.ui.html import Inside, Markup, classes, joined, tag
 
 SIGNS = {"ok": "✓", "warn": "◐", "todo": "◐", "no": "✕"}
-"""Of the kinds of verdict: no meaning is carried by a colour alone."""
+"""Signs of the kinds of verdict, because no meaning is carried by a colour alone."""
 
 
 def button(
@@ -61,12 +61,12 @@ def chip(channel: str, cell: str, text: str, hint: str = "", pressed: bool | Non
 
 
 def chips(channel: str, options: Mapping[str, str], chosen: str, hint: str) -> Markup:
-    """Return a chip for each option, key to text, of which one is pressed."""
+    """Return a chip for each option, key to text, with the chosen one pressed."""
     return joined([chip(channel, key, text, hint, key == chosen) for key, text in options.items()])
 
 
 def copy_button(name: str, text: str, kind: str = "copy") -> Markup:
-    """Return a button that copies a text; the name says in which form."""
+    """Return a button that copies a text in the form that ``name`` tells."""
     return tag("button", name, class_=kind, data_copy=text, title=f"Copy as {name}")
 
 
@@ -81,7 +81,7 @@ def options(texts: Mapping[str, str], chosen: str) -> Markup:
 
 
 def groups(texts: Mapping[str, Mapping[str, str]], chosen: str) -> Markup:
-    """Return the options of a choice in groups, title to value to text; those without a title come by themselves."""
+    """Return the options of a choice in groups, title to value to text; an empty title makes no group."""
     made = {title: options(of, chosen) for title, of in texts.items()}
     return joined([tag("optgroup", of, label=title) if title else of for title, of in made.items()])
 
@@ -109,7 +109,7 @@ def row(label: Inside, inside: Inside, wide: bool = False, cells: bool = False, 
 
 
 def progress_bar(done: float) -> Markup:
-    """Return a bar that is filled so far; the words beside it say the same, so that it is not read aloud."""
+    """Return a progress bar, which is not read aloud, because the words beside it say the same."""
     return tag("div.progress", style=f"--part:{100.0 * done:.0f}%")
 
 

@@ -19,10 +19,10 @@ from armlab.ui.widgets import Gui
 Matrix = NDArray[np.floating]
 
 Place = tuple[int | None, int | None]
-"""Row and column; None for all."""
+"""Row and column of a place; None for all."""
 
 WIDE = 5
-"""Columns a panel has room for; more are set closer."""
+"""Largest number of columns with usual spacing; more are set closer."""
 
 
 class MatrixView:
@@ -116,13 +116,13 @@ class _Table:
 
 
 def copy_buttons(values: Matrix) -> Markup:
-    """Return small buttons that copy a matrix in the languages students hand in."""
+    """Return small buttons that copy a matrix in the languages of homework."""
     forms = (("NumPy", as_numpy(values)), ("MATLAB", as_matlab(values)), ("LaTeX", as_latex(values)))
     return joined(copy_button(name, text) for name, text in forms)
 
 
 def as_numpy(values: Matrix) -> str:
-    """Return Python that makes the matrix.
+    """Return the matrix as Python code.
 
     >>> as_numpy(np.array([[1.0, -0.0], [0.25, 2.0]]))
     'np.array([[1.0, 0.0], [0.25, 2.0]])'
@@ -132,7 +132,7 @@ def as_numpy(values: Matrix) -> str:
 
 
 def as_matlab(values: Matrix) -> str:
-    """Return MATLAB that makes the matrix.
+    """Return the matrix as MATLAB code.
 
     >>> as_matlab(np.array([[1.0, 0.5], [0.0, 2.0]]))
     '[1 0.5; 0 2]'
@@ -141,7 +141,7 @@ def as_matlab(values: Matrix) -> str:
 
 
 def as_latex(values: Matrix) -> str:
-    r"""Return LaTeX of the matrix with six digits.
+    r"""Return the matrix as LaTeX with six digits.
 
     >>> print(as_latex(np.array([[1.0, 0.5]])))
     \begin{bmatrix} 1 & 0.5 \end{bmatrix}
@@ -151,5 +151,5 @@ def as_latex(values: Matrix) -> str:
 
 
 def _plain(value: float) -> float:
-    """Return the number without the crumbs of rounding that a zero carries."""
+    """Return the number, with rounding errors of a zero removed."""
     return 0.0 if abs(float(value)) < 1e-15 else float(value)

@@ -1,4 +1,4 @@
-"""How the values of a measure look: as colours, as figures, and the scale that says what the colours stand for."""
+"""Display of the values of a measure: as colours, as figures, and as the scale that explains the colours."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from armlab.ui.format import capitalised, mathml, number, readable
 from armlab.ui.html import Markup, joined, tag
 
 DECADES = 3.0
-"""Of a logarithmic scale of colours, from its bright end down: at most."""
+"""Largest length of a logarithmic scale of colours, in decades down from its bright end."""
 
 SAME = 1e-6
-"""Of the larger: values that differ by less are the same."""
+"""Difference, relative to the larger value, below which two values are the same."""
 
 DIGITS = 3
-"""Significant ones of a measure."""
+"""Number of significant digits of a measure."""
 
 ROUNDING = 1e-9
-"""Of a power of ten: what a logarithm is off by."""
+"""Rounding of a logarithm, in powers of ten."""
 
 
 def figure(value: float) -> str:
@@ -34,7 +34,7 @@ def figure(value: float) -> str:
 
 
 def with_error(size: Size) -> str:
-    """Return a volume or an area with its error, which has one figure, rounded up.
+    """Return a volume or an area with its error, which has one digit, rounded up.
 
     >>> with_error(Size(6.283233, 0.000096, "m²")), with_error(Size(6.2208, 0.0024, "m³"))
     ('6.2832 ± 0.0001 m²', '6.221 ± 0.003 m³')
@@ -48,7 +48,7 @@ def with_error(size: Size) -> str:
 
 
 def parts_of(measure: str, low: float, high: float, values: NDArray[Any]) -> NDArray[np.float64]:
-    """Return where values of a measure lie on its scale of colours, 0 to 1 between its ends."""
+    """Return the places of values of a measure on its scale of colours, 0 to 1 between its ends."""
     values = np.asarray(values, dtype=np.float64)
     if high - low <= SAME * abs(high):
         return np.ones_like(values)
@@ -60,7 +60,7 @@ def parts_of(measure: str, low: float, high: float, values: NDArray[Any]) -> NDA
 
 
 def scale(arm: Arm, key: str, low: float, high: float) -> Markup:
-    """Return the colours and what they stand for."""
+    """Return the colours and their meaning."""
     measure = measure_named(key)
     if high - low <= SAME * abs(high):
         return tag("div.kit-scale", tag("b", _head(arm, key)), f" the same everywhere: {figure(high)}")
@@ -80,5 +80,5 @@ def _head(arm: Arm, key: str) -> Markup:
 
 
 def _least(low: float, high: float) -> float:
-    """Return the dark end of a logarithmic scale: that of the values, but no more than `DECADES` down."""
+    """Return the dark end of a logarithmic scale: the least value, but at most `DECADES` down."""
     return max(low, high * math.pow(10.0, -DECADES))

@@ -1,4 +1,4 @@
-"""A form for the options of a path or a law, made from their descriptions: a new kind brings its form along."""
+"""A form for the options of a path or a law, made from their descriptions, so that a new kind needs no own form."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from armlab.ui.symbols import with_indices
 DECIMALS = 4
 
 MOST_LINES = 8
-"""Of a table that are seen at once."""
+"""Largest number of lines of a table that are visible at once."""
 
 
 @dataclass(frozen=True)
 class Scale:
-    """What stands on screen for the unit ``q`` of a coordinate.
+    """Unit on screen that stands for the unit ``q`` of a coordinate.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ PLAIN = (Scale(),)
 
 
 def unit_text(field: Field, scale: Scale) -> str:
-    """Return the unit of an option as it stands on screen; empty for a pure number.
+    """Return the unit of an option on screen; empty for a pure number.
 
     >>> unit_text(Field("v", "v", "speed", "number", unit="q/s"), Scale("mm", 1e-3))
     'mm/s'
@@ -80,7 +80,7 @@ def option_form(
     given : mapping
         The values that were chosen, by key; others are as they come.
     action : callable
-        ``action(key, value)`` gets what a person chose, radians and metres; None where the field was emptied.
+        ``action(key, value)`` gets the chosen value, radians and metres, or None if the field was emptied.
     scales : sequence of Scale
         One for each coordinate. Numbers and lists are lengths over all of them: in an angle where any turns, otherwise
         in the first (`armlab.benches.motion.plan.paths.joint_scales`).
@@ -144,7 +144,7 @@ def _scale_of(kind: Field, scales: Sequence[Scale], j: int) -> Scale:
 
 
 def option_value(kind: Field, text: str, now: Any = None, scales: Sequence[Scale] = PLAIN) -> Any:
-    """Return what a person typed or pressed for an option, radians and metres; None where the field was emptied.
+    """Return a typed or pressed value of an option, radians and metres, or None if the field was emptied.
 
     Parameters
     ----------
@@ -184,7 +184,7 @@ def _read(kind: Field, text: str, scales: Sequence[Scale]) -> list[float]:
 
 
 def _cells(text: str) -> list[str]:
-    """Return what stands between blanks, with or without commas."""
+    """Return the words of a text between blanks, with or without commas."""
     return text.replace(", ", " ").replace("−", "-").split()
 
 

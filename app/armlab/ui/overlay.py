@@ -1,4 +1,4 @@
-"""What lies over the scene: a line that says what to do or how it went, undo and redo, and notes to the page's script.
+"""The layer over the scene: a line with the verdict or the next step, undo and redo, and notes to the page's script.
 
 The markup is put into viser's own main window, which the style sheet hides except for these children; so it stays
 mounted whatever tab is open.
@@ -37,12 +37,12 @@ class Overlay:
         self._tab, self._asked = "", ""
 
     def open_tab(self, title: str) -> None:
-        """Ask the page's script to bring a tab to the front with the next `show`."""
+        """Let the page's script bring a tab to the front at the next `show`."""
         # Another word each time: the page may outlive the server that asked before.
         self._tab, self._asked = title, secrets.token_hex(4)
 
     def show(self, session: Session, handle: bool) -> None:
-        """Show the state of a session; without the handle in the scene there is nothing to say about it."""
+        """Show the state of a session; the line on the target appears only while its handle is in the scene."""
         line: Inside = None
         if handle and session.state[Target].pose is not None:
             line = verdict_line(session.state.derived(verdict), units_of(session.state))
@@ -54,7 +54,7 @@ class Overlay:
         self._form.show(hint, self._place(session), self._steps(session), self._notes(session))
 
     def _made_of(self, session: Session) -> tuple[object, ...]:
-        """Return all that decides what is shown besides the line."""
+        """Return all values on which the layer depends besides the line."""
         shelf, robot, history = session.state[Shelf], session.state[RobotPart], session.history
         return (
             (shelf.place, _waits(shelf)),
@@ -64,7 +64,7 @@ class Overlay:
         )
 
     def _place(self, session: Session) -> Markup | None:
-        """Return where the student is when it is not their lesson or own work, with the way back."""
+        """Return a sentence on where the student is, unless at the lesson or own work, with the button back."""
         shelf = session.state[Shelf]
         if shelf.place == SANDBOX:
             says, way = "Your sandbox", self._form.button("home", f"‹ Back to {_waits(shelf)}", BackToLesson(), "chip")
@@ -89,7 +89,7 @@ class Overlay:
         return tag("div.al-over.al-steps", buttons)
 
     def _notes(self, session: Session) -> Markup:
-        """Return what the page's script reads: the address of this lesson or arm, and the tab to open."""
+        """Return the notes to the page's script: the address of this lesson or arm, and the tab to open."""
         self._form.takes("tabs", self._tabs_said)
         robot = session.state[RobotPart]
         path = "/" if robot.own else f"/robot/{robot.robot.key}"
@@ -106,5 +106,5 @@ class Overlay:
 
 
 def _waits(shelf: Shelf) -> str:
-    """Return the name of what a student has left for a while."""
+    """Return the name of the work that the student has left for a while."""
     return at_place(shelf.waiting).title if shelf.waiting else "my work"

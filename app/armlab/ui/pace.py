@@ -1,4 +1,4 @@
-"""How often what may lag is shown: at once while there is time for it, less often when a whole class needs the loop.
+"""The rate of updates that may lag: at once while there is time, less often when a whole class needs the loop.
 
 The arm and its handle are never held back. Panels, overlays and films share a part of the event loop's time; when they
 have used it up, they are shown less often, and always once more when things have come to rest.
@@ -16,21 +16,21 @@ from armlab.session.load import Load
 from armlab.ui.spread import Spread
 
 SHARE = 0.05
-"""Part of the loop's time in which panels, overlays and films of all students may be made; sending costs as much."""
+"""Share of the loop's time in which panels, overlays and films of all students may be made; sending costs as much."""
 
 LEAST_SHARE = 0.01
 BUSY, FULL = 0.6, 0.95
-"""When the process uses more than 60 % of a core the share becomes smaller, at 95 % it is the least."""
+"""Load of a core from which the share becomes smaller, and load at which the share is least."""
 
 MEMORY = 1.0
-"""Seconds over which the time is summed."""
+"""Time over which the work is summed, seconds."""
 
 SLOWEST = 1.0
-"""Seconds between two pictures at most."""
+"""Longest time between two pictures, seconds."""
 
 
 class Pace:
-    """The time spent on what may lag, in one process.
+    """The time spent on updates that may lag, in one process.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ class Pace:
             self._at = now
 
     def interval(self, usual: float) -> float:
-        """Return how many seconds to leave between two pictures: the usual while there is time, more when not."""
+        """Return the seconds between two pictures: the usual time while there is time for it, else more."""
         load, share = self._load(self._clock()), self._share()
         if load <= share:
             return usual
@@ -72,7 +72,7 @@ class Pace:
         return SHARE - full * (SHARE - LEAST_SHARE)
 
     def _load(self, now: float) -> float:
-        """Return the part of the last second or so that was spent."""
+        """Return the share of the last second or so that was spent."""
         return self._spent * math.exp((self._at - now) / MEMORY) / MEMORY
 
 
@@ -112,7 +112,7 @@ class Paced:
         self._pace.timed(self._call, self._newest)
 
     def stop(self) -> None:
-        """Forget what is still to come."""
+        """Cancel a call that is still to come."""
         self._pace.spread.drop(self)
         if self._later is not None:
             self._later.cancel()

@@ -1,4 +1,4 @@
-"""Lists of files to choose from: arms and lessons."""
+"""Lists of files to choose from, for arms and lessons."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from armlab.ui.markup import verdict_box
 
 
 def pick(form: Form, cell: str, action: Pressed, name: str, aside: str, about: str, here: bool) -> Markup:
-    """Return one entry: its name, a word beside it, a line below; ``here`` marks the one in use."""
+    """Return one entry: its name, a word beside it, a line below; ``here`` marks the present one."""
     inside = (tag("b", name), tag("i", aside), tag("span", about))
     return form.button(cell, inside, action, "pick", aria_current="true" if here else "")
 
 
 def broken_files(kind: str, problems: Sequence[ContentError]) -> Markup | None:
-    """Return what is wrong with files of a kind that cannot be used; nothing without any."""
+    """Return the problems of broken files of a kind, or nothing if there are none."""
     if not problems:
         return None
     head = f"{len(problems)} broken {kind} file{'s' if len(problems) > 1 else ''}"

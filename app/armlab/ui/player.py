@@ -1,4 +1,4 @@
-"""What makes a clip play: one picture after the other by the clock, never more than one on its way."""
+"""The player of a clip: one picture after the other by the clock, never more than one on its way."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from armlab.session.session import Session
 from armlab.session.state import Command
 
 INTERVAL = 1.0 / 60.0
-"""Seconds between pictures; when the lab needs longer there are fewer of them, and the clip still ends on time."""
+"""Time between pictures, seconds; if the lab needs longer there are fewer of them, and the clip still ends on time."""
 
 PATIENCE = 3.0
-"""Seconds to wait for a picture; a clip whose pictures fail is paused."""
+"""Time to wait for a picture, seconds; a clip whose pictures fail is paused."""
 
 
 class Player:
-    """Plays the clip of one session.
+    """The player of one session's clip.
 
     Parameters
     ----------
@@ -25,7 +25,7 @@ class Player:
     post : callable
         Hands in a command.
     watched : callable
-        Whether anybody is looking; nobody needs a clip that plays for itself.
+        Whether the clip is seen; without a viewer it need not play.
     loop : asyncio.AbstractEventLoop, optional
         Whose clock counts; the running one if none is given.
     """
@@ -51,7 +51,7 @@ class Player:
         self._late = False
 
     def follow(self) -> None:
-        """Begin or go on to play if the session wants it; call this whenever its state has been shown."""
+        """Start or continue to play if the session wants it; call this whenever its state has been shown."""
         timeline = self._session.state[Timeline]
         if not timeline.playing:
             self._stop()
@@ -67,7 +67,7 @@ class Player:
             self._send_next()
 
     def _wait(self) -> None:
-        """Come back when the next picture is due: times of pictures are counted on, so that delays do not add up."""
+        """Come back when the next picture is due, counted from the last due time, so that delays do not add up."""
         now = self._loop.time()
         self._due += INTERVAL
         if self._due <= now:

@@ -21,7 +21,7 @@ def play_button(
     hint: str = "",
     off: bool = False,
 ) -> Markup:
-    """Return the button that plays a film, pauses it, or goes on where it was paused.
+    """Return the button that plays a film, pauses it, or continues it.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def play_button(
 
 
 def clock(form: Form, state: State, clip: str, end: float) -> Markup:
-    """Return the button of a film that takes ``end`` seconds, and the field of its time; cells go by the clip."""
+    """Return the button of a film that takes ``end`` seconds, and the field of its time, with the clip in the cells."""
     on = state[Timeline].clip == clip
     now = state[Timeline].time if on else 0.0
     typed = form.field("time", amount(now), "Time in seconds", lambda text: _to_time(text, clip, end, on))

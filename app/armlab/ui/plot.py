@@ -21,18 +21,18 @@ if TYPE_CHECKING:
 
 HEIGHT = 130
 MOST_POINTS = 500
-"""Points of a curve that are sent; more of them cannot be seen in a panel."""
+"""Largest number of points of a curve that are sent; more of them cannot be seen in a panel."""
 
 NOTHING = 1e-9
-"""A curve that stays below is shown as zero, not as its rounding errors."""
+"""Largest absolute value of a curve that is shown as zero, because it consists of rounding errors."""
 
 TIME = "time"
-"""The cursor that follows the timeline."""
+"""Value for a cursor that follows the timeline."""
 
 
 @dataclass(frozen=True)
 class Curve:
-    """One series.
+    """One curve.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class Curve:
 
     @property
     def series(self) -> dict[str, Any]:
-        """How the page draws it."""
+        """Options with which the page draws the curve."""
         drawn: dict[str, Any] = {"label": self.name, "stroke": css(self.colour)}
         if self.opacity < 1.0:
             drawn["stroke"] = f"rgba{css(self.colour)[3:-1]},{self.opacity:g})"
@@ -122,16 +122,16 @@ class Plot:
         self._cursor = gui.html()
 
     def _series(self) -> tuple[dict[str, Any], ...]:
-        """Return how the page draws abscissa, curves and limits."""
+        """Return the options with which the page draws abscissa, curves and limits."""
         limit = {"label": "limit", "stroke": css(VERDICT["no"]), "width": 1, "dash": [5, 4]}
         return ({"label": self._x}, *(curve.series for curve in self._curves), *[limit] * self._limits)
 
     def announce(self, curves: Sequence[Curve]) -> None:
-        """Have other curves, whose number may be another, from the next `show` on; for a plot without a legend."""
+        """Set other curves, possibly another number of them, from the next `show` on; for a plot without a legend."""
         self._curves = tuple(curves)
 
     def name(self, title: Inside) -> None:
-        """Give the plot a heading: the quantity and its unit."""
+        """Set the heading of the plot: the quantity and its unit."""
         save = self._head.button("csv", "CSV", self._save, "copy", "Save the curves as a table")
         self._head.show(tag("h3", title, tag("span.copies", save)), self._legend)
 
@@ -140,7 +140,7 @@ class Plot:
         return ()
 
     def name_x(self, x: str) -> None:
-        """Give the abscissa another name and unit."""
+        """Set the name and unit of the abscissa."""
         if x == self._x:
             return
         self._x = x
@@ -148,7 +148,7 @@ class Plot:
         self._handle.axes = ({**first, "label": x}, *rest)
 
     def visible(self, on: bool) -> None:
-        """Show or hide all of it."""
+        """Show or hide the whole plot."""
         self._head.visible(on)
         self._cursor.visible(on)
         if self._handle.visible != on:
@@ -160,7 +160,7 @@ class Plot:
         curves: Sequence[NDArray[np.floating]],
         limits: Sequence[float] = (),
     ) -> None:
-        """Show other curves.
+        """Show new curves.
 
         Parameters
         ----------
@@ -190,7 +190,7 @@ class Plot:
         self._write(tuple(np.ascontiguousarray(column) for column in (*shown, *lines)))
 
     def _write(self, data: tuple[NDArray[np.float64], ...]) -> None:
-        """Send the columns; at no moment has the page a curve without its column."""
+        """Send the columns, so that the page never has a curve without its column."""
         series, before = self._series(), tuple(self._handle.series)
         if len(series) < len(before):
             self._handle.series = series
@@ -205,7 +205,7 @@ class Plot:
             self._handle.scales = scales
 
     def cursor(self, at: float | str | None) -> None:
-        """Put the cursor at a value of x, let it follow the timeline (`TIME`), or take it away (None, or outside)."""
+        """Put the cursor at a value of x, let it follow the timeline (`TIME`), or remove it (None, or outside)."""
         mark = at if isinstance(at, str) else ""
         if isinstance(at, (int, float)) and self._table and len(self._table[0]):
             low, high = self._table[0][0], self._table[0][-1]
@@ -214,7 +214,7 @@ class Plot:
         self._cursor.show(tag("i", hidden=True, data_cursor=mark))
 
     def csv(self) -> str:
-        """Return the curves as comma-separated values, all points, with names and units in the first line."""
+        """Return the curves as comma-separated values, with all points, and with names and units in the first line."""
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow([self._x, *(curve.name for curve in self._curves)])
@@ -223,7 +223,7 @@ class Plot:
 
 
 def _with_gaps(column: NDArray[np.float64]) -> NDArray[np.float64] | list[float | None]:
-    """Return a column so that the page leaves its gaps open: it draws a line across what is not a number."""
+    """Return a column so that the page leaves its gaps open: it would draw a line across NaN."""
     there = np.flatnonzero(np.isfinite(column))
     if len(there) == 0 or there[-1] - there[0] + 1 == len(there):
         return column

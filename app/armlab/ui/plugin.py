@@ -1,4 +1,4 @@
-"""What a panel and a layer of the scene are: each is one file, found by folder."""
+"""Panels and layers of the scene: each is one file, found by its folder."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ NOTHING: Points = np.zeros((0, 3))
 class Panel:
     """The constant ``PANEL`` of the module ``ui.page`` of a page.
 
-    It is imported and built when a person first opens the page, and shown only while it is open.
+    It is imported and built when the page is first opened, and shown only while it is open.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class Panel:
         ``build(gui, state, post) -> show``: makes the controls, returns the function that shows a state, which is
         called at once.
     rebuilds : tuple of part types
-        ``build`` is called anew when one of these has changed: another arm, other units.
+        ``build`` is called again when one of these has changed: another arm, other units.
     see_through : bool
         Whether the arm is drawn as a skeleton while the panel is open, because what it shows lies inside.
     hides : tuple of str
@@ -65,7 +65,7 @@ class Panel:
 
 @dataclass(frozen=True)
 class Layer:
-    """The constant ``LAYER`` of a module in `armlab.ui.scene`: something drawn in the scene.
+    """The constant ``LAYER`` of a module in `armlab.ui.scene`: a part of the scene.
 
     Parameters
     ----------
@@ -75,10 +75,10 @@ class Layer:
     watches : tuple of part types
         ``show`` is called at once when one of these parts has changed.
     build : callable
-        ``build(canvas, state) -> show``; ``show`` is called at once. Called anew when the arm has changed. What it adds
-        to ``canvas.scene`` is shown, hidden and removed as a whole.
+        ``build(canvas, state) -> show``; ``show`` is called at once. Called again when the arm has changed. The nodes
+        that it adds to ``canvas.scene`` are shown, hidden and removed as a whole.
     switch : Switch or None
-        With which a person shows or hides it; it is built when first switched on, and not shown while it is off.
+        The switch that shows or hides it; it is built when first switched on, and not shown while it is off.
     panel : str or tuple of str
         Keys of the panels with which it comes and goes; empty when it does not.
     hides : tuple of str
@@ -98,12 +98,12 @@ class Layer:
 
     @property
     def panels(self) -> frozenset[str]:
-        """The panels with which it comes and goes."""
+        """The panels with which the layer is shown."""
         return frozenset(filter(None, (self.panel,) if isinstance(self.panel, str) else self.panel))
 
 
 def panel(key: str) -> Panel:
-    """Return the panel of a page, which is imported now; `PluginError` when it is broken."""
+    """Return the panel of a page, which is imported now; `PluginError` if it is broken."""
     found = _imported(key)
     if isinstance(found, PluginError):
         raise found
@@ -111,14 +111,14 @@ def panel(key: str) -> Panel:
 
 
 def whole_panel(key: str) -> Panel | None:
-    """Return the panel of a page; None where it is broken, which the page says."""
+    """Return the panel of a page, or None if it is broken, which the page says."""
     found = _imported(key)
     return found if isinstance(found, Panel) else None
 
 
 @cache
 def _imported(key: str) -> Panel | PluginError:
-    """Return a panel, or why there is none: what is broken stays so until the lab is started again."""
+    """Return a panel, or the error of its import; a broken one stays so until the lab is restarted."""
     try:
         found = constant_of(f"{pages()[key].package}.ui.page", "PANEL", Panel)
         _refuse_unknown(key, found.hides)
@@ -128,7 +128,7 @@ def _imported(key: str) -> Panel | PluginError:
 
 
 def panels() -> None:
-    """Import all panels; `PluginError` with the name of the first that is broken."""
+    """Import all panels; `PluginError` with the name of the first broken one."""
     for key in pages():
         panel(key)
 

@@ -1,6 +1,6 @@
 """Pictures as PNG files (W3C, *PNG*, 3rd edition, section 11).
 
-Written by hand: no library of the lab writes pixels, and it takes but these lines.
+Written by hand: no library of the lab writes pixels, and these lines are enough.
 """
 
 from __future__ import annotations
@@ -13,14 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 QUICK = 1
-"""Level of the compression of pictures that are made anew while they grow."""
+"""Level of compression for pictures that are made again and again while they grow."""
 
 INDEXED, COLOURS = 3, 6
 """Kinds of pictures: entries of a palette, and red, green, blue and opacity."""
 
 
 def indexed_png(entries: NDArray[np.uint8], palette: NDArray[np.uint8], level: int = QUICK) -> bytes:
-    """Return a picture (rows, columns) of entries of a palette (k, 3); the first entry is clear."""
+    """Return a picture (rows, columns) of entries of a palette (k, 3); the first entry is transparent."""
     return _file(entries[..., None], INDEXED, [(b"PLTE", palette.tobytes()), (b"tRNS", b"\0")], level)
 
 
@@ -30,7 +30,7 @@ def rgba_png(pixels: NDArray[np.uint8], level: int = QUICK) -> bytes:
 
 
 def as_address(picture: bytes) -> str:
-    """Return a PNG file as an address that holds it."""
+    """Return a PNG file as a data URL."""
     return f"data:image/png;base64,{base64.b64encode(picture).decode()}"
 
 

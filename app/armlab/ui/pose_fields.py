@@ -1,4 +1,4 @@
-"""A pose in fields: position, and the angles that an arm controls, typed in the units on screen."""
+"""Fields for a pose: position, and the angles that an arm controls, typed in the units on screen."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ COMPONENTS = (*AXES, *ANGLES, "phi")
 PRODUCT = r"R=R_z(yaw)\,R_y(pitch)\,R_x(roll)"
 FARTHEST = 1e3
 MOST_TURNED = 20.0 * math.pi
-"""Metres and radians; what is typed beyond is a slip of the pen."""
+"""Largest component of a position, metres, and of an angle, radians, that can be typed."""
 
 Floats = NDArray[np.floating]
 
@@ -55,7 +55,7 @@ def typed_component(arm: Arm, pose: Floats, name: str, text: str, units: Units) 
 
 
 def _reference(arm: Arm) -> NDArray[np.float64]:
-    """Return the frame poses are typed in: the world, or frame 0 of an arm whose base is turned.
+    """Return the frame in which poses are typed: the world, or frame 0 of an arm whose base is turned.
 
     The task is about the axes of frame 0; a wall-mounted planar arm cannot be asked for the world's x and y.
     """
@@ -104,7 +104,7 @@ def pose_form(
 
 
 def product() -> Markup:
-    """Return the product that the three angles stand for."""
+    """Return the product of the three rotations."""
     return tag("div.eq.small", mathml(PRODUCT))
 
 

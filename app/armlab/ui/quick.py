@@ -1,6 +1,6 @@
 """Work that viser does again for every message, node, icon or picture, done once or in fewer steps.
 
-What is said is the same. It is in place as soon as `armlab.ui.adapter` is imported.
+The messages stay the same. All is in place as soon as `armlab.ui.adapter` is imported.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from viser.infra._async_message_buffer import AsyncMessageBuffer
 from armlab.ui.png import rgba_png
 
 LONGEST_WINDOW = 128
-"""Messages that are sent together."""
+"""Largest number of messages that are sent together."""
 
 FLOATS = frozenset({float})
 
@@ -32,7 +32,7 @@ FLOATS = frozenset({float})
 def hints_of(props: type) -> dict[str, Any]:
     """Return the types of the properties of a kind of node or control.
 
-    viser finds them anew for every single one, a quarter of the time that a page takes, and keeps them with each.
+    viser finds them again for every single one, a quarter of the time that a page takes, and keeps them with each.
     """
     return get_type_hints(props)
 
@@ -46,13 +46,13 @@ def _icons() -> ZipFile:
 def icon(name: str) -> str:
     """Return the SVG of one of `viser.Icon`.
 
-    viser opens its archive of some 4000 anew for every icon, a quarter of a second for those of the first page.
+    viser opens its archive of some 4000 again for every icon, a quarter of a second for those of the first page.
     """
     return _icons().read(f"{name}.svg").decode()
 
 
 def _ready(kind: type[Message], field: str) -> Callable[..., dict[str, Any]]:
-    """Return the function that makes a message about a node's pose ready to be packed, where its numbers are plain.
+    """Return the function that makes a message about a node's pose ready for packing if its numbers are plain.
 
     viser looks up the type of every number, a third of what such a message costs, and a drag is made of them.
     """
@@ -68,7 +68,7 @@ def _ready(kind: type[Message], field: str) -> Callable[..., dict[str, Any]]:
 
 
 def _read_pose(general: Callable[[dict[str, Any]], dict[str, Any]], fields: dict[str, Any]) -> dict[str, Any]:
-    """Return the fields of an event of a handle, whose types viser would look up number by number."""
+    """Return the fields of a handle's event; viser would look up their types number by number."""
     wxyz, position = fields.get("wxyz"), fields.get("position")
     if type(wxyz) is not list or len(wxyz) != 4 or type(position) is not list or len(position) != 3:
         return general(fields)
@@ -90,11 +90,11 @@ def _encoded(
 
 
 def send_at_once(buffer: AsyncMessageBuffer) -> None:
-    """Have what is said to one page sent when the loop goes round, together, and not at the pace of pictures.
+    """Let the messages to one page be sent together each time the loop goes round, and not at the pace of pictures.
 
     viser waits a sixtieth of a second for more, or for a `flush`; that costs it two timers and three tasks a message.
-    What is said between two turns of the loop goes together all the same, and while a page is slow to take it, newer
-    poses take the place of those that wait.
+    Messages between two turns of the loop go together all the same, and while a page is slow to take them, newer poses
+    replace those that wait.
     """
 
     async def windows(client_id: int, backlog_done_message: object = None) -> AsyncGenerator[list[Message], None]:
@@ -121,7 +121,7 @@ def send_at_once(buffer: AsyncMessageBuffer) -> None:
 
 
 class _SameLoop:
-    """A loop that is woken from its own thread, as for every message of the lab, without a way through its socket.
+    """An event loop that is woken from its own thread without its socket, as every message of the lab does.
 
     To be made in that thread.
     """

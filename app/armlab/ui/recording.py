@@ -1,4 +1,4 @@
-"""A motion as a recording that plays by itself: a page without a lab behind it, or a file for viser's own player."""
+"""A recording of a motion that plays by itself: a page without a lab behind it, or a file for viser's own player."""
 
 from __future__ import annotations
 
@@ -40,24 +40,24 @@ Kind = Literal["html", "viser"]
 POSES_PER_SECOND = 30.0
 
 LONGEST = 120.0
-"""Seconds of a recording: 3600 poses, with six joints about a megabyte besides the page itself."""
+"""Longest recording, seconds: 3600 poses, with six joints about a megabyte besides the page itself."""
 
 TUBE = 0.006
 """Thickness of the path of the tool, in sizes of the arm."""
 
 ROOM = 0.85
-"""Distance of the eye, in parts of that from which the ball around the motion is seen: its corners are empty."""
+"""Distance of the eye, relative to that which shows the whole ball around the motion, whose corners are empty."""
 
 SKY = {
     False: "linear-gradient(#d9e2ec, #eef2f6 50%, #fbfcfd)",
     True: "linear-gradient(#2b333f, #1e242d 55%, #161a20)",
 }
-"""Behind the scene, by whether the theme is dark: as in the lab."""
+"""Background of the scene, by whether the theme is dark, as in the lab."""
 
 
 @dataclass(frozen=True, eq=False)
 class Scenario:
-    """What is recorded.
+    """The motion to be recorded, and its scene.
 
     Attributes
     ----------
@@ -76,12 +76,12 @@ class Scenario:
 
 @cache
 def maker() -> ThreadPoolExecutor:
-    """Return the thread that makes files: one after the other, so that a class leaves the lab its time."""
+    """Return the thread that makes files one after the other, so that a class leaves time for the lab."""
     return ThreadPoolExecutor(1, "armlab-files")
 
 
 def refuse_long(duration: float) -> None:
-    """Raise `InputError` for a motion that is too long to be recorded."""
+    """Raise `InputError` for a motion that is too long for a recording."""
     if duration > LONGEST:
         raise InputError(f"recording: the motion lasts {duration:.4g} s; at most {LONGEST:g} s can be recorded")
 
@@ -115,7 +115,7 @@ def record(scenario: Scenario, kind: Kind) -> bytes:
 
 @contextmanager
 def _server() -> Iterator[viser.ViserServer]:
-    """Lend a server to draw on, which nobody sees: on loopback, at a free port."""
+    """Provide an invisible server to draw on, on loopback, at a free port."""
     server = adapter.make_server(0)
     try:
         server.scene.configure_default_lights(False)
@@ -127,7 +127,7 @@ def _server() -> Iterator[viser.ViserServer]:
 
 
 def _frames(scenario: Scenario, server: viser.ViserServer) -> Iterator[float]:
-    """Draw the first pose, and return what draws those that follow and yields the seconds before each."""
+    """Draw the first pose, and return an iterator that draws the following ones and yields the seconds before each."""
     state, motion = scenario.state, scenario.motion
     arm = state[RobotPart].robot.arm
     count = max(math.ceil(motion.duration * POSES_PER_SECOND), 1)
@@ -159,7 +159,7 @@ def _draw_way(server: viser.ViserServer, canvas: Canvas, points: Floats) -> None
 
 
 def _look(server: viser.ViserServer, scenario: Scenario, drawn: Drawn, poses: Floats) -> None:
-    """Put the eye where it has the whole motion in view."""
+    """Place the eye so that it sees the whole motion."""
     some = poses[np.linspace(0, len(poses) - 1, min(len(poses), 25)).round().astype(int)]
     boxes = np.array([drawn.figure.bounds(q) for q in some])
     low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
@@ -172,7 +172,7 @@ def _look(server: viser.ViserServer, scenario: Scenario, drawn: Drawn, poses: Fl
 
 
 def _page(state: State, html: str) -> str:
-    """Return viser's page with a title and the sky of the lab."""
+    """Return viser's page with a title and the background of the lab."""
     name = joined(state[RobotPart].robot.name)
     style = f"canvas[data-engine] {{ background: {SKY[DARK.on(state)]}; }}"
     html = html.replace("<title>Viser</title>", f"<title>{name}: motion</title>", 1)

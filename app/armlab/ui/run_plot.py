@@ -1,4 +1,4 @@
-"""A plot of runs that are compared: a curve for each, whatever their number."""
+"""A plot that compares runs: a curve for each, for any number of them."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from armlab.ui.widgets import Gui
 HEIGHT = 104
 
 ROOM = 0.08
-"""Above and below the curves, in parts of what they span."""
+"""Room above and below the curves, relative to their extent."""
 
 Array = NDArray[np.float64]
 
 Values = Callable[[Any], Array | None]
-"""Returns the curve of a run; None where it has none."""
+"""Function that returns the curve of a run, or None if it has none."""
 
 
 class _Noted:
-    """A maker of controls that remembers what it has made, so that a whole plot can be hidden."""
+    """A maker of controls that remembers them, so that a whole plot can be hidden."""
 
     def __init__(self, gui: Gui) -> None:
         self._gui, self._made, self.hidden = gui, list[Callable[[bool], None]](), False
@@ -60,7 +60,7 @@ class _Noted:
 
 
 class RunPlot(Plot):
-    """A plot with a curve for each run there is, whatever their number."""
+    """A plot with a curve for each present run, for any number of them."""
 
     def __init__(self, gui: Gui, title: Inside, file: str, values: Values, from_zero: bool = False) -> None:
         self.values, self._zero = values, from_zero
@@ -75,15 +75,15 @@ class RunPlot(Plot):
         return tag("span.kit-plot", self._title, f", {unit}" if unit else None)
 
     def name_unit(self, unit: str) -> None:
-        """Give the quantity a unit; none for a pure number."""
+        """Set the unit of the quantity; none for a pure number."""
         self.name(self._heading(unit))
 
     def visible(self, on: bool) -> None:
-        """Show or hide all of it."""
+        """Show or hide the whole plot."""
         self._noted.visible(on)
 
     def show_runs(self, x: Array, curves: Sequence[Array | None]) -> None:
-        """Show a curve for each run, by their places in the list; None for one that has none."""
+        """Show a curve for each run, by their places in the list; None for a run without one."""
         self._there = tuple(i for i, curve in enumerate(curves) if curve is not None)
         nothing = np.full(len(x), np.nan)
         every: list[Array] = [nothing] * len(RUN_COLOURS)
@@ -93,7 +93,7 @@ class RunPlot(Plot):
         self.show(x, every)
 
     def _scale(self, x: Array, curves: Sequence[Array]) -> None:
-        """Choose the ranges: the page cannot, where curves have ends."""
+        """Choose the ranges, which the page cannot do for curves that end."""
         values = np.concatenate(curves)
         values = values[np.isfinite(values)]
         low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 1.0)
@@ -106,7 +106,7 @@ class RunPlot(Plot):
             self._handle.scales = scales
 
     def csv(self) -> str:
-        """Return the curves of the runs there are, with a name for each."""
+        """Return the curves of the present runs, with a name for each."""
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow([self._x, *(f"run {i + 1}" for i in self._there)])

@@ -8,17 +8,17 @@ from armlab.ui.format import number, scientific
 from armlab.ui.units import Units
 
 NO_BREAK = "\N{NO-BREAK SPACE}"
-"""Between a number and its unit, which belong on one line."""
+"""No-break space between a number and its unit, which belong on one line."""
 
 HUGE = 1e5
-"""Numbers from here on are written with a power of ten."""
+"""Least number that is written with a power of ten because it is large."""
 
 LEAST = 0.01
-"""Numbers below this are written with a power of ten, and those above with two digits at least."""
+"""Number below which a power of ten is written; larger ones have at least two digits."""
 
 
 def small(value: float, revolute: bool, units: Units) -> str:
-    """Return an angle or a length without its unit, with a power of ten where fixed decimals would show nothing."""
+    """Return an angle or a length without its unit, with a power of ten if fixed decimals would not show it."""
     scaled, decimals = value / units.factor(revolute), units.decimals(revolute)
     if not math.isfinite(scaled):
         return "–"

@@ -1,4 +1,4 @@
-"""What is shown, spread over turns of the event loop: hands that drag come between what ten others are shown."""
+"""Updates spread over turns of the event loop, so that drags are handled between the updates of many others."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from collections.abc import Callable, Hashable
 log = logging.getLogger(__name__)
 
 PIECE = 0.003
-"""Seconds of a turn of the loop; what has begun is done, the rest follows when messages of all have been looked at.
-Where those take longer, what is shown gets as much: otherwise a class that drags would be heard and not answered."""
+"""Time that updates may take in a turn of the loop, seconds: a started one is finished, the others follow after the
+messages of all. If those take longer the updates get as much time, so that a class that drags also sees the result."""
 
 
 class Spread:
-    """Calls in the order in which they came, as many each time the loop goes round as its time allows; see `PIECE`.
+    """Calls in the order of their arrival, as many in each turn of the loop as its time allows; see `PIECE`.
 
     Parameters
     ----------
@@ -30,9 +30,9 @@ class Spread:
         self._calling, self._comes_round = False, False
 
     def put(self, key: Hashable, call: Callable[[], None]) -> None:
-        """Call it now, if there is time in this turn and nothing else waits; the newest of those with one key counts.
+        """Call now, if there is time in this turn and no call waits; a newer call with the same key replaces it.
 
-        The loop is the running one. What is put from inside such a call comes after it.
+        The loop is the running one. A call that is put from inside another one comes after it.
         """
         is_first = not self._waiting  # nobody's call is done inside what another one is at
         self._waiting[key] = call
@@ -40,7 +40,7 @@ class Spread:
             self._go_on()
 
     def drop(self, key: Hashable) -> None:
-        """Forget what waits with this key, if anything does."""
+        """Drop the call that waits with this key, if there is one."""
         self._waiting.pop(key, None)
 
     def _go_on(self) -> None:

@@ -1,4 +1,4 @@
-"""Shapes of drawn pictures; coordinates are those of the picture, with one decimal, which is a tenth of a pixel."""
+"""Shapes of drawn pictures, in coordinates of the picture with one decimal, which is a tenth of a pixel."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from armlab.ui.html import Attribute, Inside, Markup, tag
 
 
 def drawing(kind: str, width: float, height: float, label: str, *inside: Inside, **more: Attribute) -> Markup:
-    """Return a picture of that size, in its own units; the label is read aloud."""
+    """Return a picture of the given size, in its own units; the label is read aloud."""
     box = f"0 0 {_short(width)} {_short(height)}"
     return tag(f"svg.{kind}" if kind else "svg", *inside, viewBox=box, role="img", aria_label=label, **more)
 
@@ -32,7 +32,7 @@ def circle(kind: str, x: float, y: float, radius: float) -> Markup:
 
 
 def text(kind: str, x: float, y: float, inside: Inside, anchor: str | None = None) -> Markup:
-    """Return a text that begins there, or has its ``middle`` or ``end`` there."""
+    """Return a text that begins at a point, or has its ``middle`` or ``end`` there."""
     return tag(f"text.{kind}" if kind else "text", inside, x=_at(x), y=_at(y), text_anchor=anchor)
 
 
@@ -46,5 +46,5 @@ def _at(value: float) -> str:
 
 
 def _short(value: float) -> str:
-    """Return the number without a decimal that is zero."""
+    """Return the number without a zero decimal."""
     return f"{value:.1f}".removesuffix(".0")

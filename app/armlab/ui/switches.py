@@ -1,4 +1,4 @@
-"""Switches of the picture: what can be shown or hidden, with key and hint."""
+"""Switches for parts of the picture, with key and hint."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Switch:
     key : str
         The letter that toggles it; empty for none.
     default : bool
-        How it stands when nobody has set it.
+        Its position while it has not been set.
     """
 
     name: str
@@ -30,7 +30,7 @@ class Switch:
     default: bool = False
 
     def on(self, state: State) -> bool:
-        """Return whether it is on."""
+        """Return whether the switch is on."""
         return state[Display].switches.get(self.name, self.default)
 
 
@@ -41,4 +41,4 @@ SHADOWS = Switch(
 DARK = Switch("dark", "Dark theme", "Light on dark, for a dark room.", "L")
 
 GENERAL = (SHADOWS, DARK)
-"""Switches that are not about one layer."""
+"""Switches that do not belong to one layer."""

@@ -1,4 +1,4 @@
-"""Symbols whose indices are typed after a low line."""
+"""Symbols whose indices are typed after an underscore."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _INDEX = re.compile(r"_([^\s/]+?)(?=, |/|$)")
 
 
 def with_indices(text: str) -> Markup:
-    """Return a symbol with what follows a low line set as its index.
+    """Return a symbol with the text after an underscore as its index.
 
     >>> print(with_indices("Δt_k−1,k"), with_indices("t_a, t_b"), with_indices("T_s/T"))
     Δt<sub>k−1,k</sub> t<sub>a</sub>, t<sub>b</sub> T<sub>s</sub>/T
@@ -20,7 +20,7 @@ def with_indices(text: str) -> Markup:
 
 
 def with_symbol(text: str, symbol: str) -> Markup:
-    """Return a text in which one symbol, typed with a low line, has its index lowered wherever it stands.
+    """Return a text in which one symbol, typed with an underscore, has its index as a subscript everywhere.
 
     >>> print(with_symbol("v < v_d, v_d = 1", "v_d"))
     v &lt; v<sub>d</sub>, v<sub>d</sub> = 1

@@ -1,4 +1,4 @@
-"""One tab of the dock: its pages, of which one is shown; built when first seen, refreshed only while seen."""
+"""One tab of the dock: its pages, of which one is shown, built when first seen, and updated only while seen."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from armlab.ui.widgets import Gui
 log = logging.getLogger(__name__)
 
 COVERED = "Answer the question of the lesson first."
-"""What stands on a page that would tell the answer."""
+"""Text in place of a page that would show the answer."""
 
 
 class Tab:
-    """A tab.
+    """One tab of the dock.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ class Tab:
                 self._head = head.form(post)
 
     def show_head(self, state: State) -> None:
-        """Show the pages there are in a state, and on which of them the tab stands."""
+        """Show the pages of the tab in a state, with the present one marked."""
         if self._head is None:
             return
         stands, hidden = self._page_of(state), hidden_panels(state)
@@ -86,13 +86,13 @@ class Tab:
         self._head.show(tag("div.pages", pages, role="tablist"))
 
     def show(self, state: State, again: bool = False) -> None:
-        """Show a state on the page on which the tab stands.
+        """Show a state on the present page of the tab.
 
         Parameters
         ----------
         state : State
         again : bool
-            Also when it is the one shown, over what a person typed.
+            Also when it is the one shown, over a typed text.
         """
         page = self.pages[self._page_of(state)]
         if self._cover(page, state):
@@ -121,7 +121,7 @@ class Tab:
             self.show(self._shown, again=True)
 
     def _cover(self, page: Page, state: State) -> bool:
-        """Show a sentence instead of a page that would tell what is to be predicted."""
+        """Show a sentence instead of a page that would show the answer to a prediction."""
         covered = bool(state[LessonPart].hides) and not page.always
         if covered and self._built != COVERED:
             with self._container:
@@ -131,14 +131,14 @@ class Tab:
         return covered
 
     def _tell_broken(self, page: Page) -> None:
-        """Show, once each time it is turned to, that a page cannot be shown, and why in the log."""
+        """Show once for each choice of the page that it is broken; the reason is in the log."""
         if self._built != page.key:
             self._built, self._show, self._shown = page.key, None, None
             with self._container:
                 self._try(panel_of, page.key)
 
     def _try(self, call: Callable[..., Any], *arguments: Any) -> Any:
-        """Return the result; a panel that fails is replaced by a line, and the rest lives on."""
+        """Return the result; a panel that fails is replaced by a line, and the rest of the lab goes on."""
         try:
             return call(*arguments)
         except Exception:

@@ -1,4 +1,4 @@
-"""Tables that several panels show."""
+"""Tables that several panels use."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _SYMBOL = re.compile(r"^\s*(?:q|theta|th|[θϑd])_?[0-9₀-₉]*\s*(?=$|[-+−])
 
 
 def head_line(*names: Inside) -> Markup:
-    """Return the line of a table that names its columns."""
+    """Return the head of a table with the names of its columns."""
     return tag("tr", [tag("th", name) for name in names])
 
 
@@ -45,7 +45,7 @@ def cell_text(value: float, field: str, units: Units) -> str:
 
 
 def without_symbol(text: str) -> str:
-    """Return what was typed into the cell of a variable without the variable: ``+ 90`` of ``q₂ + 90``."""
+    """Return the text typed into the cell of a variable without the variable: ``+ 90`` of ``q₂ + 90``."""
     return _SYMBOL.sub("", text).strip()
 
 

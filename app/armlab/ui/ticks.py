@@ -6,7 +6,7 @@ import math
 
 
 def ticks(low: float, high: float, most: int = 5) -> list[float]:
-    """Return round values inside a range, at most so many.
+    """Return round values inside a range, at most ``most`` of them.
 
     >>> ticks(0.0, 2.0)
     [0.0, 0.5, 1.0, 1.5, 2.0]

@@ -21,13 +21,13 @@ _SHAPES = {
     "back": "M2 2h2.5v12H2zM14 2v12L5.5 8z",
     "forward": "M11.5 2H14v12h-2.5zM2 2v12l8.5-6z",
 }
-"""Drawn, because not every machine has letters for them."""
+"""Drawn shapes of the buttons, because not every computer has letters for them."""
 
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 
 
 class TimelineBar:
-    """The bar in one browser; there when a clip is on.
+    """The bar in one browser, which appears while a clip is open.
 
     The bar itself is rewritten only when something but the time has changed, or a hand on its thumb would lose it. The
     time goes to the page in a mark of its own, and the page's script moves the thumb between two marks by its clock.
@@ -38,7 +38,7 @@ class TimelineBar:
         self._clock = Fields(client.gui, lambda _cell, _text: None)
 
     def show(self, state: State, open_panels: frozenset[str]) -> None:
-        """Show the timeline of a state; that of a clip of which nothing is to be seen is not shown either."""
+        """Show the timeline of a state; it is hidden for a clip of which nothing can be seen."""
         timeline = state[Timeline]
         if not timeline.clip or clips()[timeline.clip].panel not in ("", *open_panels):
             self._bar.show()
@@ -87,7 +87,7 @@ def _speed(text: str) -> Command:
 
 
 def _number(text: str) -> float:
-    """Return a number as our own page sends it; `InputError` otherwise."""
+    """Return a number sent by the lab's own page; `InputError` otherwise."""
     try:
         value = float(text)
     except ValueError:

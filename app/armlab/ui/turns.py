@@ -1,4 +1,4 @@
-"""Whose message is next: each browser one at a time, and none with more than its share of the event loop."""
+"""Turns for messages: one browser at a time, and none with more than its share of the event loop."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ import time
 from collections.abc import Callable
 
 SHARE = 0.1
-"""Part of the event loop's time that the messages of one browser may take; a hand that drags takes a hundredth."""
+"""Share of the event loop's time that the messages of one browser may take; a drag takes a hundredth."""
 
 SPARE = 0.2
-"""Seconds of that time which a browser that was quiet has saved up: for a large file, or a lesson that opens."""
+"""Time that a quiet browser can save up, seconds, for a large file, or a lesson that opens."""
 
 
 class Turns:
-    """What the messages of one browser, over all its connections, have taken.
+    """The time that the messages of one browser, over all its connections, have taken.
 
     Parameters
     ----------
@@ -31,17 +31,17 @@ class Turns:
         self._saved, self._at, self._began = SPARE, clock(), 0.0
 
     def begin(self) -> None:
-        """Note that a message is looked at."""
+        """Note that the work on a message begins."""
         self._began = self._used()
 
     def end(self) -> None:
-        """Count the time of the message; it was looked at without a pause."""
+        """Count the time of the message, which was handled without a pause."""
         self._refill()
         self._saved -= self._used() - self._began
 
     @property
     def pause(self) -> float:
-        """Seconds until the next message may be looked at."""
+        """Seconds until the next message may be handled."""
         self._refill()
         return max(0.0, -self._saved / SHARE)
 
@@ -51,5 +51,5 @@ class Turns:
         self._at = now
 
     async def come(self) -> None:
-        """Wait for the next turn: one each time the loop goes round, also for many messages sent together."""
+        """Wait for the next turn: one each time the event loop runs, also for many messages sent together."""
         await asyncio.sleep(self.pause)

@@ -1,4 +1,4 @@
-"""Units and names as the student has chosen them: whatever shows or takes a quantity asks here."""
+"""Units and names chosen by the student, used by all code that shows or reads a quantity."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ BOOKS: dict[str, Book] = {
 }
 
 NAMES = {"a": "link length", "alpha": "link twist", "d": "link offset", "theta": "joint angle"}
-"""Of the fields, in words, as all of these books have them."""
+"""Names of the fields in words, the same in all of these books."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class Units:
 
     @property
     def book(self) -> Book:
-        """Whose table this is."""
+        """The book whose names the table has."""
         return BOOKS[self.notation.book]
 
     @property
@@ -80,19 +80,19 @@ class Units:
         return self.angle_unit if revolute else self.length_unit
 
     def factor(self, revolute: bool) -> float:
-        """Return what a joint variable on screen is multiplied by to give radians or metres."""
+        """Return the factor from a joint variable on screen to radians or metres."""
         if revolute:
             return math.pi / 180.0 if self.in_degrees else 1.0
         return 1e-3 if self.notation.length == "mm" else 1.0
 
     def decimals(self, revolute: bool) -> int:
-        """Return how many decimals a person needs: 0.1° or 0.001 rad, 0.1 mm or 0.0001 m."""
+        """Return the number of decimals that a student needs: 0.1° or 0.001 rad, 0.1 mm or 0.0001 m."""
         if revolute:
             return 1 if self.in_degrees else 3
         return 1 if self.notation.length == "mm" else 4
 
     def value(self, value: float, revolute: bool) -> float:
-        """Return a joint variable as the number a slider shows."""
+        """Return a joint variable as the number on a slider."""
         return round(value / self.factor(revolute), self.decimals(revolute)) + 0.0
 
     def text(self, value: float, revolute: bool) -> str:
@@ -104,7 +104,7 @@ class Units:
         return f"{self.text(value, True)}{self._ending(True)}"
 
     def turned(self, value: float) -> str:
-        """Return an angle without its unit, in the half-open turn around zero: what rounds to −180° is 180°.
+        """Return an angle without its unit, in (−180°, 180°]: a number that rounds to −180° becomes 180°.
 
         For orientations. A joint that stands at −180° does not stand at 180°: see `angle`.
         """
@@ -112,7 +112,7 @@ class Units:
         return self.text(math.pi, True) if text == self.text(-math.pi, True) else text
 
     def orientation(self, value: float) -> str:
-        """Return an angle that whole turns do not change, in (−180°, 180°] and with its unit."""
+        """Return an angle modulo whole turns, in (−180°, 180°] and with its unit."""
         return f"{self.turned(value)}{self._ending(True)}"
 
     def length(self, value: float) -> str:
@@ -120,15 +120,15 @@ class Units:
         return f"{self.text(value, False)}{self._ending(False)}"
 
     def entry(self, value: float, revolute: bool, more: int = 1) -> str:
-        """Return a number of the table without its unit: what stays has a digit ``more``, and no zeros at its end."""
+        """Return a number of the table without its unit, with ``more`` extra decimals, and without zeros at its end."""
         return trimmed(value / self.factor(revolute), self.decimals(revolute) + more)
 
     def constant(self, value: float, revolute: bool, more: int = 1) -> str:
-        """Return a number of the table with its unit; the same number as in its cell."""
+        """Return a number of the table with its unit, equal to that in its cell."""
         return f"{self.entry(value, revolute, more)}{self._ending(revolute)}"
 
     def _ending(self, revolute: bool) -> str:
-        """Return the unit as it follows a number."""
+        """Return the unit in the form that follows a number."""
         return "°" if revolute and self.in_degrees else f" {self.unit(revolute)}"
 
     def symbol(self, field: str, index: int) -> str:
@@ -153,7 +153,7 @@ class Units:
         return joined(self.book.symbols[field], tag("sub", index), f", {unit}")
 
     def read(self, text: str, revolute: bool, where: str) -> float:
-        """Return radians or metres from what a person typed: a number in the unit on screen, or with π or a unit.
+        """Return radians or metres from a typed text: a number in the unit on screen, or with π or a unit.
 
         Raises
         ------

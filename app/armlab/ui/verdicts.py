@@ -18,7 +18,7 @@ def verdict_kind(verdict: Verdict) -> str:
 
 
 def verdict_words(verdict: Verdict, units: Units) -> tuple[str, str]:
-    """Return the verdict in a word or two, and what there is to say about it with numbers and units."""
+    """Return the verdict in a word or two, and an explanation with numbers and units."""
     short = _shortfall(verdict, units)
     if verdict.status == "reached":
         return "reached", f"{units.length(verdict.position_error)} {units.angle(verdict.rotation_error)}"
@@ -32,7 +32,7 @@ def verdict_words(verdict: Verdict, units: Units) -> tuple[str, str]:
 
 
 def _shortfall(verdict: Verdict, units: Units) -> str:
-    """Return how far away the target is, in the components that matter."""
+    """Return the distance of the target, in the components of the task."""
     said = []
     if verdict.position_error >= 5e-5:
         said.append(f"{units.length(verdict.position_error)} short")
@@ -58,5 +58,5 @@ def verdict_line(verdict: Verdict, units: Units) -> Markup:
 
 
 def notes_of(verdict: Verdict) -> tuple[str, ...]:
-    """Return what else there is to say: a branch that was crossed, a singularity that is near."""
+    """Return further notes: a branch that was crossed, a singularity that is near."""
     return verdict.notes if isinstance(verdict, Judged) else ()

@@ -1,4 +1,4 @@
-"""One browser: its scene and panels, showing the state of one session."""
+"""One browser: its scene and panels, which show the state of one session."""
 
 from __future__ import annotations
 
@@ -40,27 +40,29 @@ from armlab.ui.widgets import Gui
 log = logging.getLogger(__name__)
 
 PANEL_INTERVAL = 0.125
-"""Seconds between refreshes of panels: the scene follows a hand at once, numbers at a pace they can be read."""
+"""Time between updates of panels, seconds: the scene follows a drag at once, numbers at a pace that can be read."""
 
 DOCK_WIDTH = 345
-"""Pixels: leaves the scene 75 % of a window of 1400, 66 % of 1024 and 58 % of a tablet's 820."""
+"""Width of the dock, pixels, which leaves the scene 75 % of a window of 1400, 66 % of 1024 and 58 % of a tablet's
+820."""
 
 SETTLED = 0.6
-"""Seconds after which a move made by the lab has ended."""
+"""Time after which a move made by the lab has ended, seconds."""
 
 OF_THE_ROOM = frozenset({"stage"})
-"""Keys of layers that are there without the arm, too."""
+"""Keys of layers that exist without the arm, too."""
 
 LINGER = 0.15
-"""Seconds for which the bodies of an arm stay after it was edited: the page takes as long to unpack the new ones."""
+"""Time for which the bodies of an arm stay after it was edited, seconds: the page takes as long to unpack the new
+ones."""
 
 
 ELSEWHERE = 3.0
-"""Seconds after which what happens is not what the person at this page did last."""
+"""Time after which a change is no result of the student's last action on this page, seconds."""
 
 
 class View:
-    """One browser; to be shown anything it has to be built.
+    """One browser, which is built before it can be shown.
 
     Attributes
     ----------
@@ -102,7 +104,7 @@ class View:
         self._headed: tuple[Window, frozenset[str]] | None = None
 
     def build(self) -> Generator[None, None, None]:
-        """Build the page, a piece of a millisecond or two at a time; the browser gets it when it is whole."""
+        """Build the page in pieces of a millisecond or two; the browser gets it when it is complete."""
         self._post(OpenWindow(self.client.client_id, self._first))
         with self.client.atomic():
             self._theme(self.session.state)
@@ -122,7 +124,7 @@ class View:
                 self._refresh_now()  # part of what the browser gets at once
 
     def post(self, command: Command) -> None:
-        """Pass on what the person at this page wants."""
+        """Pass on a command of the student at this page."""
         self._acted = self._loop.time()
         self._post(command)
 
@@ -144,7 +146,7 @@ class View:
     # -- which panels are open -----------------------------------------------------------------------------------
 
     def _window(self, state: State) -> Window:
-        """Return what is open here in a state; what this page began with until the worker knows of it."""
+        """Return the open panels of this page in a state, or those it began with until the worker knows of it."""
         return state[Panels].windows.get(self.client.client_id, self._first)
 
     def _page_of(self, tab: str, state: State) -> str:
@@ -154,11 +156,11 @@ class View:
         return frozenset(self._window(state).panels(hidden_panels(state)))
 
     def _opened(self, state: State) -> tuple[Panel, ...]:
-        """Return the panels a person sees, without those that cannot be imported."""
+        """Return the panels that are visible, without those that cannot be imported."""
         return tuple(found for key in self._open_panels(state) if (found := whole_panel(key)) is not None)
 
     def _hidden(self, state: State) -> frozenset[str]:
-        """Return the keys of layers that are in the way of an open panel, or of a layer that is switched on."""
+        """Return the keys of layers that are hidden by a prediction, an open panel, or a layer that is switched on."""
         predicted = state[LessonPart].hides
         if "arm" in predicted:
             return frozenset(layers()) - OF_THE_ROOM
@@ -170,7 +172,7 @@ class View:
         return frozenset(key for hides in hiding for key in hides)
 
     def _show_heads(self, state: State) -> None:
-        """Show which page each tab stands on, of those that are there."""
+        """Show the pages of each tab, with the present one marked."""
         headed = self._window(state), hidden_panels(state)
         if headed != self._headed:
             self._headed = headed
@@ -189,7 +191,7 @@ class View:
         self.post(OpenPanel(key, self.client.client_id))
 
     def _tabs_seen(self, text: str) -> None:
-        """Take from the page's script which tabs are seen, a list of keys."""
+        """Read from the page's script which tabs are visible, a list of keys."""
         try:
             seen = frozenset(key for key in json.loads(text) if key in self._tabs)
         except (ValueError, TypeError):
@@ -224,13 +226,13 @@ class View:
         self._refresh_soon()
 
     def _panels_changed(self) -> None:
-        """Show at once what a person has turned to, with the picture around it."""
+        """Show at once the pages that the student has turned to, with the points around them."""
         if len(self._around()):
             self.camera.keep_in_view()
         self._refresh_now()
 
     def _lesson_changed(self, state: State) -> None:
-        """Make room in the picture for a lesson, and say who has opened it."""
+        """Adapt the camera to a lesson, and tell who has opened it."""
         lesson = state[LessonPart].lesson
         if self._shown is not None and self._loop.time() - self._acted > ELSEWHERE:
             now = "has closed the lesson" if lesson is None else f"has opened the lesson “{lesson.title}”"
@@ -239,7 +241,7 @@ class View:
         self.camera.make_room(lesson is not None, None if lesson is None else lesson.camera)
 
     def _around(self) -> Points:
-        """Return the points that open panels want in the picture beside the arm."""
+        """Return the points that open panels want inside the picture beside the arm."""
         state = self.session.state
         return np.vstack([NOTHING, *(panel.around(state) for panel in self._opened(state))])
 
@@ -268,7 +270,7 @@ class View:
             self._seen_because = because
 
     def _change_robot(self, state: State) -> None:
-        """Draw another arm; a figure that is new is made outside the event loop, and the present one stays so long."""
+        """Draw another arm; a new figure is made outside the event loop, and the present one stays until then."""
         arm = state[RobotPart].robot.arm
         drawn = self._gallery.ready(arm)
         if drawn is None:
@@ -281,7 +283,7 @@ class View:
             pass
 
     def _draw(self, state: State, drawn: Drawn) -> Iterator[None]:
-        """Draw the arm of a state, a layer at a time."""
+        """Draw the arm of a state, one layer at a time."""
         self._remove_drawings()
         self._canvases += 1
         self._canvas = Canvas(self.client, drawn, self.post, state[Joints].q, self._canvases)
@@ -303,7 +305,7 @@ class View:
             self._loop.call_later(LINGER, lambda: None if self._closed else canvas.remove())
 
     def _look_at(self, drawn: Drawn, before: RobotPart | None) -> None:
-        """Follow another arm with the camera; an edit of the same table leaves the eye where it is."""
+        """Follow another arm with the camera; an edit of the same table keeps the view."""
         assert self._robot is not None
         edited = (
             before is not None
@@ -314,7 +316,7 @@ class View:
         self.camera.follow(self._robot.robot, drawn.figure, stay=edited)
 
     def _figure_made(self, arm: Arm, problem: BaseException | None) -> None:
-        """Show what was made. One that cannot be drawn is said once, and not tried again."""
+        """Show the new figure. One that cannot be drawn is reported once, and not tried again."""
         if problem is not None:
             log.error("the arm cannot be drawn", exc_info=problem)
             self.client.add_notification("Not drawn", "This arm cannot be drawn; the numbers are right.", color="red")
@@ -367,7 +369,7 @@ class View:
         )
 
     def close(self) -> None:
-        """Stop; the browser is gone."""
+        """Stop all work, because the browser has closed."""
         self._closed = True
         self._post(CloseWindow(self.client.client_id))
         self._pace.spread.drop(self)

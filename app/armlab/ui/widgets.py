@@ -1,4 +1,4 @@
-"""The controls of a panel, all made here: callbacks see only what a person did, never the lab's own writes."""
+"""The controls of a panel, all made here: callbacks get only what a student does, never the lab's own writes."""
 
 from __future__ import annotations
 
@@ -23,10 +23,11 @@ from armlab.ui.png import rgba_png
 log = logging.getLogger(__name__)
 
 REST = 0.4
-"""Seconds after a person's last touch before the lab writes to the same control: it must not pull at a moving hand."""
+"""Time after a student's last touch before the lab writes to the same control, seconds, so that it does not pull at
+it."""
 
 LINGER = 2.0
-"""Seconds for which fields that were made anew still take what was on its way to them."""
+"""Time for which the channels of replaced fields still accept input that is on its way, seconds."""
 
 
 class Control:
@@ -36,7 +37,7 @@ class Control:
     ----------
     handle : viser handle
     on_change : callable
-        Called with the value a person gave.
+        Called with the value that the student has set.
     """
 
     def __init__(self, handle: Any, on_change: Callable[[Any], None]) -> None:
@@ -50,7 +51,7 @@ class Control:
         on_change(self.handle.value)
 
     def show(self, value: Any) -> None:
-        """Show a value; while a person is moving the control, show it when the hand has come to rest."""
+        """Show a value; while the student is moving the control, show it when it has come to rest."""
         if self._later is not None:
             self._later.cancel()
             self._later = None
@@ -80,7 +81,7 @@ class Choice(Control):
 
 
 class Html:
-    """A piece of markup; written only when it changes.
+    """A piece of markup, which is sent only when it changes.
 
     Parameters
     ----------
@@ -93,7 +94,7 @@ class Html:
         self.handle, self._class = handle, f"al {scope}".rstrip()
 
     def show(self, *inside: Inside) -> None:
-        """Show this."""
+        """Show new content."""
         adapter.set_content(self.handle, tag("div", *inside, class_=self._class))
 
     def visible(self, on: bool) -> None:
@@ -109,19 +110,19 @@ def _remove(handles: Sequence[Any]) -> None:
 
 
 class Segments:
-    """A row of choices of which one holds."""
+    """A row of choices of which one is chosen."""
 
     def __init__(self, fields: Fields, label: str, options: Mapping[str, str], hint: str) -> None:
         self._fields, self._label, self._options, self._hint = fields, label, options, hint
 
     def show(self, value: str) -> None:
-        """Show which choice holds."""
+        """Mark the chosen one."""
         chips = markup.chips(self._fields.channel_id, self._options, value, self._hint)
         self._fields.show(markup.row(self._label, chips, wide=True, hint=self._hint))
 
 
 class Gui:
-    """Makes the controls of one panel and can remove them all again.
+    """The maker of all controls of one panel, which can remove them again.
 
     Attributes
     ----------
@@ -149,7 +150,7 @@ class Gui:
         return adapter.origin_of(self._client)
 
     def clear(self, linger: bool = False) -> None:
-        """Remove everything this has made; if it lingers, what a person pressed just before is still taken."""
+        """Remove all controls; if they linger, a button pressed just before still works."""
         _remove(self._made)
         if linger:
             asyncio.get_running_loop().call_later(LINGER, _remove, self._channels)
@@ -171,7 +172,7 @@ class Gui:
         on_change: Callable[[float], None],
         hint: str | None,
     ) -> Control:
-        """Add a slider with its number box; a hint appears over what stands above it."""
+        """Add a slider with its number box; a hint appears over the control above it."""
         return Control(self._keep(self._gui.add_slider(label, low, high, step, value, hint=hint)), on_change)
 
     def checkbox(self, label: str, value: bool, on_change: Callable[[bool], None], hint: str) -> Control:
@@ -181,7 +182,7 @@ class Gui:
     def dropdown(
         self, label: str, options: Mapping[str, str], value: str, on_change: Callable[[str], None], hint: str
     ) -> Choice:
-        """Add a drop-down; ``options`` maps keys to what a person reads."""
+        """Add a drop-down; ``options`` maps keys to texts."""
         handle = self._gui.add_dropdown(label, tuple(options.values()), initial_value=options[value], hint=hint)
         return Choice(self._keep(handle), options, on_change)
 
@@ -193,13 +194,13 @@ class Gui:
     def segments(
         self, label: str, options: Mapping[str, str], value: str, on_change: Callable[[str], None], hint: str
     ) -> Segments:
-        """Add a row of choices; ``options`` maps keys to what a person reads."""
+        """Add a row of choices; ``options`` maps keys to texts."""
         segments = Segments(self.fields(lambda key, _: on_change(key)), label, options, hint)
         segments.show(value)
         return segments
 
     def confirm(self, title: str, text: Inside, yes: str, on_yes: Callable[[], None]) -> None:
-        """Ask before something that cannot be undone."""
+        """Ask for confirmation of an action that cannot be undone."""
         modal = self._gui.add_modal(title)
 
         def answer(agreed: bool, _: object) -> None:
@@ -237,7 +238,7 @@ class Gui:
         return fields
 
     def form(self, post: Post, longest: int | None = None) -> Form:
-        """Add markup whose controls carry what they do; see `Form`, and `Fields` for the longest text."""
+        """Add markup whose controls carry their actions; see `Form`, and `Fields` for the longest text."""
         return Form(lambda on_input: self.fields(on_input, longest), post, lambda: self.again())
 
     def uplot(self, data: tuple[Any, ...], series: tuple[Any, ...], x: str, height: int) -> Any:
@@ -257,12 +258,12 @@ class Gui:
         )
 
     def save(self, name: str, content: str | bytes) -> None:
-        """Have the browser save a file: a text, or bytes."""
+        """Let the browser save a file: a text, or bytes."""
         data = content.encode() if isinstance(content, str) else content
         self._client.send_file_download(name, data, save_immediately=True)
 
     def save_picture(self, name: str, on_failure: Callable[[str], None]) -> None:
-        """Have the browser draw the scene without what lies over it, and save that as a PNG file."""
+        """Let the browser draw the scene without the layers over it, and save that as a PNG file."""
 
         async def draw() -> None:
             try:
@@ -279,7 +280,7 @@ class Gui:
 
     @contextmanager
     def folder(self, label: str, expanded: bool = False) -> Iterator[None]:
-        """Put what is made inside into a folder."""
+        """Put the controls made inside into a folder."""
         handle = self._keep(self._gui.add_folder(label, expand_by_default=expanded))
         with handle:
             yield

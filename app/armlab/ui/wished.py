@@ -1,7 +1,7 @@
-"""What a link asks of a session.
+"""The request of a link to a session.
 
 ``robot/puma560`` wants that arm on the table, ``lesson/first_arm`` that lesson, ``lesson/first_arm/7`` a variant of it,
-``state/1eN...`` a state somebody has shared.
+``state/1eN...`` a shared state.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from armlab.session.state import Command, State
 
 
 def wished(state: State, wish: str) -> Command | None:
-    """Return the command for a wish; None when it is granted already, so that a reload resets nothing."""
+    """Return the command for a request, or None if it is met already, so that a reload resets nothing."""
     kind, _, what = wish.partition("/")
     if kind == "robot" and what != state[RobotPart].robot.key:
         return ChooseRobot(what)
@@ -28,7 +28,7 @@ def wished(state: State, wish: str) -> Command | None:
 
 
 def _lesson(state: State, key: str, variant: str) -> Command | None:
-    """Return how to get into a lesson: into the variant last worked on when none is named."""
+    """Return the command that opens a lesson: in the variant of the last work if none is named."""
     place = f"{key}/{int(variant)}" if variant else ""
     if _is(state[LessonPart].open, key, place):
         return None
@@ -42,7 +42,7 @@ def _is(opened: str, key: str, place: str) -> bool:
 
 
 def _shared(state: State) -> str:
-    """Return the text of the state; empty when it has none."""
+    """Return the state as a short text; empty if it has none."""
     try:
         return short(state)
     except InputError:

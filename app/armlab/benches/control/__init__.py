@@ -1,1 +1,1 @@
-"""The tab of control: one folder a page."""
+"""The tab of control, with one folder for each page."""

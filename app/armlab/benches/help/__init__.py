@@ -1,1 +1,1 @@
-"""The tab of help: one folder a page."""
+"""The tab of help, with one folder for each page."""

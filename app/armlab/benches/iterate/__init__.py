@@ -1,1 +1,1 @@
-"""The tab of iterate: one folder a page."""
+"""The tab of iterate, with one folder for each page."""

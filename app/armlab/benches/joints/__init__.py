@@ -1,1 +1,1 @@
-"""The tab of joints: one folder a page."""
+"""The tab of joints, with one folder for each page."""

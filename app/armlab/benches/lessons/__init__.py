@@ -1,1 +1,1 @@
-"""The tab of lessons: one folder a page."""
+"""The tab of lessons, with one folder for each page."""

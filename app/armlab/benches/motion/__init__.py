@@ -1,1 +1,1 @@
-"""The tab of motion: one folder a page."""
+"""The tab of motion, with one folder for each page."""

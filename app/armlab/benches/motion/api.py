@@ -1,4 +1,4 @@
-"""What the tab Motion offers other tabs: the planned motion over time."""
+"""Parts of the tab Motion for other tabs: the planned motion over time."""
 
 from armlab.benches.motion.plan.moves import TURNINGS
 from armlab.benches.motion.plan.planning import making

@@ -1,1 +1,1 @@
-"""The tab of pose: one folder a page."""
+"""The tab of pose, with one folder for each page."""

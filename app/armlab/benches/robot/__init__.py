@@ -1,1 +1,1 @@
-"""The tab of robot: one folder a page."""
+"""The tab of robot, with one folder for each page."""

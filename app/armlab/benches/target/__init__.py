@@ -1,1 +1,1 @@
-"""The tab of target: one folder a page."""
+"""The tab of target, with one folder for each page."""

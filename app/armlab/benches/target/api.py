@@ -1,4 +1,4 @@
-"""What the tab Target offers other tabs: the question of all solutions, and motions along curves of them."""
+"""Parts of the tab Target for other tabs: the question of all solutions, and motions along curves of them."""
 
 from armlab.benches.target.solutions.motion import Motion, motion_through
 from armlab.benches.target.solutions.question import Question

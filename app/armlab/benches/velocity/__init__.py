@@ -1,1 +1,1 @@
-"""The tab of velocity: one folder a page."""
+"""The tab of velocity, with one folder for each page."""

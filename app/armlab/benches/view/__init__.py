@@ -1,1 +1,1 @@
-"""The tab of view: one folder a page."""
+"""The tab of view, with one folder for each page."""

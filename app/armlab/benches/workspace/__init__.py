@@ -1,1 +1,1 @@
-"""The tab of workspace: one folder a page."""
+"""The tab of workspace, with one folder for each page."""

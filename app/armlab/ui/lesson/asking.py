@@ -1,4 +1,4 @@
-"""How the question of a step is asked: one field, options, or a grid of fields; always answered with one text."""
+"""The form of a step's question: one field, options, or a grid of fields, always answered with one text."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import verdict_box
 
 UNIT_SIGNS = {"deg": "°", "m^2": "m²", "cm^2": "cm²", "mm^2": "mm²", "Nm": "N m"}
-"""How units are written where they are not so in lesson files."""
+"""Signs of units that differ from their names in lesson files."""
 
 ANSWER, CHECK, CHOICE, ENTRY = "lesson-answer", "lesson-check", "lesson-choice-", "lesson-entry-"
 
 
 MISSING = "?"
-"""What stands in a whole answer for an entry that is empty."""
+"""Text for an empty entry in a whole answer."""
 
 _NEEDLESS = re.compile(r"\s+(?![\w.])|(?<![\w.)])\s+")
-"""Spaces that stand between no two words."""
+"""Spaces that do not separate two words."""
 
 _UNIT = re.compile(r"(?<=[\d.)])\s+(?=[a-zA-Z°][\w/^°]*$)")
 """Spaces between a number and its unit."""
@@ -33,7 +33,7 @@ _IN_BRACKETS = re.compile(r"\([^()]*\)")
 
 
 class Draft:
-    """What has been chosen or filled in and not yet handed in, of one question.
+    """The chosen or typed parts of the answer to one question, before it is handed in.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ class Draft:
             self.entries = {place: entry for place, entry in entries.items() if entry != MISSING}
 
     def choose(self, option: int) -> Answer | None:
-        """Choose an option, or no longer; the answer where one is enough."""
+        """Choose an option, or cancel its choice; return the answer if one option is enough."""
         if isinstance(self._form, Choices) and not self._form.several:
             return Answer(str(option))
         self.chosen ^= {option}
@@ -71,7 +71,7 @@ class Draft:
         self.entries[i, j] = text
 
     def hand_in(self) -> Answer | tuple[()]:
-        """Return the whole answer; none of one field, which has told already."""
+        """Return the whole answer, or none for a single field, which has sent its own."""
         whole = self._whole()
         if whole is None:
             return ()
@@ -88,7 +88,7 @@ class Draft:
 
 
 def _entry(text: str) -> str:
-    """Return an entry of a matrix without what would part it from its neighbours or in two.
+    """Return an entry of a matrix in a form that cannot be read as several entries.
 
     >>> _entry(" 1 / 2 "), _entry("0,5"), _entry("atan2(1, 2)"), _entry("1 0; 0 1"), _entry("50 cm")
     ('1/2', '0.5', 'atan2(1,2)', '(1,0,0,1)', '50cm')
@@ -103,7 +103,7 @@ def _entry(text: str) -> str:
 
 
 def asked(form: Form, question: Question, typed: str, draft: Draft, settled: bool, order: Sequence[int] = ()) -> Markup:
-    """Return the question with what it is answered with.
+    """Return the question with its controls for an answer.
 
     Parameters
     ----------
@@ -160,7 +160,7 @@ def _grid(form: Form, kind: Grid, draft: Draft, settled: bool, check: Markup | N
 
 
 def said(verdict: Verdict | None, settled: bool = False, stays: str = "") -> Markup | None:
-    """Return the verdict on the last answer; nothing before one is given.
+    """Return the verdict on the last answer, or nothing before there is one.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The dock of the lesson: there only while a lesson is open.
+"""The dock of the lesson, which exists only while a lesson is open.
 
 It stands on the left. In a window with room for one dock beside the scene the style sheet puts it above the bench:
 viser tells the size of the picture in pixels of the screen, from which that of the window cannot be known here.
@@ -20,7 +20,7 @@ from armlab.ui.widgets import Gui
 log = logging.getLogger(__name__)
 
 WIDTH = 280
-"""Pixels: leaves the scene 55 % of a window of 1400."""
+"""Width of the dock, pixels, which leaves the scene 55 % of a window of 1400."""
 
 
 class LessonDock:
@@ -42,7 +42,7 @@ class LessonDock:
         self._shown: State | None = None
 
     def open(self, state: State) -> bool:
-        """Make or remove the dock as the state asks; return whether it is another lesson, or none any more."""
+        """Make or remove the dock for the state; return whether the lesson has changed or closed."""
         before, self._open = self._open, state[LessonPart].open
         if self._open and self._panel is None:
             self._make()
@@ -52,7 +52,7 @@ class LessonDock:
         return self._open != before
 
     def show(self, state: State) -> None:
-        """Show a state in the dock, if it is there."""
+        """Show a state in the dock, if the dock exists."""
         if self._page is None or not state[LessonPart].open:
             return
         if state is not self._shown or self._page.stale:

@@ -1,4 +1,4 @@
-"""The button that opens work which was saved as a file."""
+"""The button that opens work saved as a file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the lesson's dock holds: choice of lesson, text of the step, what is missing, question, hints, way on."""
+"""Content of the lesson's dock: choice of lesson, text of the step, the check, question, hints, navigation."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _WHOLE = re.compile(r"[0-9]{1,9}")
 
 
 class LessonPage:
-    """The page. Each piece is rewritten by itself, so that a moving arm takes no text out of the field of an answer.
+    """The page. Each piece is rewritten by itself, so that a moving arm does not clear the field of an answer.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ class LessonPage:
 
     @property
     def stale(self) -> bool:
-        """Whether a person has typed or pressed since it was shown: what stands in its fields may not hold."""
+        """Whether the student has typed or pressed since the page was shown, so that its fields may be outdated."""
         return any(fields.stale for fields in (self._head, self._task, self._question, self._foot, self._more))
 
     def show(self, state: State) -> None:
@@ -70,7 +70,7 @@ class LessonPage:
         self._more.show(_more(self._more, lesson, part, lambda: self._save(state)))
 
     def fail(self) -> None:
-        """Say that the lesson cannot be shown; what was there before may not hold."""
+        """Show that the lesson has failed, and remove the fields, which may be outdated."""
         self._text.show(verdict_box("no", "The lesson has failed", "The rest works on."))
         for fields in (self._task, self._question):
             fields.show()
@@ -146,7 +146,7 @@ def _strips(form: Form, lesson: Lesson, part: LessonPart) -> Markup:
 
 
 def _task(form: Form, state: State, lesson: Lesson) -> Markup | None:
-    """Return how the check stands, or the way back to the lesson's arm."""
+    """Return the state of the check, or a button that brings back the lesson's arm."""
     if not has_its_arm(state):
         name = lesson.robot_used.name
         back = form.chip("lesson-arm", f"Bring back the {name}", TakeLessonArm())
@@ -165,7 +165,7 @@ def _task(form: Form, state: State, lesson: Lesson) -> Markup | None:
 
 
 def _foot(form: Form, lesson: Lesson, part: LessonPart) -> Markup:
-    """Return the way back and on, with the next hint between."""
+    """Return the buttons back and on, with the next hint between them."""
     i, last, progress = part.index, len(lesson.steps) - 1, part.progress
     passed = progress.passed(lesson)
     back = form.button("lesson-back", "‹ Back", GoToStep(i - 1), "way") if i else tag("span")
@@ -191,7 +191,7 @@ def _end(form: Form, last: int, passed: frozenset[int]) -> Inside:
 
 
 def _more(form: Form, lesson: Lesson, part: LessonPart, save: Callable[[], Wish]) -> Markup:
-    """Return what is needed now and then: the own sandbox, the variant, and the work to hand in."""
+    """Return the parts that are needed seldom: the own sandbox, the variant, and the work to hand in."""
     variant = None
     if lesson.varies:
         number = form.field(

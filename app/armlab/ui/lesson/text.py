@@ -1,4 +1,4 @@
-"""The text of a step: with the present values inside, the hints that are unlocked, and what is revealed at last."""
+"""The text of a step, with present values in it, the unlocked hints, and the part revealed at the end."""
 
 from __future__ import annotations
 
@@ -21,25 +21,25 @@ from armlab.ui.units import units_of
 
 _LIVE = re.compile(r'(<output class="live" data-live="([^"]*)">)[^<]*(?=</output>)')
 HIDDEN = "?"
-"""What a live value shows before the prediction."""
+"""Text of a live value before the prediction."""
 
 
 def words_of(state: State) -> Words:
-    """Return how the lab says things to the student of a state."""
+    """Return the words of the lab for the units and names of a student."""
     units = units_of(state)
     return Words(units.length, units.angle, lambda key: _titles().get(key, spaced(key)))
 
 
 @cache
 def _titles() -> dict[str, str]:
-    """Return the titles of films, panels and switches, where a name is shared the last counts."""
+    """Return the titles of films, panels and switches; if a name is shared the last one counts."""
     films = {key: clip.title for key, clip in clips().items()}
     named = {key: panel.title for key, panel in pages().items()}
     return films | named | {switch.name: switch.title for switch in switches()}
 
 
 def step_text(state: State, lesson: Lesson, i: int) -> Markup:
-    """Return everything there is to read at a step."""
+    """Return the whole text of a step."""
     part = state[LessonPart]
     step, progress, name = lesson.steps[i], part.progress, part.name
     about = (
@@ -57,7 +57,7 @@ def step_text(state: State, lesson: Lesson, i: int) -> Markup:
 
 
 def revealed(part: LessonPart, lesson: Lesson, i: int) -> bool:
-    """Return whether what a step keeps back is to be seen: its question is settled and its check, if any, is met."""
+    """Return whether the hidden part of a step may be seen: its question is settled and its check, if any, is met."""
     step = lesson.steps[i]
     if step.question is not None:
         return part.progress.answered(lesson, i)

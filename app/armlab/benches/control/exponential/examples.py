@@ -1,4 +1,4 @@
-"""Examples of the matrix exponential, each with a sentence on what to look at. One entry each."""
+"""Examples of the matrix exponential, each with a sentence on what to look at."""
 
 from __future__ import annotations
 
@@ -71,13 +71,13 @@ EXAMPLES = part_examples(
 
 @dataclass(frozen=True)
 class ChooseExponentialExample(Command):
-    """Put matrix, time, start and number of terms of an example in place."""
+    """Load the matrix, the time, the start and the number of terms of an example."""
 
     key: str
     label: ClassVar[str] = "example of the matrix exponential"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         return put(state, EXAMPLES[self.key].part)
 
 

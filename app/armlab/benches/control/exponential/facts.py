@@ -1,4 +1,4 @@
-"""Facts of the matrix exponential that lessons can check: its entries, and how much a sum leaves out."""
+"""Facts of the matrix exponential that lessons can check: its entries, and the error of a sum."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from armlab.session.state import State
 
 
 def _eigenvalues(state: State) -> np.ndarray | None:
-    """Return real eigenvalues of A, the larger first; None where they are not real."""
+    """Return the real eigenvalues of A, the larger one first, or None if they are not real."""
     values = np.linalg.eigvals(np.array(state[Exponential].A))
     return None if np.iscomplexobj(values) and np.abs(values.imag).max() > 0.0 else np.sort(values.real)[::-1]
 

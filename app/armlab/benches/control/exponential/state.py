@@ -1,4 +1,4 @@
-"""The exponential of a 2 x 2 matrix (notes 1.50-1.58): the matrix, time, start, and how many terms are summed."""
+"""The exponential of a 2 x 2 matrix (notes 1.50-1.58): the matrix, time, start, and number of terms in the sum."""
 
 from __future__ import annotations
 
@@ -31,14 +31,14 @@ Matrix = tuple[Pair, Pair]
 
 LARGEST_ENTRY = 1000.0
 LARGEST_GROWTH = 30.0
-"""Of the real part of an eigenvalue times the end: beyond it nothing of the start would be seen in the plane. Of the
-imaginary part, too: five turns are enough for the points of the curve."""
+"""Largest entry, and largest real part of an eigenvalue times the end: beyond it the start would be invisible in the
+plane. The bound holds for the imaginary part, too: five turns are enough for the points of the curve."""
 
 LARGEST_SIZE = 1e4
-"""Of the sum of the moduli in a column of A t at the end: beyond it terms of the series are no numbers any more."""
+"""Largest sum of the moduli in a column of A t at the end, beyond which terms of the series overflow."""
 
 LONGEST, SHORTEST = 100.0, 1e-3
-"""Seconds of the curve."""
+"""Largest and least duration of the curve, seconds."""
 
 MOST_TERMS = 120
 POINTS = 161
@@ -82,7 +82,7 @@ class Exponential(FieldPart):
 
     @property
     def curve(self) -> Curve:
-        """The curve of the system in the plane."""
+        """The solution of the system as a curve in the plane."""
         return curve(self.A, self.x0, self.end)
 
     def check(self) -> None:
@@ -154,13 +154,13 @@ def found(part: Exponential) -> Found:
 
 
 def bounds(part: Exponential) -> Array:
-    """Return a bound of what 1, 2, ... terms leave out, shape (MOST_TERMS,); infinite where none is known."""
+    """Return bounds of the errors of 1, 2, ... terms, shape (MOST_TERMS,); infinite if none is known."""
     return np.array([remainder_bound(part.A, part.t, terms) for terms in range(1, MOST_TERMS + 1)])
 
 
 @lru_cache(maxsize=64)
 def curve(A: Matrix, x0: Pair, end: float) -> Curve:
-    """Return the curve from 0 to the end: the same while t is moved."""
+    """Return the curve from 0 to the end, which stays the same while t is moved."""
     t = np.linspace(0.0, end, POINTS)
     return Curve(t, flow(A, x0, t))
 
@@ -188,12 +188,12 @@ class SetEntry(Command):
 
 
 ENTRIES = {"a11": "a₁₁", "a12": "a₁₂", "a21": "a₂₁", "a22": "a₂₂", "x1": "x₁(0)", "x2": "x₂(0)", "end": "end"}
-"""What can be typed, by key, and its symbol."""
+"""Symbols of the numbers that can be typed, by key."""
 
 
 @dataclass(frozen=True)
 class MoveTime(Command):
-    """Take another time t: a slider in motion."""
+    """Choose another time t; sent by a slider in motion."""
 
     t: float
     snapshot: ClassVar[bool] = True
@@ -201,13 +201,13 @@ class MoveTime(Command):
     label: ClassVar[str] = "time of the matrix exponential"
 
     def apply(self, state: State) -> State:
-        """Return the state with the time, moved inside 0 to the end."""
+        """Return the state with the time, clipped to 0 and the end."""
         return setting(state, Exponential, {"t": min(max(self.t, 0.0), state[Exponential].end)})
 
 
 @dataclass(frozen=True)
 class SumTerms(Command):
-    """Sum another number of terms: a slider in motion."""
+    """Sum another number of terms; sent by a slider in motion."""
 
     terms: int
     snapshot: ClassVar[bool] = True

@@ -1,4 +1,4 @@
-"""One run of kinematic control as it is set up: what to follow, from where, by which law, on which plant."""
+"""Settings of one run of kinematic control: the reference, the start, the law and the plant."""
 
 from __future__ import annotations
 
@@ -38,12 +38,12 @@ MOST_RUNS = 4
 MOST_PUSHES = 8
 LONGEST_NAME = 60
 MOST_STEPS = 60_000
-"""Of a run: a minute at 1 kHz, some 10 s of work."""
+"""Largest number of steps of a run: a minute at 1 kHz, some 10 s of work."""
 
 Value = float | int | str | bool | tuple[float, ...] | None
 Pairs = tuple[tuple[str, Value], ...]
 Push = tuple[float, float, float, float]
-"""Seconds, and metres in the world."""
+"""A push: its time in seconds, and its vector in metres in the world."""
 
 MOVING = ("line", "circle")
 
@@ -54,7 +54,7 @@ WAY = (
     Field("radius", "r", "radius", "number", 0.1, 0.0, 100.0, True, "q", only=(("reference", ("circle",)),)),
     Field("duration", "T", "duration", "number", 4.0, 0.05, 60.0, unit="s", only=(("reference", (*MOVING, "target")),)),
 )
-"""What the reference is made with. A line goes along the direction, a circle begins along it, round an axis along z."""
+"""Options of the reference. A line goes along the direction, a circle starts along it, about an axis parallel to z."""
 
 CLOCK = (
     Field("step", "", "time step h", "number", 1e-3, 1e-4, 0.1, unit="s"),
@@ -118,7 +118,7 @@ FIELDS = {each.key: each for group in GROUPS for each in group}
 
 @dataclass(frozen=True)
 class Setup:
-    """One run; make others with `with_value`.
+    """Settings of one run; `with_value` makes changed ones.
 
     Attributes
     ----------
@@ -135,7 +135,7 @@ class Setup:
     colour : int
         Which of `MOST_RUNS` colours it is drawn in; no other run has it.
     name : str
-        What a person calls it; empty for a name made of law and inverse.
+        Its name; empty for a name made of law and inverse.
     speed, azimuth, ... : float
         See `FIELDS`; metres, radians, seconds.
     """
@@ -181,12 +181,12 @@ class Setup:
 
     @property
     def given(self) -> dict[str, Any]:
-        """All values by key, as forms want them."""
+        """All values by key, as a form takes them."""
         return {each.name: getattr(self, each.name) for each in fields(self)}
 
     @property
     def title(self) -> str:
-        """The name, or law and inverse."""
+        """The name, or if it is empty law and inverse."""
         if self.name:
             return self.name
         law = self.kind.title.split(":")[0]
@@ -194,16 +194,16 @@ class Setup:
 
     @property
     def held(self) -> float:
-        """Seconds for which a sampled command is held: `sampling` in whole steps; 0 where nothing is sampled."""
+        """Seconds for which a sampled command is held: `sampling` in whole steps; 0 if nothing is sampled."""
         return max(1, round(self.sampling / self.step)) * self.step if self.sampling else 0.0
 
     def seen(self, group: tuple[Field, ...]) -> tuple[Field, ...]:
-        """Return those options of a group that can be used, which may depend on what is in other groups."""
+        """Return the options of a group that can be used, which may depend on values of other groups."""
         given = self.given
         return tuple(replace(each, only=()) for each in group if each.usable(given))
 
     def with_value(self, key: str, value: Any) -> Self:
-        """Return the setup with one value of `FIELDS` changed; None for its default.
+        """Return the settings with one value of `FIELDS` changed; None restores its default.
 
         Raises
         ------
@@ -222,15 +222,15 @@ class Setup:
         return changed
 
     def with_law(self, key: str) -> Self:
-        """Return the setup with another law, at its defaults."""
+        """Return the settings with another law, at its defaults."""
         return replace(self, law=control_law(key).key, law_options=())
 
     def with_inverse(self, key: str) -> Self:
-        """Return the setup with another inverse, at its defaults."""
+        """Return the settings with another inverse, at its defaults."""
         return replace(self, inverse=rate_inverse(key).key, inverse_options=())
 
     def with_option(self, of: str, key: str, value: Any) -> Self:
-        """Return the setup with one option of its ``"law"`` or its ``"inverse"`` changed; None for the default."""
+        """Return the settings with an option of their ``"law"`` or ``"inverse"`` changed; None restores its default."""
         owner: ControlLaw | RateInverse = self.kind if of == "law" else self.method
         given = dict(self.law_options if of == "law" else self.inverse_options)
         if value is None:
@@ -241,7 +241,7 @@ class Setup:
         return replace(self, **{f"{of}_options": checked})  # type: ignore[arg-type]
 
     def to_json(self) -> Json:
-        """Write it down."""
+        """Write the settings."""
         return {each.name: _written(getattr(self, each.name)) for each in fields(self) if each.name != "colour"} | {
             "colour": self.colour
         }
@@ -252,7 +252,7 @@ def _written(value: Any) -> Json:
 
 
 def options_of(owner: ControlLaw | RateInverse, given: Mapping[str, Any]) -> Pairs:
-    """Return checked options as they are kept; `InputError` when one is unknown or wrong."""
+    """Return checked options in the form in which they are kept; `InputError` if one is unknown or wrong."""
     checked = owner.options(given)
     return tuple((key, _kept(checked[key])) for key in checked if key in given)
 
@@ -262,7 +262,7 @@ def _kept(value: Any) -> Value:
 
 
 def setup_of(robot: Robot, start: ArrayLike | None = None, colour: int = 0, **values: Any) -> Setup:
-    """Return a checked setup of an arm.
+    """Return checked settings for an arm.
 
     Parameters
     ----------
@@ -302,13 +302,13 @@ def setup_of(robot: Robot, start: ArrayLike | None = None, colour: int = 0, **va
 
 
 def setup_from(robot: Robot, data: Json) -> Setup:
-    """Return a setup read back; raises when it is not usable with this arm."""
+    """Return settings read back; raises if they cannot be used with this arm."""
     values = {**data, "law_options": dict(data["law_options"]), "inverse_options": dict(data["inverse_options"])}
     return setup_of(robot, values.pop("start"), values.pop("colour"), **values)
 
 
 def joint_values(arm: Arm, q: ArrayLike, where: str) -> tuple[float, ...]:
-    """Return joint values; `InputError` when they are not one number for each joint that a joint can stand at."""
+    """Return joint values; `InputError` unless they are one number for each joint, inside its possible values."""
     values = finite_floats(q, where, (arm.n,), f"{arm.n} finite joint values")
     if np.any(np.abs(values) > np.where(arm.revolute, MOST_TURNED, FARTHEST * arm.length_scale)):
         raise InputError(f"{where}: a joint cannot stand there; expected at most ten turns")
@@ -316,19 +316,19 @@ def joint_values(arm: Arm, q: ArrayLike, where: str) -> tuple[float, ...]:
 
 
 def checked_reference(key: str) -> str:
-    """Return the key of a reference; `UnknownName` when there is none."""
+    """Return the key of a reference; `UnknownName` if there is none."""
     return known_name("reference", key, REFERENCES)
 
 
 def checked_name(name: str) -> str:
-    """Return the name of a run without spaces around it, cut where it is too long; `InputError` when it is no text."""
+    """Return the name of a run without spaces around it, cut if it is too long; `InputError` if it is no text."""
     if not isinstance(name, str):
         raise wrong("name of a run", "text", name)
     return name.strip()[:LONGEST_NAME]
 
 
 def checked_pushes(pushes: Any) -> tuple[Push, ...]:
-    """Return pushes; `InputError` for too many, or numbers that are none."""
+    """Return pushes; `InputError` if there are too many, or for invalid numbers."""
     found = tuple((float(t), float(x), float(y), float(z)) for t, x, y, z in pushes)
     if len(found) > MOST_PUSHES:
         raise InputError(f"pushes: expected at most {MOST_PUSHES} in a run, got {len(found)}")
@@ -338,7 +338,7 @@ def checked_pushes(pushes: Any) -> tuple[Push, ...]:
 
 
 def free_colour(runs: tuple[Setup, ...]) -> int:
-    """Return the first colour that no run has; `InputError` when there are as many runs as can be told apart."""
+    """Return the first colour that no run has; `InputError` if no colour is left."""
     taken = {run.colour for run in runs}
     for colour in range(MOST_RUNS):
         if colour not in taken:

@@ -1,4 +1,4 @@
-"""The selected run of kinematic control, played by its own clock."""
+"""The film of the selected run of kinematic control, played by its own clock."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from armlab.session.parts.timeline import Clip, Timeline
 from armlab.session.state import State
 
 WAITING = 1.0
-"""Seconds of a run that is still being made, or has no more than one instant."""
+"""Duration of a run that is still being made, or has only one instant, seconds."""
 
 Floats = NDArray[np.float64]
 
 
 def duration(state: State) -> float:
-    """Return the seconds of the run."""
+    """Return the duration of the run, seconds."""
     outcome = state[Control].outcome
     return WAITING if outcome is None or outcome.run is None else outcome.run.duration or WAITING
 
 
 def stops(state: State) -> tuple[float, ...]:
-    """Return the times at which something happens: pushes, and the fastest instant of each joint."""
+    """Return the times of pushes, and of the fastest instant of each joint."""
     outcome = state[Control].outcome
     if outcome is None or outcome.run is None or outcome.figures is None:
         return ()
@@ -39,7 +39,7 @@ def configuration(state: State, time: float) -> Floats:
 
 
 def time_of(state: State) -> float:
-    """Return where the run of a state stands; its beginning while it is not on."""
+    """Return the time in the run of a state, or 0 while its film is closed."""
     return state[Timeline].time if state[Timeline].clip == CLIP_KEY else 0.0
 
 

@@ -1,4 +1,4 @@
-"""What a person does to the runs of kinematic control; all but a choice of runs is done to the selected one."""
+"""Commands for the runs of kinematic control; all but those that choose a run change the selected one."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ from armlab.session.run_targets import checked_target
 from armlab.session.state import Command, State
 
 STILL = 1e-6
-"""Metres a second below which a reference has no direction a push could be across."""
+"""Speed, m/s, below which a reference has no direction for a push across it."""
 
 
 @dataclass(frozen=True)
 class AddRun(Command):
-    """Add a copy of the selected run, which becomes the selected one: what it was stays to be compared with."""
+    """Add a copy of the selected run and select it; the original stays for comparison."""
 
     label: ClassVar[str] = "run"
 
     def apply(self, state: State) -> State:
-        """Return the state with one run more."""
+        """Return the state with one more run."""
         part = state[Control]
         run = replace(part.run, colour=free_colour(part.runs), name="")
         return _changed(state, runs=(*part.runs, run), selected=len(part.runs))
@@ -44,7 +44,7 @@ class AddRun(Command):
 
 @dataclass(frozen=True)
 class RemoveRun(Command):
-    """Take a run away."""
+    """Remove a run."""
 
     run: int
     label: ClassVar[str] = "run"
@@ -62,7 +62,7 @@ class RemoveRun(Command):
 
 @dataclass(frozen=True)
 class SelectRun(Command):
-    """Choose the run that is in the form and is played; the timeline stays at its time."""
+    """Choose the run that is edited and played; the timeline stays at its time."""
 
     run: int
     undoable: ClassVar[bool] = False
@@ -76,7 +76,7 @@ class SelectRun(Command):
 
 @dataclass(frozen=True)
 class NameRun(Command):
-    """Give the selected run a name; an empty one is made of law and inverse."""
+    """Name the selected run; an empty name is replaced by law and inverse."""
 
     name: str
     label: ClassVar[str] = "name of a run"
@@ -88,7 +88,7 @@ class NameRun(Command):
 
 @dataclass(frozen=True)
 class ChooseReference(Command):
-    """Choose what is followed."""
+    """Choose the reference."""
 
     reference: str
     label: ClassVar[str] = "reference"
@@ -128,7 +128,7 @@ class ChooseInverse(Command):
 
 @dataclass(frozen=True, eq=False)
 class SetValue(Command):
-    """Set one value of the selected run; see `armlab.benches.control.follow.chosen.FIELDS`. None for the default."""
+    """Set a value of the selected run; see `armlab.benches.control.follow.chosen.FIELDS`. None restores its default."""
 
     key: str
     value: Any
@@ -144,7 +144,7 @@ class SetValue(Command):
 
 @dataclass(frozen=True, eq=False)
 class SetOption(Command):
-    """Set one option of the ``"law"`` or of the ``"inverse"`` of the selected run; None for the default."""
+    """Set one option of the ``"law"`` or the ``"inverse"`` of the selected run; None restores its default."""
 
     of: str
     key: str
@@ -160,7 +160,7 @@ class SetOption(Command):
 
 @dataclass(frozen=True)
 class SetStart(Command):
-    """Let the reference begin at a configuration; None for where the arm stands."""
+    """Let the reference begin at a configuration; None is the present one."""
 
     q: tuple[float, ...] | None = None
     label: ClassVar[str] = "start of a run"
@@ -173,7 +173,7 @@ class SetStart(Command):
 
 @dataclass(frozen=True)
 class SetOffset(Command):
-    """Set the initial error of the joints: the arm stands so far from where the reference begins."""
+    """Set the initial error of the joints: the difference of the arm from the start of the reference."""
 
     offset: tuple[float, ...]
     label: ClassVar[str] = "initial error"
@@ -186,7 +186,7 @@ class SetOffset(Command):
 
 @dataclass(frozen=True, eq=False)
 class AimAt(Command):
-    """Give the runs that regulate another target; None for the target of the lab, or the tool when there is none."""
+    """Give the runs that regulate another target; None is the target of the lab, or the tool if there is none."""
 
     pose: NDArray[np.floating] | None = None
     label: ClassVar[str] = "target of the control"
@@ -199,7 +199,7 @@ class AimAt(Command):
 
 @dataclass(frozen=True)
 class SizePush(Command):
-    """Set how far the button pushes the tool, metres."""
+    """Set the distance by which the button pushes the tool, metres."""
 
     size: float
     label: ClassVar[str] = "size of a push"
@@ -219,7 +219,7 @@ class PushNow(Command):
     label: ClassVar[str] = "push"
 
     def apply(self, state: State) -> State:
-        """Return the state with one push more."""
+        """Return the state with one more push."""
         part = state[Control]
         outcome = part.outcome
         if outcome is None or outcome.run is None:
@@ -233,7 +233,7 @@ class PushNow(Command):
 
 @dataclass(frozen=True)
 class DropPushes(Command):
-    """Take all pushes of the selected run away."""
+    """Remove all pushes of the selected run."""
 
     label: ClassVar[str] = "pushes"
 
@@ -243,7 +243,7 @@ class DropPushes(Command):
 
 
 def _across(state: State, time: float) -> NDArray[np.float64]:
-    """Return a unit vector (3,) in the plane of frame 0 across the reference at a time; along its x at a standstill."""
+    """Return a unit vector (3,) in the plane of frame 0, across the reference at a time; along x at a standstill."""
     outcome, base = state[Control].outcome, state[RobotPart].robot.arm.base
     assert outcome is not None
     assert outcome.run is not None
@@ -257,7 +257,7 @@ def _across(state: State, time: float) -> NDArray[np.float64]:
 
 
 def _checked_run(part: Control, run: int) -> int:
-    """Return the place of a run, from 0; `InputError` when there is none."""
+    """Return the index of a run, from 0; `InputError` if there is none."""
     if type(run) is not int or not 0 <= run < len(part.runs):
         raise InputError(f"run: expected 1 to {len(part.runs)}, got {run!r}")
     return run
@@ -273,5 +273,5 @@ def _with(state: State, run: Setup) -> State:
 
 
 def _changed(state: State, **fields: Any) -> State:
-    """Return the state with another part; what was an example is none any more."""
+    """Return the state with fields of its part changed, which is no longer an example."""
     return state.replace(replace(state[Control], **{"example": "", **fields}))

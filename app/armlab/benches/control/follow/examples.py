@@ -1,4 +1,4 @@
-"""Examples of sections 5.2 and 7.2 of the notes: an arm, runs side by side, and what to look at. One entry each."""
+"""Examples of sections 5.2 and 7.2 of the notes: an arm, runs side by side, and what to look at."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from armlab.session.run_targets import checked_target
 from armlab.session.state import Command, State
 
 START = (-0.3175604292915214, 0.6351208585830428)
-"""Joint values, rad, with which the tool of two links of 1 m is at (1.9, 0) m."""
+"""Joint values, rad, that bring the tool of two links of 1 m to (1.9, 0) m."""
 
 
 @dataclass(frozen=True)
@@ -272,18 +272,18 @@ EXAMPLES: Registry[Example] = Registry(
         ),
     ),
 )
-"""By key, in the order of the list."""
+"""Examples by key, in the order of the list."""
 
 
 @dataclass(frozen=True)
 class ChooseControlExample(Command):
-    """Put arm and runs of an example in place, and the selected one on at its beginning."""
+    """Load the arm and the runs of an example, and open the selected one at its start."""
 
     key: str
     label: ClassVar[str] = "example of control"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         example = EXAMPLES[self.key]
         state = on_arm(with_clip_closed(state), example.robot)
         return with_clip(state.replace(_put(example, state)), CLIP_KEY)

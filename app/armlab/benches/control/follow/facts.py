@@ -1,4 +1,4 @@
-"""Facts of the selected run that lessons can check; they are known once the run has been made."""
+"""Facts of the selected run that lessons can check, known once the run has been made."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from armlab.session.state import State
 
 
 def _figures(state: State) -> Figures | None:
-    """Return what the selected run has given as it is set up now; None while it is being made, or cannot be."""
+    """Return the figures of the selected run with its present settings, or None while there are none."""
     part = state[Control]
     outcome = part.outcome
     if outcome is None or outcome.question != state.derived(questions)[part.selected]:

@@ -1,4 +1,4 @@
-"""Makes the runs of kinematic control, one after the other, while somebody looks."""
+"""The job that makes the runs of kinematic control, one after the other, while they are seen."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ PANEL = "control"
 
 
 class Todo(NamedTuple):
-    """The runs that are still to be made, by colour, the selected one first; and the plan as it is known."""
+    """The runs that are still to be made, by colour, the selected one first, and the known plan of the motion."""
 
     runs: tuple[tuple[int, Question], ...]
     known: Planned | None = None
 
 
 def todo(state: State) -> Todo:
-    """Return what is still to be made."""
+    """Return the runs that are still to be made."""
     part = state[Control]
     missing = [
         (run.colour, question)
@@ -37,7 +37,7 @@ def todo(state: State) -> Todo:
 
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
-    """Return what to make while the panel or a run is seen."""
+    """Return the missing runs while the panel or a run is seen."""
     if PANEL not in panels and state[Timeline].clip != CLIP_KEY:
         return None
     missing = state.derived(todo)
@@ -46,7 +46,7 @@ def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
 
 
 def run(missing: Todo) -> Iterator[dict[int, Outcome] | None]:
-    """Yield all that is made so far, again and again: of several deliveries only the newest counts."""
+    """Yield all the runs made so far, again and again; only the newest delivery counts."""
     outcomes: dict[int, Outcome] = {}
     for colour, question in missing.runs:
         outcomes[colour] = yield from making(question, missing.known)
@@ -54,9 +54,9 @@ def run(missing: Todo) -> Iterator[dict[int, Outcome] | None]:
 
 
 def delivered(state: State, missing: Todo, found: dict[int, Outcome]) -> State:
-    """Return the state with what was found, the arm where the new run has it if the old one had put it there.
+    """Return the state with the new runs; the arm moves to the new run if the old one had moved it.
 
-    What was found for another arm is thrown away.
+    Runs of another arm are dropped.
     """
     part, arm = state[Control], state[Joints].arm
     colours = {run.colour for run in part.runs}
@@ -71,7 +71,7 @@ def delivered(state: State, missing: Todo, found: dict[int, Outcome]) -> State:
 
 
 def with_outcomes(state: State) -> State:
-    """Return the state with everything made, at once: for tests and for those who can wait."""
+    """Return the state with all runs made, at once, for tests and for callers that can wait."""
     missing = todo(state)
     for found in run(missing):
         state = state if found is None else delivered(state, missing, found)

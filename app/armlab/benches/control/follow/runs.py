@@ -1,4 +1,4 @@
-"""What becomes of a run that is set up: simulated in pieces, thinned for drawing, with its figures."""
+"""The simulation of a run from its settings: made in pieces, thinned for drawing, with its figures."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ from armlab.kin.control.scaled_task import ScaledTask
 Floats = NDArray[np.float64]
 
 SHOWN = 1201
-"""Instants of a run that are kept for plots, scene and playback."""
+"""Number of instants of a run that are kept for plots, scene and playback."""
 
 
 class Question(NamedTuple):
-    """All that a run depends on; equal questions have equal answers.
+    """All arguments of a run; equal questions have equal answers.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class Question(NamedTuple):
 
 
 class Peak(NamedTuple):
-    """A largest value, and when."""
+    """A largest value, and its time."""
 
     value: float
     time: float
@@ -59,7 +59,7 @@ class Peak(NamedTuple):
 
 @dataclass(frozen=True)
 class Figures:
-    """What stands on the card of a run.
+    """Figures on the card of a run.
 
     Attributes
     ----------
@@ -93,7 +93,7 @@ class Figures:
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """What a run has given.
+    """Result of a run.
 
     Attributes
     ----------
@@ -116,7 +116,7 @@ class Outcome:
 
 
 def making(question: Question, known: Planned | None = None) -> Generator[None, None, Outcome]:
-    """Make a run in pieces of some 20 ms; ``known`` is the plan of its motion where that has been worked out."""
+    """Make a run in pieces of some 20 ms; ``known`` is the plan of its motion if that has been made."""
     try:
         return (yield from _made(question, known))
     except InputError as refusal:
@@ -124,7 +124,7 @@ def making(question: Question, known: Planned | None = None) -> Generator[None, 
 
 
 def outcome_of(question: Question, known: Planned | None = None) -> Outcome:
-    """Return what a run gives, at once."""
+    """Return the result of a run, at once."""
     work = making(question, known)
     while True:
         try:
@@ -145,7 +145,7 @@ def _made(question: Question, known: Planned | None) -> Generator[None, None, Ou
 
 
 def _reference(question: Question, known: Planned | None) -> Generator[None, None, tuple[Reference, Floats]]:
-    """Return what is to be followed, and the joint values at its beginning."""
+    """Return the reference, and the joint values at its start."""
     arm, setup, start = question.arm, question.setup, np.array(question.setup.start)
     if question.plan is not None:
         if known is None or known.question != question.plan:
@@ -165,7 +165,7 @@ def _reference(question: Question, known: Planned | None) -> Generator[None, Non
 
 
 def reference_points(arm: Arm, setup: Setup) -> Floats:
-    """Return points (k, 3) of a line or a circle before it is run, world, metres; the beginning of others."""
+    """Return points (k, 3) of a line or circle before it is run, world, metres; the first point of other references."""
     p, along = np.asarray(arm.position(np.array(setup.start)), dtype=np.float64), direction(arm, setup)
     if setup.reference == "line":
         return np.array([p, p + setup.speed * setup.duration * along])
@@ -185,7 +185,7 @@ def _planned(question: PlanQuestion) -> Generator[None, None, Planned]:
 
 
 def direction(arm: Arm, setup: Setup) -> Floats:
-    """Return the unit vector (3,), in the world, of azimuth and elevation in frame 0; a circle stays level."""
+    """Return the unit vector (3,), in the world, of azimuth and elevation in frame 0; a circle has no elevation."""
     up = setup.elevation if setup.reference == "line" else 0.0
     level = math.cos(up)
     local = [level * math.cos(setup.azimuth), level * math.sin(setup.azimuth), math.sin(up)]
@@ -193,7 +193,7 @@ def direction(arm: Arm, setup: Setup) -> Floats:
 
 
 def settings_of(arm: Arm, setup: Setup) -> Settings:
-    """Return how the run is made."""
+    """Return the settings of the simulation."""
     return Settings(
         setup.step,
         setup.integrator,
@@ -220,7 +220,7 @@ def _plant(arm: Arm, setup: Setup) -> Plant:
 
 
 def speed_limits(arm: Arm, setup: Setup) -> Floats:
-    """Return the limits of the joint speeds of a run, (n,): the arm's where none are given."""
+    """Return the limits of the joint speeds of a run, (n,): those of the arm unless others are given."""
     limits = np.array(arm.speed_limits)
     for turns, given in ((True, setup.limit), (False, setup.slide_limit)):
         if given is not None:
@@ -251,7 +251,7 @@ def figures_of(run: Run) -> Figures:
 
 
 def _predicted(setup: Setup, run: Run) -> Floats | None:
-    """Return the error that 7.24 predicts for a law of the joints on a plant that disturbs nothing."""
+    """Return the error that 7.24 predicts for a law of the joints on a plant without disturbances."""
     disturbed = setup.counts or setup.wrong or setup.pushes or setup.sampling or setup.saturation != "none"
     if setup.kind.space != "joints" or disturbed or run.error_joint is None or not run.arm.task.position:
         return None

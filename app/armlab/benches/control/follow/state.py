@@ -1,4 +1,4 @@
-"""Kinematic control: up to four runs as they are set up, the target of regulation, and what has become of them."""
+"""Kinematic control: the settings of up to four runs, the target of regulation, and the results."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from armlab.session.state import Json, Part, PartType, State
 CLIP_KEY = "control"
 
 FIRST_SPEED = 0.15
-"""Of the line an arm opens with, in length scales a second."""
+"""Speed of the line with which an arm begins, in length scales a second."""
 
 Floats = NDArray[np.float64]
 
@@ -45,7 +45,7 @@ class Control(Part):
     push : float
         Metres by which the button pushes the tool aside.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     before : tuple of float or None
         Where the arm stood when a run was put on; None while none is on.
     outcomes : dict
@@ -64,7 +64,7 @@ class Control(Part):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return one run: a line from home, with feedback."""
+        """Return one run: a line from the home pose, with feedback."""
         scale = robot.arm.length_scale
         run = setup_of(
             robot,
@@ -77,7 +77,7 @@ class Control(Part):
         return cls((run,), first_target(robot), push=_round(0.05 * scale))
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep all where the joints are the same; begin anew where there are others."""
+        """Keep all runs if the joints are the same, else begin anew."""
         arm, n = robot.arm, len(self.runs[0].start)
         if origin != tuple(range(n)):
             return self.initial(robot)
@@ -87,7 +87,7 @@ class Control(Part):
         return replace(self, runs=runs, example="", before=None, outcomes={})
 
     def after(self, before: State, now: State) -> Self:
-        """Follow the target of the lab, and forget where the arm stood when the run is taken off."""
+        """Follow the target of the lab, and forget the earlier configuration when the run is closed."""
         part, pose = self, now[Target].pose
         moved = pose is not None and pose is not before[Target].pose and self is before[Control]
         if moved and pose is not None and not np.array_equal(pose, self.target):
@@ -97,7 +97,7 @@ class Control(Part):
         return part
 
     def to_json(self) -> Json:
-        """Write everything but what the runs have given."""
+        """Write all but the results of the runs."""
         return {
             "runs": [run.to_json() for run in self.runs],
             "target": self.target.tolist(),
@@ -109,7 +109,7 @@ class Control(Part):
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when it is not usable with this arm."""
+        """Read the runs back; raises if they cannot be used with this arm."""
         runs = tuple(setup_from(robot, each) for each in data["runs"])
         selected, before = int(data["selected"]), data.get("before")
         colours = {run.colour for run in runs}
@@ -131,7 +131,7 @@ class Control(Part):
 
     @property
     def outcome(self) -> Outcome | None:
-        """What the selected run has given, as far as it is known."""
+        """Result of the selected run, as far as it is known."""
         return self.outcomes.get(self.run.colour)
 
 
@@ -139,12 +139,12 @@ PART = PartType(Control, order=99)
 
 
 def _round(value: float) -> float:
-    """Return a number with one figure, as a person would choose it."""
+    """Return a number rounded to one digit, as a person would choose it."""
     return float(f"{value:.0e}")
 
 
 def checked_push(push: float) -> float:
-    """Return metres of a push; `InputError` when they are not more than 0 and at most 10."""
+    """Return the size of a push, metres; `InputError` unless it is more than 0 and at most 10."""
     metres = float(finite_floats(push, "push", (), "metres"))
     if not 0.0 < metres <= 10.0:
         raise InputError("push: expected more than 0 and at most 10 m")
@@ -152,7 +152,7 @@ def checked_push(push: float) -> float:
 
 
 def questions(state: State) -> tuple[Question, ...]:
-    """Return what each run has to answer."""
+    """Return the question of each run."""
     part, arm = state[Control], state[RobotPart].robot.arm
     target = part.target.tobytes()
     return tuple(
@@ -167,17 +167,17 @@ def questions(state: State) -> tuple[Question, ...]:
 
 
 def fresh(state: State) -> bool:
-    """Return whether what is shown of the selected run is of the present question."""
+    """Return whether the result of the selected run answers its present question."""
     part = state[Control]
     return part.outcome is not None and part.outcome.question == state.derived(questions)[part.selected]
 
 
 def standing_start(state: State) -> Floats:
-    """Return where the arm stands for the selected run while that is not made, (n,)."""
+    """Return the configuration of the arm at the start of the selected run, before it is made, (n,)."""
     run = state[Control].run
     return np.asarray(np.array(run.start) + np.array(run.offset))
 
 
 def here(state: State) -> tuple[float, ...]:
-    """Return where the arm stands."""
+    """Return the present joint values of the arm."""
     return tuple(state[Joints].q.tolist())

@@ -1,4 +1,4 @@
-"""The film of the velocity loop: the time runs, and with it the numbers in the block diagram."""
+"""The film of the velocity loop, which runs through the time and the numbers of the block diagram."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from armlab.session.parts.timeline import Clip
 from armlab.session.state import State
 
 TIME_CONSTANTS = 5
-"""Of a step, after each of which stepping stops."""
+"""Number of time constants of a step at which stepping through the film stops."""
 
 
 def _stops(state: State) -> tuple[float, ...]:

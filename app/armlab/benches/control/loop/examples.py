@@ -1,4 +1,4 @@
-"""Examples of the velocity loop, each with a sentence on what to look at. One entry each."""
+"""Examples of the velocity loop, each with a sentence on what to look at."""
 
 from __future__ import annotations
 
@@ -51,13 +51,13 @@ EXAMPLES = part_examples(
 
 @dataclass(frozen=True)
 class ChooseLoopExample(Command):
-    """Put the loop of an example in place, and its film, if it is on, at its beginning."""
+    """Load the loop of an example, and put its film, if it is open, at its start."""
 
     key: str
     label: ClassVar[str] = "example of the velocity loop"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         return put(state, EXAMPLES[self.key].part)
 
 

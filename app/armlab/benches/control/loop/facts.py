@@ -1,4 +1,4 @@
-"""Facts of the velocity loop that lessons can check: how fast it is, and what error stays."""
+"""Facts of the velocity loop that lessons can check: its speed, and its lasting error."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from armlab.session.state import State
 
 
 def _of_sine(value: Callable[[Loop], float]) -> Callable[[State], float | None]:
-    """Return what there is only of a sine."""
+    """Return a fact that exists only for a sine."""
     return lambda state: value(state[Loop]) if state[Loop].kind == "sine" else None
 
 

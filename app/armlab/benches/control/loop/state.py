@@ -1,4 +1,4 @@
-"""The velocity loop of one mass (notes 7.1.1): mass, gain, wanted velocity, and how long it is looked at."""
+"""The velocity loop of one mass (notes 7.1.1): mass, gain, wanted velocity, and the time that is shown."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ CLIP_KEY = "loop"
 KINDS: dict[str, str] = {"step": "Step", "sine": "Sine"}
 
 MOST_PERIODS = 40
-"""Of a sine that are shown: more could not be told apart in a plot."""
+"""Largest number of periods of a sine that are shown: more could not be told apart in a plot."""
 
 
 @dataclass(frozen=True)
 class Loop(FieldPart):
-    """One loop and what it is asked to do; it has nothing to do with the arm.
+    """One loop and its reference, which do not depend on the arm.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ class Loop(FieldPart):
 
     @cached_property
     def loop(self) -> VelocityLoop:
-        """Mass and controller."""
+        """The loop: mass and controller."""
         return VelocityLoop(self.mass, self.gain)
 
     @cached_property
@@ -64,7 +64,7 @@ class Loop(FieldPart):
 
     @cached_property
     def times(self) -> NDArray[np.float64]:
-        """Times of the curves, denser at the start, where a fast loop does everything."""
+        """Times of the curves, denser at the start, where a fast loop settles."""
         even = np.linspace(0.0, self.end, 401)
         early = np.linspace(0.0, min(self.end, 6.0 * self.loop.time_constant), 90)
         return np.unique(np.concatenate([even, early]))
@@ -96,6 +96,6 @@ PART = PartType(Loop, order=98)
 
 
 def present_time(state: State) -> float:
-    """Return the seconds since the loop began; 0 while its film is not on."""
+    """Return the seconds since the loop began, or 0 while its film is closed."""
     timeline = state[Timeline]
     return timeline.time if timeline.clip == CLIP_KEY else 0.0

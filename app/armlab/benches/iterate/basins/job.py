@@ -1,4 +1,4 @@
-"""Draws the map of basins of attraction that was asked for, whether or not its page stays open."""
+"""The job that computes the requested map of basins of attraction, whether or not its page stays open."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from armlab.session.state import State
 
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
-    """Return the map that is being drawn."""
+    """Return the map that is being computed."""
     question = state[Basins].drawing
     return None if question is None else Wanted(question, question)
 
 
 def run(question: Question) -> Iterator[Map | None]:
-    """Yield the map whenever rows have been added."""
+    """Yield the map each time rows have been added."""
     known = known_solutions(question)
     yield None
     pieces = question.pieces(None if known is None else known.q)
@@ -42,7 +42,7 @@ def run(question: Question) -> Iterator[Map | None]:
 
 
 def known_solutions(question: Question) -> IkSolutions | None:
-    """Return all solutions, whose order the colours of the map follow; None where there is no such list.
+    """Return all solutions, whose order gives the colours of the map, or None if there is no such list.
 
     With a joint as a task component, or locked, they are those of the arm with this joint held.
     """
@@ -63,7 +63,7 @@ def target_of(question: Question) -> NDArray[np.float64]:
 
 
 def delivered(state: State, question: Question, found: Map) -> State:
-    """Return the state with the map so far; one that has been cancelled is let go."""
+    """Return the state with the map so far; a cancelled one is dropped."""
     part = state[Basins]
     if part.drawing is not question:
         return state
@@ -71,7 +71,7 @@ def delivered(state: State, question: Question, found: Map) -> State:
 
 
 def drawn(state: State) -> State:
-    """Return the state with the map that was asked for, whole: for tests and for those who can wait."""
+    """Return the state with the whole requested map, for tests and for callers that can wait."""
     question = state[Basins].drawing
     if question is None:
         return state

@@ -1,4 +1,4 @@
-"""What a map of basins of attraction is asked, and what it answers as far as it is done."""
+"""The request for a map of basins of attraction, and the map so far."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from armlab.kin.ik.iterate.record import Limits
 
 @dataclass(frozen=True, eq=False)
 class Question:
-    """All that a map depends on; each is asked once, so it is equal to itself only.
+    """All arguments of a map; each request is made once, so it equals only itself.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class Question:
     points: int
 
     def pieces(self, solutions: NDArray[np.float64] | None = None) -> Iterator[Found]:
-        """Return the map in pieces; `InputError` at once when there can be none."""
+        """Return the map in pieces; `InputError` at once if there can be none."""
         return basins(
             self.arm,
             np.frombuffer(self.target).reshape(4, 4).copy(),
@@ -72,7 +72,7 @@ class Question:
 
 @dataclass(frozen=True, eq=False)
 class Map:
-    """A map as far as it is done.
+    """A map with the rows computed so far.
 
     Attributes
     ----------
@@ -96,7 +96,7 @@ class Map:
 
     @property
     def done(self) -> float:
-        """The part of the starts that has been tried, 0 to 1."""
+        """The share of the starts that has been tried, 0 to 1."""
         return self.found.rows / self.question.points
 
     def start(self, x: float, y: float) -> tuple[float, ...]:
@@ -108,7 +108,7 @@ class Map:
         return tuple(q.tolist())
 
     def outcome(self, x: float, y: float) -> tuple[int, int]:
-        """Return the number of the solution reached from a place, see `start`, and how many steps it took."""
+        """Return the number of the solution reached from a place, see `start`, and the number of steps."""
         row, column = self._place(x, y)
         return int(self.found.index[row, column]), int(self.found.iterations[row, column])
 
@@ -119,7 +119,7 @@ class Map:
         return min(int(y * points), points - 1), min(int(x * points), points - 1)
 
     def part(self, joint: int, value: float) -> float:
-        """Return where a joint value lies on a side, 0 to 1 from its low end; outside, or after whole turns, too.
+        """Return the place of a joint value on a side, 0 to 1 from its low end; it may be outside, or need whole turns.
 
         Parameters
         ----------

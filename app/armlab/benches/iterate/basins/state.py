@@ -1,4 +1,4 @@
-"""Basins of attraction: which map is asked for, what is being computed, and the map so far.
+"""Basins of attraction: the settings of the map, the request that is being computed, and the map so far.
 
 Target and task vector are those of the film of iterations: a film begun at a point of the map answers the same
 question.
@@ -33,14 +33,14 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, Json, PartType, State
 
 POINTS = (64, 128, 256)
-"""Starts along either side of a map, to choose from."""
+"""Numbers of starts along a side of a map that can be chosen."""
 
 STEPS = (50, 100, 200, MOST_STEPS)
-"""Largest numbers of steps to choose from; a film has as many at most."""
+"""Largest numbers of steps that can be chosen; a film has as many at most."""
 
 
 def _read_run(data: Json) -> Run:
-    """Return a run as it is, or as it was written."""
+    """Return a run as it is, or read from JSON."""
     method, parameters, *_ = data.to_json() if isinstance(data, Run) else data
     iteration_method(method)  # a flow has no steps to be counted
     return run_of(method, parameters)
@@ -53,7 +53,7 @@ def _read_pair(data: Json) -> tuple[int, int]:
 
 @dataclass(frozen=True, eq=False)
 class Basins(FieldPart):
-    """The map that will be drawn, the one that is being drawn, and the one there is.
+    """The settings of the next map, the map that is being computed, and the present one.
 
     Attributes
     ----------
@@ -88,20 +88,20 @@ class Basins(FieldPart):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return Newton's method over the first two joints that change more than where everything is turned."""
+        """Return Newton's method over the first two joints that do more than turn the whole arm."""
         return cls(robot.arm, run_of("newton"), _first_joints(robot.arm), tuple(map(float, robot.home)))
 
     def check(self) -> None:
-        """Refuse joints that the arm has not, and start values where none can stand."""
+        """Refuse joints that the arm does not have, and start values that a joint cannot take."""
         _check_joints(self.arm, *self.joints)
         checked_start(self.arm, self.rest)
 
     def for_robot(self, robot: Robot) -> Self:
-        """Keep the method, with a step size that suits the arm, and how finely it is mapped."""
+        """Keep the method, with a step size that suits the arm, and the resolution of the map."""
         return replace(super().for_robot(robot), run=refitted(self.run, robot.arm))
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep also joints and start values of joints that are still there; a map was of the arm as it was."""
+        """Keep also joints and start values of joints that are still there; the map of the earlier arm is dropped."""
         kept = super().for_edited(robot, origin)
         across, up = (origin.index(joint) if joint in origin else -1 for joint in self.joints)
         # An arm of one joint has but one for both axes.
@@ -117,7 +117,7 @@ PART = PartType(Basins, order=98)
 
 
 def question_of(state: State) -> Question:
-    """Return what is asked when a map is drawn; locked joints stand where they stand."""
+    """Return the request for a map with the present settings; locked joints keep their present values."""
     part, joints, problem = state[Basins], state[Joints], state[Iterations]
     rest = np.where(joints.locked, joints.q, part.rest)
     return Question(
@@ -135,7 +135,7 @@ def question_of(state: State) -> Question:
 
 
 def refusal(state: State) -> str:
-    """Return why there can be no map of the present choices; empty when there can be one."""
+    """Return why there can be no map with the present settings, or an empty text."""
     locked = state[Joints].locked
     if locked.count(False) <= vector_of(state).m and not any(locked[joint] for joint in state[Basins].joints):
         return ""
@@ -147,7 +147,7 @@ def refusal(state: State) -> str:
 
 
 def belongs_elsewhere(state: State) -> bool:
-    """Return whether target or task vector have changed since the map was asked for."""
+    """Return whether target or task vector have changed since the map was requested."""
     found = state[Basins].map
     if found is None:
         return False
@@ -159,12 +159,12 @@ def belongs_elsewhere(state: State) -> bool:
 
 @dataclass(frozen=True)
 class DrawBasins(Command):
-    """Ask for the map of the present choices; the one that is being computed is given up."""
+    """Request the map with the present settings; a map that is being computed is given up."""
 
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state in which a map is being drawn.
+        """Return the state in which a map is being computed.
 
         Raises
         ------
@@ -178,12 +178,12 @@ class DrawBasins(Command):
 
 @dataclass(frozen=True)
 class CancelBasins(Command):
-    """Stop drawing; what there is of the map stays."""
+    """Stop computing; the rows so far stay."""
 
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state in which nothing is being drawn."""
+        """Return the state in which nothing is being computed."""
         part = state[Basins]
         return state if part.drawing is None else state.replace(replace(part, drawing=None))
 
@@ -219,7 +219,7 @@ class MapMethod(Command):
 
 @dataclass(frozen=True)
 class MapJoints(Command):
-    """Choose the joints across and up (0-based); one that has the other's place changes places with it."""
+    """Choose the joints across and up (0-based); if both are the same the two are exchanged."""
 
     across: int
     up: int
@@ -234,7 +234,7 @@ class MapJoints(Command):
 
 @dataclass(frozen=True)
 class MapRest(Command):
-    """Set the start value of one joint (0-based), rad or m; None for all of them where the arm stands."""
+    """Set the start value of one joint (0-based), rad or m; None sets all of them to the present values."""
 
     joint: int | None = None
     value: float = 0.0
@@ -253,13 +253,13 @@ class MapRest(Command):
 
 @dataclass(frozen=True)
 class TakeJoint(Command):
-    """Make position and one joint (1-based) the task vector, the joint wanted where the target can be reached."""
+    """Make position and one joint (1-based) the task vector, with a joint value for which the target can be reached."""
 
     joint: int
     label: ClassVar[str] = "task vector"
 
     def apply(self, state: State) -> State:
-        """Return the state with the task vector chosen; wanted is the present value where no other is known to do."""
+        """Return the state with the task vector chosen; the present joint value is wanted if no better one is known."""
         arm = state[Joints].arm
         if not 1 <= self.joint <= arm.n:
             raise InputError(f"joint: expected 1 to {arm.n}, got {self.joint}")
@@ -272,7 +272,7 @@ class TakeJoint(Command):
 
 @dataclass(frozen=True)
 class StartInMap(Command):
-    """Begin the film of iterations at a place of the map, with all that the map was made with.
+    """Begin the film of iterations at a place of the map, with all arguments of the map.
 
     Parameters
     ----------
@@ -285,7 +285,7 @@ class StartInMap(Command):
     label: ClassVar[str] = "start of the iterations"
 
     def apply(self, state: State) -> State:
-        """Return the state with the film at its first picture; `InputError` as `start_in_map` says."""
+        """Return the state with the film at its first picture; `InputError` as in `start_in_map`."""
         start, asked = start_in_map(state, self.x, self.y)
         part = state[Iterations]
         target = np.frombuffer(asked.target).reshape(4, 4).copy()
@@ -302,7 +302,7 @@ class StartInMap(Command):
 
 
 def start_in_map(state: State, x: float, y: float) -> tuple[tuple[float, ...], Question]:
-    """Return the start at a place of the map, 0 to 1 from its lower left corner, and what the map was asked.
+    """Return the start at a place of the map, 0 to 1 from its lower left corner, and the request of the map.
 
     Raises
     ------
@@ -320,7 +320,7 @@ def start_in_map(state: State, x: float, y: float) -> tuple[tuple[float, ...], Q
 
 
 def _with_selected(part: Iterations, run: Run) -> Iterations:
-    """Return the part with this run selected: one that is like it, or the selected one made like it."""
+    """Return the part with this run selected: an equal one, or else the selected one replaced by it."""
     for i, one in enumerate(part.runs):
         if replace(one, colour=run.colour) == run:
             return replace(part, selected=i)
@@ -330,7 +330,7 @@ def _with_selected(part: Iterations, run: Run) -> Iterations:
 
 
 def _first_joints(arm: Arm) -> tuple[int, int]:
-    """Return the two joints of a 2R, else joints 2 and 3: about the first everything only turns."""
+    """Return the two joints of a 2R, else joints 2 and 3, because the first one only turns the whole arm."""
     return (0, min(1, arm.n - 1)) if arm.n < 3 or arm.task.rotation == "phi" else (1, 2)
 
 

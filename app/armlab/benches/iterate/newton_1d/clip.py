@@ -1,4 +1,4 @@
-"""The film of the tangents: at each iterate the tangent is drawn, followed to the axis, and from there to the curve."""
+"""The film of the tangents: each tangent is drawn and followed to the axis, and then the line to the curve."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from armlab.session.parts.timeline import Clip, Timeline
 from armlab.session.state import State
 
 STEP = 2.0
-"""Seconds of a step."""
+"""Duration of a step, seconds."""
 
 DRAWN, MET = 0.35, 0.75
-"""Parts of a step after which the tangent is drawn, and the axis is met."""
+"""Parts of a step after which the tangent is drawn, and after which it meets the axis."""
 
 NEAR = 1e-9
 
 
 class Place(NamedTuple):
-    """Where the film stands.
+    """A place in the film.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class Place(NamedTuple):
 
 
 def place_of(state: State) -> Place:
-    """Return where the film stands; the first iterate with its tangent while it is not on."""
+    """Return the place in the film, or the first iterate with its tangent while the film is closed."""
     if state[Timeline].clip != CLIP_KEY:
         return Place(0, 1.0)
     last, at = state.derived(solution).last, state[Timeline].time / STEP

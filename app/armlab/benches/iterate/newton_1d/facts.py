@@ -1,4 +1,4 @@
-"""Facts of Newton's method for one equation that lessons can check: where it ends, and in how many steps."""
+"""Facts of Newton's method for one equation that lessons can check: its end, and the number of steps."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from armlab.session.state import State
 
 
 def _root(state: State) -> float | None:
-    """Return the root that was found; None where there is none."""
+    """Return the root that was found, or None."""
     found = state.derived(solution)
     return float(found.iterates[-1].x) if found.status == "converged" else None
 

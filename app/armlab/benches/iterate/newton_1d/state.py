@@ -1,4 +1,4 @@
-"""Newton's method for one equation in one unknown: the equation and where it starts."""
+"""Newton's method for one equation in one unknown: the equation and the start."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from armlab.session.state import Command, PartType, State
 CLIP_KEY = "newton_1d"
 
 FARTHEST = 1e6
-"""Of a start: beyond it nothing could be drawn."""
+"""Largest absolute value of a start that can be drawn."""
 
 
 @dataclass(frozen=True)
 class Newton1D(FieldPart):
-    """One equation f(x) = 0; it has nothing to do with the arm.
+    """One equation f(x) = 0, which does not depend on the arm.
 
     Attributes
     ----------
     example : str
         Key of an example of `armlab.kin.ik.iterate`.
     text : str
-        A function of x a person has typed, which takes the place of the example; empty for none.
+        A typed function of x, which replaces the example; empty for none.
     x0 : float
     """
 
@@ -37,7 +37,7 @@ class Newton1D(FieldPart):
     x0: float = number("x₀", "start of Newton's method", EXAMPLES[0].x0, -FARTHEST, FARTHEST)
 
     def check(self) -> None:
-        """Refuse an equation and a start nothing can be computed with."""
+        """Refuse an equation or a start that cannot be computed with."""
         solved(self.example, self.text, self.x0)
 
 
@@ -52,7 +52,7 @@ def solution(state: State) -> Solved:
 
 @dataclass(frozen=True)
 class ChooseEquation(Command):
-    """Take an example, with its start."""
+    """Choose an example, with its start."""
 
     key: str
     label: ClassVar[str] = "equation"
@@ -64,7 +64,7 @@ class ChooseEquation(Command):
 
 @dataclass(frozen=True)
 class TypeEquation(Command):
-    """Take a function of x as a person types it; the start stays."""
+    """Set a typed function of x; the start stays."""
 
     text: str
     label: ClassVar[str] = "equation"

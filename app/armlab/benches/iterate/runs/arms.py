@@ -1,4 +1,4 @@
-"""The arms of a task vector with joints in it: the configurations that solve it, such as the two of (p_x, p_y, q3)."""
+"""The configurations that solve a task vector with joints in it, such as the two of (p_x, p_y, q3)."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from armlab.kin.ik.iterate import TaskVector, iterate
 
 STARTS = 12
 MOST = 30
-"""Random starts of the search, and steps of each: some 50 ms."""
+"""Number of random starts of the search, and of steps from each: some 50 ms."""
 
 SAME = 1e-3
-"""Chord of angles, or lengths over the length scale, within which two solutions are one."""
+"""Chord of angles, or length in length scales, up to which two solutions are one."""
 
 
 class Asked(NamedTuple):
-    """Arm, target pose as bytes, task vector, and the values of the joints that are held (None where free)."""
+    """Arm, target pose as bytes, task vector, and the values of the held joints (None for a free one)."""
 
     arm: Arm
     target: bytes
@@ -30,14 +30,14 @@ class Asked(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Arms:
-    """What was found: ``q`` (k, n), rad or m; not proven to be all."""
+    """Solutions ``q`` (k, n), rad or m, which are not proven to be all."""
 
     asked: Asked
     q: NDArray[np.float64]
 
 
 def arms_of(asked: Asked) -> Arms:
-    """Return the solutions that seeded random starts lead to; none when they would be infinitely many."""
+    """Return the solutions found from seeded random starts, or none if they would be infinitely many."""
     arm, found = asked.arm, np.zeros((0, asked.arm.n))
     locked = tuple(value is not None for value in asked.held)
     if arm.n - sum(locked) != asked.task.m:

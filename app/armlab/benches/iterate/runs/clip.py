@@ -16,16 +16,16 @@ from armlab.session.parts.timeline import Clip, Timeline
 from armlab.session.state import State
 
 SLOW, WHOLE = 0.9, 20.0
-"""Seconds from an iterate to the next at most, and of a whole film."""
+"""Longest time from an iterate to the next, and longest film, seconds."""
 
 WAITING = 1.0
-"""Seconds of a film that is still being made."""
+"""Duration of a film that is still being made, seconds."""
 
 REST = 0.4
-"""Part of the time between two iterates in which the arm stands at the first."""
+"""Share of the time between two iterates in which the arm rests at the first."""
 
 NEAR = 1e-6
-"""Seconds within which a time is that of an iterate, times the length of the film."""
+"""Difference of a time from that of an iterate, in lengths of the film, below which they are the same."""
 
 Floats = NDArray[np.float64]
 
@@ -36,7 +36,7 @@ def each(film: Film) -> float:
 
 
 def duration(state: State) -> float:
-    """Return the seconds of the film."""
+    """Return the duration of the film, seconds."""
     film = state[Iterations].film
     return WAITING if film is None or not film.last else film.last * each(film)
 
@@ -48,7 +48,7 @@ def stops(state: State) -> tuple[float, ...]:
 
 
 def place_at(film: Film, time: float) -> tuple[int, float]:
-    """Return the present iterate and how much of the way to the next is done, 0 to 1."""
+    """Return the present iterate and the share of the way to the next that is done, 0 to 1."""
     if not film.last:
         return 0, 0.0
     k = time / each(film)
@@ -73,7 +73,7 @@ def configuration(film: Film, place: tuple[int, float]) -> Floats:
 
 
 def place_of(state: State) -> tuple[int, float]:
-    """Return where the film of a state stands; the first iterate while it is not on."""
+    """Return the place in the film of a state, or the first iterate while the film is closed."""
     film = state[Iterations].film
     if film is None or state[Timeline].clip != CLIP_KEY:
         return 0, 0.0
@@ -81,7 +81,7 @@ def place_of(state: State) -> tuple[int, float]:
 
 
 def alongside(film: Film, place: tuple[int, float], other: Film) -> tuple[int, float]:
-    """Return where another run stands at a place of a film: at the same step or time, else equally far on its way."""
+    """Return the place of another run: at the same step or time, else at the same share of its way."""
     i, share = place
     k = i + share
     if film.t is not None and other.t is not None:
@@ -95,7 +95,7 @@ def alongside(film: Film, place: tuple[int, float], other: Film) -> tuple[int, f
 
 
 def _stood(state: State, time: float) -> Floats:
-    """Return where the arm stands at a time, (n,), inside its limits; at the start while the film is being made."""
+    """Return the joint values at a time, (n,), inside the limits; those at the start while the film is being made."""
     part = state[Iterations]
     q = np.array(part.start) if part.film is None else configuration(part.film, place_at(part.film, time))
     return standing(state[Joints].arm, q)

@@ -1,4 +1,4 @@
-"""What a person does to the problem and the runs of the film of iterations."""
+"""Commands for the problem and the runs of the film of iterations."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from armlab.session.state import Command, State
 
 @dataclass(frozen=True)
 class SetStart(Command):
-    """Let all runs begin at a configuration; None for where the arm stands."""
+    """Let all runs begin at a configuration; None is the present one."""
 
     q: tuple[float, ...] | None = None
     label: ClassVar[str] = "start of the iterations"
@@ -38,7 +38,7 @@ class SetStart(Command):
 
 @dataclass(frozen=True, eq=False)
 class AimAt(Command):
-    """Give all runs another target; None for the target of the lab, or the tool when there is none."""
+    """Give all runs another target; None is the target of the lab, or the tool if there is none."""
 
     pose: NDArray[np.floating] | None = None
     label: ClassVar[str] = "target of the iterations"
@@ -51,7 +51,7 @@ class AimAt(Command):
 
 @dataclass(frozen=True)
 class ChooseTask(Command):
-    """Choose the task vector; None for the arm's own task."""
+    """Choose the task vector; None is the arm's own task."""
 
     task: TaskVector | None
     label: ClassVar[str] = "task vector"
@@ -63,14 +63,14 @@ class ChooseTask(Command):
 
 @dataclass(frozen=True)
 class AddRun(Command):
-    """Add a run of a method, or a copy of run ``like``; it becomes the selected one."""
+    """Add a run of a method, or a copy of run ``like``, and select it."""
 
     method: str = "newton"
     like: int | None = None
     label: ClassVar[str] = "run"
 
     def apply(self, state: State) -> State:
-        """Return the state with one run more."""
+        """Return the state with one more run."""
         part = state[Iterations]
         colour = free_colour(part.runs)
         if self.like is None:
@@ -82,7 +82,7 @@ class AddRun(Command):
 
 @dataclass(frozen=True)
 class RemoveRun(Command):
-    """Take a run away."""
+    """Remove a run."""
 
     run: int
     label: ClassVar[str] = "run"
@@ -133,7 +133,7 @@ class SetParameter(Command):
 
 @dataclass(frozen=True)
 class SelectRun(Command):
-    """Choose the run whose film is played and whose numbers are in the table; the film stays at its time."""
+    """Choose the run that is played and shown in the table; the film stays at its time."""
 
     run: int
     undoable: ClassVar[bool] = False
@@ -146,14 +146,14 @@ class SelectRun(Command):
 
 
 def checked_run(part: Iterations, run: int) -> int:
-    """Return the place of a run, from 0; `InputError` when there is none."""
+    """Return the index of a run, from 0; `InputError` if there is none."""
     if type(run) is not int or not 0 <= run < len(part.runs):
         raise InputError(f"run: expected 1 to {len(part.runs)}, got {run!r}")
     return run
 
 
 def changed(state: State, **fields: object) -> State:
-    """Return the state with another question, or the same state; what was an example is none any more."""
+    """Return the state with another problem, which is no longer an example, or the same state."""
     return setting(state, Iterations, fields)
 
 

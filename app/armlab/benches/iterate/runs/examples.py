@@ -1,4 +1,4 @@
-"""Examples of section 4.4 of the notes: an arm, a start, a target and runs, and what to look at. One entry each."""
+"""Examples of section 4.4 of the notes: an arm, a start, a target and runs, and what to look at."""
 
 from __future__ import annotations
 
@@ -143,18 +143,18 @@ EXAMPLES: Registry[Example] = Registry(
         ),
     ),
 )
-"""By key, in the order of the list."""
+"""Examples by key, in the order of the list."""
 
 
 @dataclass(frozen=True)
 class ChooseExample(Command):
-    """Put arm, start, target, task vector and runs of an example in place, and its film on at the beginning."""
+    """Load arm, start, target, task vector and runs of an example, and open its film at the start."""
 
     key: str
     label: ClassVar[str] = "example of iterations"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         example = EXAMPLES[self.key]
         state = on_arm(with_clip_closed(state), example.robot)
         return with_clip(state.replace(_put(example, state)), CLIP_KEY)

@@ -1,4 +1,4 @@
-"""Facts of the selected run of iterations that lessons can check; they are known once its film has been made."""
+"""Facts of the selected run of iterations that lessons can check, known once its film has been made."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from armlab.session.state import State
 
 
 def _film(state: State) -> Film | None:
-    """Return the film of the selected run as it is set up now; None while it is being made."""
+    """Return the film of the selected run with its present settings, or None while it is being made."""
     part = state[Iterations]
     film = part.films.get(part.run.colour)
     asked = state.derived(questions)[part.runs.index(part.run)]

@@ -1,4 +1,4 @@
-"""What a run has given, as the panel, the plots and the film show it: made once for each run and question."""
+"""The film of a run for the panel, the plots and the scene, made once for each run and question."""
 
 from __future__ import annotations
 
@@ -23,14 +23,15 @@ from armlab.kin.transforms import as_pose
 Floats = NDArray[np.float64]
 
 PIECE, FLOW_PIECE = 2, 20
-"""Steps between two rests: of coordinate descent on seven joints some 20 ms, of most methods, and of a flow, less."""
+"""Number of steps between two rests: some 20 ms for coordinate descent on seven joints, less for most methods and for a
+flow."""
 
 MOST_SHOWN = 50
-"""Instants of a flow that are shown as iterates."""
+"""Largest number of instants of a flow that are shown as iterates."""
 
 
 class Question(NamedTuple):
-    """All that a run depends on; equal questions have equal answers.
+    """All arguments of a run; equal questions have equal answers.
 
     Attributes
     ----------
@@ -105,7 +106,7 @@ class Film:
 
     @cached_property
     def step_lengths(self) -> tuple[Floats, Floats]:
-        """Lengths of the steps of turning and of sliding joints, rad and m, (k,)."""
+        """Lengths of the steps of revolute and of prismatic joints, rad and m, (k,)."""
         turns = self.question.arm.revolute
         return np.linalg.norm(self.step[:, turns], axis=1), np.linalg.norm(self.step[:, ~turns], axis=1)
 
@@ -121,7 +122,7 @@ class Film:
 
 
 def film_of(question: Question) -> Film:
-    """Return what a run gives; a run that cannot begin is a film of one picture that says why."""
+    """Return the film of a run; a run that cannot begin has one picture, with the reason."""
     work = making(question)
     while True:
         try:
@@ -147,7 +148,7 @@ def target_of(question: Question) -> Floats:
 
 
 def _steps(question: Question) -> Generator[None, None, Film]:
-    """Do what `armlab.kin.ik.iterate.iterate` does, and rest now and then."""
+    """Do the same as `armlab.kin.ik.iterate.iterate`, with rests."""
     arm, method = question.arm, iteration_method(question.method)
     vector, values = checked_vector(arm, question.task), method.values(dict(question.parameters))
     free = [i for i in range(arm.n) if not question.locked[i]]
@@ -182,7 +183,7 @@ def _steps(question: Question) -> Generator[None, None, Film]:
 
 
 def _flow(question: Question) -> Generator[None, None, Film]:
-    """Do what one call of `transpose_flow` does in several, each of which goes on where the one before has ended."""
+    """Do one call of `transpose_flow` as several calls, each of which continues the previous one."""
     arm, parameters, vector = question.arm, dict(question.parameters), question.task or TaskVector(question.arm.task)
     dt, start, began = parameters["dt"], np.array(question.start), 0
     left = math.ceil(parameters["duration"] / dt - 1e-9)
@@ -209,7 +210,7 @@ def _flow(question: Question) -> Generator[None, None, Film]:
     pick = np.unique(np.linspace(0, len(t) - 1, min(len(t), MOST_SHOWN + 1)).round().astype(int))
 
     def joined(name: str) -> Floats:
-        """Return a quantity over the whole run at the instants that are shown; where two parts meet, once."""
+        """Return a quantity over the whole run at the shown instants; at the joint of two parts only once."""
         whole = [getattr(part, name)[: None if part is flow else -1] for part in parts]
         return np.asarray(np.concatenate(whole)[pick])
 

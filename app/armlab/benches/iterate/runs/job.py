@@ -1,4 +1,4 @@
-"""Makes the films of the runs, one after the other, while somebody looks."""
+"""The job that makes the films of the runs, one after the other, while they are seen."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ PANEL = "iterations"
 
 
 class Todo(NamedTuple):
-    """The runs without a film of the present question, by colour, the selected one first; and the arms to look for."""
+    """The runs without a film of the present question, by colour, the selected one first, and the arms to find."""
 
     runs: tuple[tuple[int, Question], ...]
     arms: Asked | None
@@ -29,14 +29,14 @@ class Todo(NamedTuple):
 
 
 class Found(NamedTuple):
-    """What has been made so far."""
+    """Films and arms made so far."""
 
     films: dict[int, Film]
     arms: Arms | None = None
 
 
 def todo(state: State) -> Todo:
-    """Return what is still to be made."""
+    """Return the films that are still to be made."""
     part = state[Iterations]
     missing = [
         (run.colour, question)
@@ -49,7 +49,7 @@ def todo(state: State) -> Todo:
 
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
-    """Return what to make while the panel or the film is seen."""
+    """Return the missing films while the panel or the film is seen."""
     if PANEL not in panels and state[Timeline].clip != CLIP_KEY:
         return None
     missing = state.derived(todo)
@@ -58,7 +58,7 @@ def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
 
 
 def run(missing: Todo) -> Iterator[Found | None]:
-    """Yield all that is made so far, again and again: of several deliveries only the newest counts."""
+    """Yield all results so far, again and again; only the newest delivery counts."""
     films: dict[int, Film] = {}
     for colour, question in missing.runs:
         films[colour] = yield from making(question)
@@ -68,9 +68,9 @@ def run(missing: Todo) -> Iterator[Found | None]:
 
 
 def delivered(state: State, missing: Todo, found: Found) -> State:
-    """Return the state with what was found, the arm where the new film has it if the old one had put it there.
+    """Return the state with the new films; the arm moves to the new film if the old one had moved it.
 
-    What was found for another arm is thrown away.
+    Films of another arm are dropped.
     """
     part, arm = state[Iterations], state[Joints].arm
     colours = {run.colour for run in part.runs}
@@ -86,7 +86,7 @@ def delivered(state: State, missing: Todo, found: Found) -> State:
 
 
 def with_films(state: State) -> State:
-    """Return the state with everything made, at once: for tests and for those who can wait."""
+    """Return the state with everything made, at once, for tests and for callers that can wait."""
     missing = todo(state)
     for found in run(missing):
         state = state if found is None else delivered(state, missing, found)

@@ -1,4 +1,4 @@
-"""Newton's method for one equation, as the page shows it: iterates, and why it ended, in a sentence."""
+"""Newton's method for one equation on its page: the iterates, and a sentence on the end."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from armlab.kin.ik.iterate.newton_1d import Newton1D as Iterate1D
 from armlab.session.amounts import signed
 
 MOST = 20
-"""Steps."""
+"""Largest number of steps."""
 
 SMALL = 1e-13
-"""|f| that counts as 0, relative to the larger of 1 and |f(x0)|."""
+"""Value of |f| that counts as 0, relative to the larger of 1 and |f(x0)|."""
 
 LARGE = 1e6
-"""Growth of |x| beyond which the iterates run away."""
+"""Growth of |x| beyond which the iterates diverge."""
 
 LONGEST_ROUND = 4
 ROUND = 1e-7
-"""Steps of the longest round that is looked for, and how near to itself it must come, relative to |x|."""
+"""Length of the longest cycle that is looked for, and difference, relative to |x|, up to which it closes."""
 
 DIFFERENCE = 6e-6
-"""Step of the central difference, the cube root of the rounding, times the larger of 1 and |x|."""
+"""Step of the central difference, the cube root of the rounding error, relative to the larger of 1 and |x|."""
 
 Function = Callable[[float], float]
 
@@ -61,7 +61,7 @@ class Solved:
 
 
 def example_named(key: str) -> Example1D:
-    """Return an example by key; `InputError` when there is none."""
+    """Return an example by key; `InputError` if there is none."""
     for example in EXAMPLES:
         if example.key == key:
             return example
@@ -69,7 +69,7 @@ def example_named(key: str) -> Example1D:
 
 
 def typed_function(text: str) -> Function:
-    """Return the function of x a person has typed; `InputError` when it cannot be read."""
+    """Return the typed function of x; `InputError` if it cannot be read."""
     expression = parse(text, ("x",))
 
     def f(x: float) -> float:
@@ -94,7 +94,7 @@ def slope_of(f: Function) -> Function:
 
 @lru_cache(maxsize=64)
 def solved(key: str, text: str, x0: float) -> Solved:
-    """Return the iteration for an example, or for a typed function when there is one.
+    """Return the iteration for an example, or for a typed function if there is one.
 
     Raises
     ------
@@ -133,7 +133,7 @@ def _why(found: Sequence[Iterate1D], tolerance: float) -> tuple[str, str]:
 
 
 def _unfinished(x: Sequence[float], f: Sequence[float], last: float) -> tuple[str, str]:
-    """Return why the most steps were not enough."""
+    """Return why the largest number of steps was not enough."""
     for period in range(1, LONGEST_ROUND + 1):
         if abs(x[-1] - x[-1 - period]) <= ROUND * max(1.0, abs(x[-1])):
             if period == 1:

@@ -1,4 +1,4 @@
-"""Inverse kinematics step by step: start, target, task vector and runs, and the film of what they give."""
+"""Inverse kinematics step by step: start, target, task vector and runs, and the films of the runs."""
 
 from __future__ import annotations
 
@@ -32,10 +32,11 @@ from armlab.session.state import Command, Json, PartType, State
 CLIP_KEY = "iterations"
 
 MOST_STEPS = 500
-"""Of a run; the notes' examples need a tenth of it, the gradient beside a stretched arm all of it."""
+"""Largest number of steps of a run: the notes' examples need a tenth of it, the gradient near a stretched arm all of
+it."""
 
 STEPS = 60
-"""Of a run until somebody asks for more."""
+"""Initial largest number of steps of a run."""
 
 
 Floats = NDArray[np.float64]
@@ -63,7 +64,7 @@ def _written(task: TaskVector | None) -> Json:
 
 @dataclass(frozen=True, eq=False)
 class Iterations(FieldPart):
-    """A problem of inverse kinematics and up to four methods that set out to solve it.
+    """A problem of inverse kinematics and up to four methods for its solution.
 
     Attributes
     ----------
@@ -82,7 +83,7 @@ class Iterations(FieldPart):
     most : int
         Largest number of steps.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     before : tuple of float or None
         Where the arm stood when the film was put on; None while it is not on.
     films : dict
@@ -109,7 +110,7 @@ class Iterations(FieldPart):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return the first step of a lecture: from home to a target not far away, by Newton and by the gradient."""
+        """Return the first example of a lecture: from home to a near target, by Newton's method and by the gradient."""
         arm = robot.arm
         runs = (
             run_of("gauss_newton" if arm.n < arm.task.m else "newton"),
@@ -118,7 +119,7 @@ class Iterations(FieldPart):
         return cls(robot, tuple(map(float, robot.home)), first_target(robot), runs=runs)
 
     def check(self) -> None:
-        """Refuse what cannot be with this arm, and runs that could not be told apart."""
+        """Refuse values that are impossible for this arm, and runs that cannot be told apart."""
         for q in (self.start,) if self.before is None else (self.start, self.before):
             checked_start(self.robot.arm, q)
         checked_target(self.robot, self.target)
@@ -130,16 +131,16 @@ class Iterations(FieldPart):
             raise InputError(f"selected: expected 0 to {len(self.runs) - 1}, got {self.selected}")
 
     def for_robot(self, robot: Robot) -> Self:
-        """Keep the runs and how they are made, but for step sizes: what suits one arm is wild with another."""
+        """Keep the runs and their parameters, except step sizes: one that suits an arm may diverge with another."""
         return replace(super().for_robot(robot), runs=tuple(refitted(run, robot.arm) for run in self.runs))
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep target and start; the choice of a task vector falls with the joints it was made for."""
+        """Keep target and start; a chosen task vector is dropped with the joints it was made for."""
         kept = super().for_edited(robot, origin)
         return replace(kept, task=self.task) if origin == tuple(range(len(self.start))) else kept
 
     def after(self, before: State, now: State) -> Self:
-        """Follow the target of the lab, and forget where the arm stood when the film is taken off.
+        """Follow the target of the lab, and forget the earlier configuration when the film is closed.
 
         Another arm may come with a target of its own, as in a lesson: then start where it stands.
         """
@@ -161,7 +162,7 @@ class Iterations(FieldPart):
 
     @property
     def film(self) -> Film | None:
-        """What the selected run has given, as far as it is known."""
+        """Film of the selected run, as far as it is known."""
         return self.films.get(self.run.colour)
 
 
@@ -169,12 +170,12 @@ PART = PartType(Iterations, order=97)
 
 
 def vector_of(state: State) -> TaskVector:
-    """Return the task vector the runs work with."""
+    """Return the task vector of the runs."""
     return state[Iterations].task or TaskVector(state[Joints].arm.task)
 
 
 def questions(state: State) -> tuple[Question, ...]:
-    """Return what each run has to answer."""
+    """Return the question of each run."""
     part, joints = state[Iterations], state[Joints]
     start = np.where(joints.locked, joints.q, part.start)
     shared = (
@@ -190,7 +191,7 @@ def questions(state: State) -> tuple[Question, ...]:
 
 
 def arms_asked(state: State) -> Asked | None:
-    """Return what is to be known of the arms of the task vector; None for one without joints in it."""
+    """Return the request for the arms of the task vector, or None for one without joints in it."""
     part, joints = state[Iterations], state[Joints]
     if part.task is None or not part.task.joints:
         return None
@@ -199,14 +200,14 @@ def arms_asked(state: State) -> Asked | None:
 
 
 def arms_found(state: State) -> Floats:
-    """Return the solutions of the task vector as far as they are known, (k, n)."""
+    """Return the known solutions of the task vector, (k, n)."""
     part = state[Iterations]
     known = part.arms is not None and part.arms.asked == state.derived(arms_asked)
     return part.arms.q if known and part.arms is not None else np.zeros((0, state[Joints].arm.n))
 
 
 def checked_start(arm: Arm, q: ArrayLike) -> tuple[float, ...]:
-    """Return a start; `InputError` when it is not one number for each joint that a joint can stand at."""
+    """Return a start; `InputError` unless it is one number for each joint, inside its possible values."""
     values = finite_floats(q, "start", (arm.n,), f"{arm.n} finite joint values")
     most = np.where(arm.revolute, MOST_TURNED, FARTHEST * arm.length_scale)
     if np.any(np.abs(values) > most):
@@ -215,7 +216,7 @@ def checked_start(arm: Arm, q: ArrayLike) -> tuple[float, ...]:
 
 
 def fitted(arm: Arm, task: TaskVector) -> TaskVector:
-    """Return a task vector as it is made for an arm; `InputError` when it cannot be."""
+    """Return a task vector for an arm; `InputError` if the arm cannot have it."""
     return task_vector(arm, task.task, joints=dict(task.joints), euler=task.euler, fixed=task.fixed)
 
 
@@ -224,7 +225,7 @@ def fitted(arm: Arm, task: TaskVector) -> TaskVector:
 
 @dataclass(frozen=True)
 class StartIterations(Command):
-    """Begin all runs at a configuration and put their film on, at its beginning.
+    """Begin all runs at a configuration and open their film at its start.
 
     Parameters
     ----------
@@ -244,6 +245,6 @@ class StartIterations(Command):
 
 
 def on_film(state: State) -> State:
-    """Return the state with the arm where the film has it, if it is on."""
+    """Return the state with the arm at its place in the film, if the film is open."""
     timeline = state[Timeline]
     return clips()[CLIP_KEY].at(state, timeline.time) if timeline.clip == CLIP_KEY else state

@@ -1,4 +1,4 @@
-"""One run of the film of iterations: a method with its parameters, and the colour it is drawn in."""
+"""One run of the film of iterations: a method with its parameters, and its colour."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ STEP_SIZE = "1/sigma²"
 """Unit of the parameters that are step sizes of a gradient."""
 
 SAFE = 0.75
-"""Part of the bound on a step size: a larger one may diverge, a smaller one is slow."""
+"""Share of the bound on a step size: a larger one may diverge, a smaller one is slow."""
 
 CONFIGURATIONS = 48
-"""In which the largest singular value of an arm is looked for: a millisecond."""
+"""Number of configurations in which the largest singular value of an arm is looked for, in about a millisecond."""
 
 MOST_INSTANTS = 400
-"""Steps of the integration of a flow: more would take seconds and be seen by nobody."""
+"""Largest number of steps in the integration of a flow: more would take seconds without being visible."""
 
 
 @dataclass(frozen=True)
 class Method:
-    """What a run may be made by.
+    """A method for runs.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ def methods() -> Registry[Method]:
 
 
 def method_named(key: str) -> Method:
-    """Return a method by key; `UnknownName` when there is none."""
+    """Return a method by key; `UnknownName` if there is none."""
     return methods()[key]
 
 
@@ -109,17 +109,17 @@ class Run:
         return dict(self.parameters)
 
     def with_parameter(self, key: str, value: float) -> Self:
-        """Return the run with one parameter changed; `InputError` when it is unknown or out of its range."""
+        """Return the run with one parameter changed; `InputError` if it is unknown or out of its range."""
         checked = _checked(self.kind, {**self.values, self.kind.parameter(key).key: value})
         return replace(self, parameters=checked)
 
     def to_json(self) -> Json:
-        """Write it down."""
+        """Write the run."""
         return [self.method, self.values, self.colour]
 
 
 def run_of(method: str, parameters: Mapping[str, float] | None = None, colour: int = 0) -> Run:
-    """Return a checked run; parameters not given stand at their defaults.
+    """Return a checked run; parameters that are not given have their defaults.
 
     Raises
     ------
@@ -137,12 +137,12 @@ def run_of(method: str, parameters: Mapping[str, float] | None = None, colour: i
 
 
 def fitting(method: str, arm: Arm, vector: TaskVector, colour: int = 0) -> Run:
-    """Return a run with its parameters at their defaults, a step size at one that suits the arm."""
+    """Return a run with its parameters at their defaults, and a step size that suits the arm."""
     return refitted(run_of(method, colour=colour), arm, vector)
 
 
 def refitted(run: Run, arm: Arm, vector: TaskVector | None = None) -> Run:
-    """Return the run with a step size that suits the arm and its task, or this task vector."""
+    """Return the run with a step size that suits the arm and its task, or the given task vector."""
     for each in run.kind.parameters:
         if each.unit == STEP_SIZE:
             value = step_size(arm, vector or TaskVector(arm.task))
@@ -152,7 +152,7 @@ def refitted(run: Run, arm: Arm, vector: TaskVector | None = None) -> Run:
 
 @lru_cache(maxsize=64)
 def step_size(arm: Arm, vector: TaskVector) -> float:
-    """Return the part `SAFE` of the bound 2 / sigma_max^2 of the gradient, for the largest sigma_max of the arm.
+    """Return `SAFE` times the bound 2 / sigma_max^2 of the gradient, for the largest sigma_max of the arm.
 
     m⁻² or a pure number, with two digits: 0.3 m⁻² for a planar 2R with links of 1 m. The largest singular value is
     that of seeded configurations and of all joints at zero, where most tables are stretched.
@@ -165,7 +165,7 @@ def step_size(arm: Arm, vector: TaskVector) -> float:
 
 
 def free_colour(runs: tuple[Run, ...]) -> int:
-    """Return the first colour that no run has; `InputError` when there are as many runs as can be shown."""
+    """Return the first colour that no run has; `InputError` if no colour is left."""
     taken = {run.colour for run in runs}
     for colour in range(MOST_RUNS):
         if colour not in taken:

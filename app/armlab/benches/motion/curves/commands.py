@@ -1,4 +1,4 @@
-"""What a person can do with curves through typed knots."""
+"""Commands for curves through typed knots."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ LIMITS: tuple[Limit, ...] = ("v_max", "a_max")
 
 
 def _with_knots(state: State, knots: tuple[Knot, ...]) -> State:
-    """Return the state with other knots; a curve that does not take them stays in the list and says so.
+    """Return the state with other knots; a curve that cannot go through them stays in the list with the reason.
 
     Times of virtual knots that do not fit them are left out, and the curve says that.
     """
@@ -39,7 +39,7 @@ def _curve(part: Curves, i: int) -> Drawn:
 
 
 def _with_curve(state: State, i: int, drawn: Drawn) -> State:
-    """Return the state with a curve changed; refused when nothing can be drawn."""
+    """Return the state with a curve changed; `InputError` if no curve can be drawn."""
     part = state[Curves]
     if drawn == part.curves[i]:
         return state
@@ -50,7 +50,7 @@ def _with_curve(state: State, i: int, drawn: Drawn) -> State:
 
 @dataclass(frozen=True)
 class SetKnots(Command):
-    """Put other knots in place: rows of t in seconds and q in its unit."""
+    """Set other knots: rows of t in seconds and q in its unit."""
 
     rows: tuple[tuple[float, ...], ...]
     label: ClassVar[str] = "knots"
@@ -62,7 +62,7 @@ class SetKnots(Command):
 
 @dataclass(frozen=True)
 class SetKnot(Command):
-    """Write one cell of the table of knots: ``"t"`` or ``"q"`` of knot k (0-based)."""
+    """Set one cell of the table of knots: ``"t"`` or ``"q"`` of knot k (0-based)."""
 
     k: int
     cell: str
@@ -88,30 +88,30 @@ class AddKnot(Command):
     label: ClassVar[str] = "added knot"
 
     def apply(self, state: State) -> State:
-        """Return the state with one knot more."""
+        """Return the state with one more knot."""
         return _with_knots(state, inserted(state[Curves].knots, self.after))
 
 
 @dataclass(frozen=True)
 class RemoveKnot(Command):
-    """Take a knot (0-based) away; two stay."""
+    """Remove a knot (0-based); two stay."""
 
     k: int
     label: ClassVar[str] = "removed knot"
 
     def apply(self, state: State) -> State:
-        """Return the state with one knot less."""
+        """Return the state without the knot."""
         return _with_knots(state, without(state[Curves].knots, self.k))
 
 
 @dataclass(frozen=True)
 class AddCurve(Command):
-    """Add a curve of a kind that takes the knots and is not drawn yet."""
+    """Add a curve of a kind that can go through the knots and is not drawn yet."""
 
     label: ClassVar[str] = "added curve"
 
     def apply(self, state: State) -> State:
-        """Return the state with one curve more."""
+        """Return the state with one more curve."""
         part = state[Curves]
         if len(part.curves) >= MOST_CURVES:
             raise InputError(f"curves: at most {MOST_CURVES}")
@@ -129,13 +129,13 @@ class AddCurve(Command):
 
 @dataclass(frozen=True)
 class RemoveCurve(Command):
-    """Take a curve (0-based) away; one stays."""
+    """Remove a curve (0-based); one stays."""
 
     i: int
     label: ClassVar[str] = "removed curve"
 
     def apply(self, state: State) -> State:
-        """Return the state with one curve less."""
+        """Return the state without the curve."""
         part = state[Curves]
         _curve(part, self.i)
         if len(part.curves) == 1:
@@ -147,7 +147,7 @@ class RemoveCurve(Command):
 
 @dataclass(frozen=True)
 class ChoosePath(Command):
-    """Draw a curve (0-based) as another kind of path, its options as they come; the law stays."""
+    """Draw a curve (0-based) as another kind of path, with its options at their defaults; the law stays."""
 
     i: int
     path: str
@@ -163,7 +163,7 @@ class ChoosePath(Command):
 
 @dataclass(frozen=True)
 class ChooseLaw(Command):
-    """Run through a curve (0-based) by another timing law, its options as they come."""
+    """Run through a curve (0-based) by another timing law, with its options at their defaults."""
 
     i: int
     law: str
@@ -179,7 +179,7 @@ class ChooseLaw(Command):
 
 @dataclass(frozen=True)
 class SetOption(Command):
-    """Set an option of a curve (0-based), of its ``"path"`` or its ``"law"``; None leaves it as it comes."""
+    """Set an option of a curve (0-based), of its ``"path"`` or its ``"law"``; None restores its default."""
 
     i: int
     of: str
@@ -204,7 +204,7 @@ class SetOption(Command):
 
 @dataclass(frozen=True)
 class SetLimit(Command):
-    """Set ``"v_max"`` or ``"a_max"``, or take it away (None)."""
+    """Set ``"v_max"`` or ``"a_max"``, or remove it (None)."""
 
     which: Limit
     value: float | None
@@ -220,12 +220,12 @@ class SetLimit(Command):
 
 @dataclass(frozen=True)
 class FindFastest(Command):
-    """Look for the intervals between the knots with which a spline takes least time under both limits."""
+    """Look for the intervals between the knots with which a spline takes the least time under both limits."""
 
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state in which they are looked for."""
+        """Return the state in which the search runs."""
         part = state[Curves]
         if part.v_max is None or part.a_max is None:
             raise InputError("limits: the fastest intervals need both v_max and a_max; type them above the plots")
@@ -237,12 +237,12 @@ class FindFastest(Command):
 
 @dataclass(frozen=True)
 class TakeFastest(Command):
-    """Give the knots the times that were found."""
+    """Give the knots the times of the fastest intervals."""
 
     label: ClassVar[str] = "fastest intervals"
 
     def apply(self, state: State) -> State:
-        """Return the state with the times; what was found stays to be read."""
+        """Return the state with the times; the result of the search stays."""
         part = state[Curves]
         if part.fastest is None:
             raise InputError("fastest intervals: none have been found yet")

@@ -1,4 +1,4 @@
-"""Examples of chapter 6: knots, curves and limits, what to look at, and where the notes print something else."""
+"""Examples of chapter 6: knots, curves and limits, what to look at, and differences from the notes."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Example:
 
     @property
     def curves(self) -> tuple[Drawn, ...]:
-        """The curves as the part holds them."""
+        """The curves in the form in which the part keeps them."""
         laws = (*self.laws, *["constant"] * (len(self.paths) - len(self.laws)))
         return tuple(
             Drawn(i, Chosen.of(kinds(), key, **options), Chosen.of(free_law_types(), law))
@@ -55,7 +55,7 @@ class Example:
 
 
 RUNGE = tuple((float(k), 1.0 / (1.0 + 25.0 * (0.2 * k - 1.0) ** 2)) for k in range(11))
-"""Eleven knots of a calm curve, evenly spaced in time."""
+"""Eleven knots of a smooth curve, evenly spaced in time."""
 
 EXAMPLES: Registry[Example] = Registry(
     "example",
@@ -152,7 +152,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
     ),
 )
-"""By key, in the order of the list."""
+"""Examples by key, in the order of the list."""
 
 
 NOTES: dict[str, tuple[str, ...]] = {
@@ -176,14 +176,14 @@ NOTES: dict[str, tuple[str, ...]] = {
         "Notes 6.97, list: “minimum curvature” is the least ∫q̈² dt.",
     ),
 }
-"""Where the notes print something else than what is used here, by kind of path."""
+"""Differences between the notes and the formulas used here, by kind of path."""
 
 VIRTUAL = "Notes 6.98 has q″(h_N): q̈(t_1) = q̈(t_N) = 0 is meant."
 TIMED_CUBIC = "Notes 6.6 has s + 3(π−1)s² − 2(π−1)s³, whose q′ is 1 at both ends: corrected to 3πs² − 2πs³."
 
 
 def differences(made: Made) -> tuple[str, ...]:
-    """Return where the notes differ from a curve, each in a line that names the equation."""
+    """Return the differences of the notes from a curve, each in a line that names the equation."""
     key, options = made.drawn.path.key, made.drawn.path.options
     lines = NOTES.get(key, ())
     if key == "spline" and options.get("ends") == "both":
@@ -193,7 +193,7 @@ def differences(made: Made) -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class ChooseExample(Command):
-    """Put knots, curves and limits of an example in place."""
+    """Load the knots, the curves and the limits of an example."""
 
     key: str
     label: ClassVar[str] = "example of curves"

@@ -11,7 +11,7 @@ from armlab.session.state import State
 
 
 def _of_curve(value: Callable[[Made], float]) -> Callable[[State], float | None]:
-    """Return what there is of the selected curve; None where there is none through these knots."""
+    """Return a fact of the selected curve, which is None if there is no such curve through these knots."""
 
     def found(state: State) -> float | None:
         part = state[Curves]

@@ -1,4 +1,4 @@
-"""The intervals between knots with which a spline takes least time, and what was asked to find them."""
+"""The intervals between knots with which a spline takes the least time, and the question about them."""
 
 from __future__ import annotations
 
@@ -12,12 +12,13 @@ from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.minimum_time import minimum_time_spline
 
 MOST_KNOTS = 8
-"""Knots whose intervals are optimised here, in one piece of work: some 40 ms, seldom 100 ms; 16 take 0.2 to 1.5 s."""
+"""Largest number of knots whose intervals are optimised here, in one piece of work: some 40 ms, rarely 100 ms; 16 take
+0.2 to 1.5 s."""
 
 
 @dataclass(frozen=True)
 class Asked:
-    """A question.
+    """A question for the fastest intervals.
 
     Attributes
     ----------
@@ -33,7 +34,7 @@ class Asked:
     ends: str
 
     def check(self) -> None:
-        """Raise `InputError` when there can be no answer."""
+        """Raise `InputError` if there can be no answer."""
         if len(self.knots) > MOST_KNOTS:
             raise InputError(f"knots: intervals are optimised for at most {MOST_KNOTS}, there are {len(self.knots)}")
         for k in range(1, len(self.knots)):
@@ -43,7 +44,7 @@ class Asked:
 
 @dataclass(frozen=True)
 class Fastest:
-    """An answer.
+    """The fastest intervals.
 
     Attributes
     ----------
@@ -65,7 +66,7 @@ class Fastest:
 
     @property
     def before(self) -> float:
-        """T of the knots as they were, seconds."""
+        """T of the knots before, seconds."""
         return self.asked.knots[-1][0] - self.asked.knots[0][0]
 
     @property

@@ -1,4 +1,4 @@
-"""Timed knots of one coordinate, as a person types them: checked, with errors that name the knot."""
+"""Timed knots of one coordinate, as typed: checked, with errors that name the knot."""
 
 from __future__ import annotations
 
@@ -9,23 +9,23 @@ from itertools import pairwise
 from armlab.errors import InputError
 
 Knot = tuple[float, float]
-"""Time in seconds, and the coordinate in its unit."""
+"""A knot: time in seconds, and the coordinate in its unit."""
 
 MOST_KNOTS = 31
-"""One polynomial through more of them is moved by rounding alone; and more are not typed."""
+"""Largest number of knots: rounding alone moves one polynomial through more of them, and no one types more."""
 
 LATEST = 1e4
-"""Seconds before and after zero."""
+"""Largest time of a knot before or after zero, seconds."""
 
 LARGEST = 1e6
-"""Of the coordinate, in its unit: beyond it nothing is meant."""
+"""Largest absolute value of the coordinate, in its unit."""
 
 SHORTEST = 1e-3
-"""Seconds between two knots: derivatives of order 3 are divided by its cube."""
+"""Least time between two knots, seconds; derivatives of order 3 are divided by its cube."""
 
 
 def checked(knots: Iterable[Sequence[float]]) -> tuple[Knot, ...]:
-    """Return knots.
+    """Return checked knots.
 
     Raises
     ------

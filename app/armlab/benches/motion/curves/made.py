@@ -1,4 +1,4 @@
-"""A curve through timed knots of one coordinate: the motion it gives, and what can be measured on it."""
+"""A curve through timed knots of one coordinate: its motion, and measures of it."""
 
 from __future__ import annotations
 
@@ -24,38 +24,38 @@ from armlab.session.chosen import Chosen
 Floats = NDArray[np.float64]
 
 FROM_KNOTS = ("times", "duration", "spacing")
-"""Options of a path that the times of the knots take the place of."""
+"""Options of a path that are replaced by the times of the knots."""
 
 VIRTUAL = "virtual"
-"""Option of a path: the times of its virtual knots."""
+"""Option of a path for the times of its virtual knots."""
 
 CONSTANT = Chosen("constant")
 
 LEAST_CUTS, MOST_CUTS = 2, 24
-"""Of a piece that is no polynomial of low degree."""
+"""Least and largest number of cuts of a piece that is no polynomial of low degree."""
 
 CUTS = 8
-"""Of all pieces together, where they are no polynomials."""
+"""Number of cuts of all pieces together if they are no polynomials."""
 
 CUT_DEGREE = 10
-"""Of a polynomial of high degree, for each cut."""
+"""Degree of a polynomial of high degree for each cut."""
 
 LARGEST = 1e15
-"""Of a derivative: beyond it the options are not meant, and digits are lost."""
+"""Largest absolute value of a derivative; beyond it digits are lost."""
 
 
 def kinds() -> dict[str, PathType]:
-    """Return the kinds of paths that make sense for joints."""
+    """Return the kinds of paths that can be used for joints."""
     return {key: kind for key, kind in path_types().items() if "joint" in kind.spaces}
 
 
 def free_options(kind: PathType) -> tuple[Field, ...]:
-    """Return the options of a kind that are left to choose when the knots have times."""
+    """Return the options of a kind that remain to be chosen when the knots have times."""
     return tuple(replace(field, title=in_knots(field.title)) for field in kind.fields if field.key not in FROM_KNOTS)
 
 
 def why_not(kind: PathType, knots: tuple[Knot, ...]) -> str:
-    """Return why a kind does not take these knots, in a few words; empty when it does."""
+    """Return in a few words why a kind cannot go through these knots; empty if it can."""
     if kind.dimensions and 1 not in kind.dimensions:
         return "not for one coordinate"
     count = len(knots)
@@ -68,7 +68,7 @@ def why_not(kind: PathType, knots: tuple[Knot, ...]) -> str:
 
 
 def path_through(knots: tuple[Knot, ...], chosen: Chosen) -> Path:
-    """Return the path of a kind through knots; `InputError` when there is none."""
+    """Return the path of a kind through knots; `InputError` if there is none."""
     kind = path_type(chosen.key)
     times, keys = [t for t, _ in knots], {field.key for field in kind.fields}
     options = chosen.options
@@ -81,7 +81,7 @@ def path_through(knots: tuple[Knot, ...], chosen: Chosen) -> Path:
 
 @dataclass(frozen=True)
 class Drawn:
-    """One curve.
+    """The settings of one curve.
 
     Attributes
     ----------
@@ -103,7 +103,7 @@ class Drawn:
 
 @dataclass(frozen=True, eq=False)
 class Made:
-    """A curve that was made.
+    """A computed curve.
 
     Attributes
     ----------
@@ -119,7 +119,7 @@ class Made:
 
     @property
     def title(self) -> str:
-        """The name of the path, and of the law where it is not the constant one."""
+        """The name of the path, and of the law if it is not the constant one."""
         law = self.drawn.law.key
         after = "" if law == "constant" else f", {law_type(law).title.lower()} law"
         return f"{path_type(self.drawn.path.key).title}{after}"
@@ -146,7 +146,7 @@ class Made:
 
     @cached_property
     def overshoot(self) -> float:
-        """How far the curve goes beyond the range of the knots, at most (notes, figure 6.1: wandering)."""
+        """The largest distance of the curve beyond the range of the knots (notes, figure 6.1: wandering)."""
         found, values = extremes_of_series(self.series[0]), [q for _, q in self.knots]
         beyond = max(float(found.highest[0]) - max(values), min(values) - float(found.lowest[0]))
         # What is rounding at the ends of the range is none.
@@ -154,7 +154,7 @@ class Made:
 
     @cached_property
     def bending(self) -> float:
-        """The integral of q'' squared over time, which a natural spline makes smallest (notes, end of 6.2.2)."""
+        """The integral of q'' squared over time, which is least for a natural spline (notes, end of 6.2.2)."""
         series = self.series[2]
         nodes, weights = np.polynomial.legendre.leggauss(series.coefficients.shape[1])
         values = np.polynomial.chebyshev.chebval(nodes, np.moveaxis(series.coefficients[:, :, 0], 1, 0))
@@ -180,9 +180,9 @@ class Made:
 
 
 def _series(trajectory: Trajectory, order: int) -> Series:
-    """Return a derivative as series of a few terms.
+    """Return a derivative as series of few terms.
 
-    Of a polynomial of low degree they are exact. Otherwise each piece, in which the motion is smooth, is cut into so
+    They are exact for a polynomial of low degree. Otherwise each piece, in which the motion is smooth, is cut into so
     many that terms of degree `COUNT` - 1 resolve it: halving until rounding is reached, as the core does, takes seconds
     where short intervals follow long ones, because their derivatives carry more rounding than it waits for.
     """
@@ -198,7 +198,7 @@ def _series(trajectory: Trajectory, order: int) -> Series:
 
 
 def made(knots: tuple[Knot, ...], drawn: Drawn) -> Made:
-    """Return a curve through knots.
+    """Return the curve through knots.
 
     Raises
     ------
@@ -221,7 +221,7 @@ def made(knots: tuple[Knot, ...], drawn: Drawn) -> Made:
 
 
 def fitted(knots: tuple[Knot, ...], drawn: Drawn) -> Drawn:
-    """Return a curve for other knots: times of virtual knots that are not where they have to be are left out."""
+    """Return a curve for other knots, without times of virtual knots that are not in the right interval."""
     kind = kinds()[drawn.path.key]
     if VIRTUAL not in drawn.path.options:
         return drawn
@@ -239,11 +239,11 @@ def _refused(knots: tuple[Knot, ...], drawn: Drawn) -> bool:
 
 
 def grid(knots: tuple[Knot, ...], count: int = 400) -> Floats:
-    """Return times at which a curve is drawn: evenly, and those of the knots."""
+    """Return the times at which a curve is drawn: evenly spaced ones, and those of the knots."""
     times = np.array([t for t, _ in knots])
     return np.union1d(np.linspace(times[0], times[-1], count), times)
 
 
 def in_knots(text: str) -> str:
-    """Return a text of the core with what this page calls knots."""
+    """Return a text of the core with its waypoints called knots."""
     return text.replace("Waypoint", "Knot").replace("waypoint", "knot")

@@ -1,4 +1,4 @@
-"""What is solved for a curve: systems of equations, velocities at the knots, coefficients; and the normalised forms."""
+"""The computation of a curve: systems of equations, velocities at the knots, coefficients; and the normalised forms."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from armlab.kin.paths.spline import Spline
 Floats = NDArray[np.float64]
 
 MOST_COEFFICIENTS = 8
-"""Of a polynomial in a table."""
+"""Largest number of coefficients of a polynomial in a table."""
 
 NEAR = 1e-9
-"""A coefficient so near to a whole number, relative to the largest, is one."""
+"""Difference of a coefficient from a whole number, relative to the largest, up to which it is one."""
 
 
 @dataclass(frozen=True, eq=False)
 class SplineSolved:
-    """The tridiagonal system of a spline (notes 6.93-6.95) and what it gives.
+    """The tridiagonal system of a spline (notes 6.93-6.95) and its solution.
 
     Attributes
     ----------
@@ -141,12 +141,12 @@ def spline_solved(path: Path) -> SplineSolved | None:
 
 
 def lts_solved(path: Path) -> LtsSolved | None:
-    """Return the equations of lift-off, travel, set-down; None for another path."""
+    """Return the equations of lift-off, travel, set-down, or None for another path."""
     return LtsSolved(path.names, path.matrix, path.right[:, 0]) if isinstance(path, Lts) else None
 
 
 def one_polynomial(made: Made) -> OnePolynomial | None:
-    """Return the forms of a single polynomial between two knots; None for another path, or one that goes nowhere."""
+    """Return the forms of a single polynomial between two knots, or None for another path, or a constant one."""
     path = made.trajectory.path
     change = made.knots[-1][1] - made.knots[0][1]
     if not isinstance(path, PolynomialPath) or len(path.pieces) or len(made.knots) != 2 or change == 0.0:
@@ -165,7 +165,7 @@ def one_polynomial(made: Made) -> OnePolynomial | None:
 
 
 def pieces(made: Made) -> Pieces | None:
-    """Return the polynomials of a path of pieces; None for a path that is not made of short polynomials."""
+    """Return the polynomials of a path of pieces, or None for a path that is not made of short polynomials."""
     path = made.trajectory.path
     if not isinstance(path, PolynomialPath) or path.curve.degree >= MOST_COEFFICIENTS:
         return None
@@ -176,7 +176,7 @@ def pieces(made: Made) -> Pieces | None:
 
 
 def _cleaned(values: Floats) -> Floats:
-    """Return coefficients without the crumbs of rounding that zeros carry."""
+    """Return coefficients with the rounding errors of zeros removed."""
     return np.where(np.abs(values) < 1e-13 * np.abs(values).max(initial=0.0), 0.0, values) + 0.0
 
 
@@ -199,7 +199,7 @@ class Normalised:
 
 
 def normalised(degree: int) -> Normalised:
-    """Return the normalised polynomial of a degree. Its speed is largest in the middle."""
+    """Return the normalised polynomial of a degree, whose speed is largest in the middle."""
     coefficients = rest_coefficients(degree)
     speed = np.polyval(np.polyder(np.array(coefficients, dtype=float)), 0.5)
     return Normalised(coefficients, check_rules(coefficients), float(speed))

@@ -21,10 +21,10 @@ from armlab.session.state import Json, PartType
 MOST_CURVES = 3
 
 UNITS = ("rad", "°", "m", "mm")
-"""What the numbers of the coordinate can be in; they are not converted, for no arm is behind them."""
+"""Units that the coordinate can have; its numbers are not converted, because they do not belong to an arm."""
 
 DEGREES = (3, 5, 7, 9)
-"""Of the normalised polynomials to look at."""
+"""Degrees of the normalised polynomials that can be chosen."""
 
 Limits = tuple[float | None, float | None]
 
@@ -51,7 +51,7 @@ def _limits(data: Json) -> Limits:
 
 
 def _limit(value: float | None, where: str) -> float | None:
-    """Return a limit, or None for none; `InputError` when it is not positive."""
+    """Return a limit, or None for none; `InputError` if it is not positive."""
     if value is None:
         return None
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not SMALLEST_LIMIT <= value <= LARGEST_LIMIT:
@@ -79,7 +79,7 @@ class Curves(FieldPart):
     degree : int
         Of the normalised polynomial that is shown.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     asked : Asked or None
         The fastest intervals that are being looked for. Not saved, as is what was found.
     fastest : Fastest or None
@@ -102,13 +102,13 @@ class Curves(FieldPart):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return a spline with three kinds of ends; the arm does not matter."""
+        """Return a spline with three kinds of ends, independent of the arm."""
         both = Chosen("spline", (("ends", "both"), ("virtual", (0.5, 2.5))))
         natural = Chosen("spline", (("ends", "natural"),))
         return cls(curves=(Drawn(0, Chosen("spline")), Drawn(1, natural), Drawn(2, both)), example="ends")
 
     def for_robot(self, robot: Robot) -> Self:
-        """Keep everything: it has nothing to do with the arm."""
+        """Keep everything, which does not depend on the arm."""
         return self
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
@@ -116,7 +116,7 @@ class Curves(FieldPart):
         return self
 
     def check(self) -> None:
-        """Refuse curves of one colour, and to show what there is not."""
+        """Refuse curves with the same colour, and the choice of one that does not exist."""
         if not 1 <= len(self.curves) <= MOST_CURVES or len({each.colour for each in self.curves}) < len(self.curves):
             raise InputError(f"curves: expected 1 to {MOST_CURVES} of different colours, got {len(self.curves)}")
         if self.degree not in DEGREES:
@@ -125,34 +125,34 @@ class Curves(FieldPart):
             raise InputError(f"curve: expected 1 to {len(self.curves)}, got {self.selected + 1}")
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
-        """Return the part with fields set, without fastest intervals of other knots or limits."""
+        """Return the part with fields set, without fastest intervals for other knots or limits."""
         part = super().with_values(values)
         same = (part.knots, part.limits) == (self.knots, self.limits)
         return part if same else replace(part, asked=None, fastest=None)
 
     @property
     def v_max(self) -> float | None:
-        """Limit of the rate; None for none."""
+        """Limit of the rate, or None."""
         return self.limits[0]
 
     @property
     def a_max(self) -> float | None:
-        """Limit of the rate of the rate."""
+        """Limit of the derivative of the rate, or None."""
         return self.limits[1]
 
     @cached_property
     def outcomes(self) -> tuple[Made | InputError, ...]:
-        """Each curve, or why there is none through these knots."""
+        """Each curve, or the reason why there is none through these knots."""
         return tuple(_outcome(self.knots, each) for each in self.curves)
 
     @property
     def made(self) -> Iterator[Made]:
-        """The curves there are."""
+        """The curves that could be computed."""
         return (each for each in self.outcomes if isinstance(each, Made))
 
     @property
     def ends(self) -> str:
-        """The ends of the first spline, which the fastest intervals are for; at rest when there is none."""
+        """The ends of the first spline, for which the fastest intervals are found; at rest if there is none."""
         splines = (each.path.options for each in self.curves if each.path.key == "spline")
         return str(next(splines, {}).get("ends", "clamped"))
 

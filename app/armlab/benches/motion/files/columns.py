@@ -1,4 +1,4 @@
-"""Which columns of a table are the time and the joints of an arm, and in which units."""
+"""The columns of a table that hold the time and the joints of an arm, and their units."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from armlab.kin.arm import Arm
 TIMES = {"": 1.0, "s": 1.0, "sec": 1.0, "seconds": 1.0, "ms": 1e-3}
 TURNS = {"": 1.0, "rad": 1.0, "deg": math.pi / 180.0, "degrees": math.pi / 180.0, "°": math.pi / 180.0}
 SLIDES = {"": 1.0, "m": 1.0, "mm": 1e-3, "cm": 1e-2}
-"""Units in a header, and what their numbers are multiplied by; none written: s, rad, m."""
+"""Factors of the units in a header; without a unit the numbers are in s, rad, m."""
 
 TIME = re.compile(r"(?:time|t)(?![a-z])(.*)")
 JOINT = re.compile(r"(?:q|joint|theta|θ|ϑ|d)[ _]?(\d{1,3})(.*)")
 AROUND = " _,()[]{}/"
-"""What stands around a unit, as in ``q1_rad``, ``q1 [deg]``, ``t, s``."""
+"""Separators around a unit, as in ``q1_rad``, ``q1 [deg]``, ``t, s``."""
 
 PLAIN = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 
 MOST_NAMES = 200
-"""Characters of a header that are shown when a column is missing from it."""
+"""Largest number of characters of a header that are shown when a column is missing."""
 
 
 @dataclass(frozen=True)
 class Column:
-    """A column that is read.
+    """A column of the table.
 
     Attributes
     ----------
@@ -94,7 +94,7 @@ def columns_of(arm: Arm, names: Sequence[str], row: int = 1) -> list[Column]:
 
 
 def rate_columns(arm: Arm, names: Sequence[str], order: int) -> list[Column] | None:
-    """Return the columns of velocities (1) or accelerations (2) of joints 1 to n; None where they are not all there.
+    """Return the columns of velocities (1) or accelerations (2) of joints 1 to n, or None unless all are there.
 
     They are called ``qdot1`` and ``qddot1``, in rad and m and seconds, with the units behind them or without.
     """
@@ -118,7 +118,7 @@ def headless(arm: Arm, count: int, row: int = 1) -> list[Column]:
 
 
 def _read(arm: Arm, index: int, name: str, row: int) -> tuple[int, Column] | None:
-    """Return which joint a column is, 0 for the time, and how it is read; None for another quantity."""
+    """Return the joint of a column, 0 for the time, and how it is read, or None for another quantity."""
     plain = name.strip().lower().translate(PLAIN)
     where = f"table, row {row}, column {name[:30]}"
     time = TIME.fullmatch(plain)

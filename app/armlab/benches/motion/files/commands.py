@@ -1,4 +1,4 @@
-"""Motions and plans read from files, and what is made of a recorded motion."""
+"""Commands for motions and plans from files, and for waypoints made from a recorded motion."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ from armlab.session.parts.robot import RobotPart, robot_from_json
 from armlab.session.state import Command, Json, State
 
 By = Literal["time", "shape"]
-"""How places of a recorded motion are chosen."""
+"""Ways to choose places of a recorded motion."""
 
 BOM = "\ufeff"
-"""What some editors put before a text."""
+"""Mark that some editors put before a text."""
 
 MOST_MADE = 20
-"""Waypoints that are made of a recorded motion: more of them nobody edits."""
+"""Largest number of waypoints that are made from a recorded motion, as more cannot be edited by hand."""
 
 SPLINE = Move(path=Chosen("spline"))
 
 WAYPOINT = re.compile(r'"q"\s*:\s*\[\s*[^\s\[]')
-"""Where the joint values of one configuration begin; not those of a recorded motion, which are rows."""
+"""Pattern for the beginning of one configuration's joint values; those of a recorded motion are rows."""
 
 OUTSIDE = 1e-6
-"""rad or m beyond a joint limit that a plan in a file may be by rounding."""
+"""Distance beyond a joint limit, rad or m, that a plan in a file may have by rounding."""
 
 
 def reading(text: str) -> Command:
@@ -47,26 +47,26 @@ def reading(text: str) -> Command:
 
 @dataclass(frozen=True)
 class ReadMotion(PlanCommand):
-    """Put a motion from a table in place of the waypoints, which wait behind it."""
+    """Replace the waypoints by a motion from a table; they return when it is removed."""
 
     text: str
     label: ClassVar[str] = "motion from a file"
 
     def apply(self, state: State) -> State:
-        """Return the state with the motion, in its own time; what cannot be read is refused, with row and column."""
+        """Return the state with the motion, in its own time; an unreadable one is refused, with row and column."""
         recorded = read_table(state[Joints].arm, self.text)
         return state.replace(edited(state[Plan], recorded=recorded, duration=None))
 
 
 @dataclass(frozen=True)
 class ReadPlan(PlanCommand):
-    """Put a plan from a file in place of the present one; one of another arm brings its arm along."""
+    """Replace the plan by one from a file; a plan of another arm also loads that arm."""
 
     text: str
     label: ClassVar[str] = "plan from a file"
 
     def apply(self, state: State) -> State:
-        """Return the state with the plan; what cannot be read is refused."""
+        """Return the state with the plan; an unreadable one is refused."""
         _refuse_large(self.text)
         refuse_unreadable(self.text, "plan")
         try:
@@ -83,7 +83,7 @@ class ReadPlan(PlanCommand):
 
 @dataclass(frozen=True)
 class BackToWaypoints(PlanCommand):
-    """Take a recorded motion away; the waypoints stand as they were."""
+    """Remove a recorded motion; the waypoints return unchanged."""
 
     label: ClassVar[str] = "back to the waypoints"
 
@@ -95,7 +95,7 @@ class BackToWaypoints(PlanCommand):
 
 @dataclass(frozen=True)
 class MakeWaypoints(PlanCommand):
-    """Make waypoints of a recorded motion, with a spline through them.
+    """Make waypoints from a recorded motion, with a spline through them.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ class MakeWaypoints(PlanCommand):
     label: ClassVar[str] = "waypoints of a motion"
 
     def apply(self, state: State) -> State:
-        """Return the state with waypoints instead of the motion."""
+        """Return the state with waypoints in place of the motion."""
         part, arm = state[Plan], state[Joints].arm
         if part.recorded is None:
             raise InputError("waypoints: there is no recorded motion; read one from a file first")
@@ -127,7 +127,7 @@ class MakeWaypoints(PlanCommand):
 
 
 def _refuse_large(text: str) -> None:
-    """Raise `InputError` for a text that is longer than the page hands in; it may be cut off."""
+    """Raise `InputError` for a text that is longer than the page can send, and may be cut off."""
     if len(text) <= MOST_BYTES:
         return
     count = len(WAYPOINT.findall(text))
@@ -141,7 +141,7 @@ def _not_finite(word: str) -> NoReturn:
 
 
 def _with_file(state: State, data: Json) -> State:
-    """Return the state with the plan a file holds; raises anything when it does not."""
+    """Return the state with the plan in a file; raises an error of any type if it is not usable."""
     if not isinstance(data, dict) or data.get("format") != FORMAT:
         raise InputError(f'plan: expected a file with "format": "{FORMAT}", as the lab saves it')
     if data.get("version") != VERSION:
@@ -163,12 +163,12 @@ def _with_file(state: State, data: Json) -> State:
 
 
 def _table(robot: Json) -> Json:
-    """Return what a written arm says about the arm itself."""
+    """Return the part of a written arm that describes the arm itself."""
     return robot["toml"] if isinstance(robot, dict) else robot
 
 
 def _refuse_outside(plan: Plan, written: Json) -> None:
-    """Raise `InputError` where a waypoint had to be moved inside the limits."""
+    """Raise `InputError` if a waypoint had to be moved inside the limits."""
     for k, (point, data) in enumerate(zip(plan.waypoints, written, strict=True)):
         moved = np.flatnonzero(np.abs(np.array(point.q) - data["q"]) > OUTSIDE)
         if len(moved):

@@ -1,4 +1,4 @@
-"""A planned motion as files: a table of samples for other tools, and the whole plan to be read back."""
+"""Files of a planned motion: a table of samples for other tools, and the whole plan to be read back."""
 
 from __future__ import annotations
 
@@ -19,34 +19,34 @@ from armlab.session.state import State
 Floats = NDArray[np.float64]
 
 RATE, FASTEST_RATE = 200.0, 10_000.0
-"""Samples a second of a table: how they come, and the most."""
+"""Initial and largest number of samples a second of a table."""
 
 MOST_SAMPLES = 100_000
-"""Rows of a table that is written: 25 MB for six joints."""
+"""Largest number of rows of a table that is written: 25 MB for six joints."""
 
 FINE, COARSE = 12, 9
-"""Decimals of times and positions, and of their derivatives. Accelerations follow from second differences of what is
-read again: at 200 samples a second an error of 10⁻¹² of a position is one of 10⁻⁷ of an acceleration."""
+"""Decimals of times and positions, and of their derivatives. Accelerations follow from second differences when the
+table is read: at 200 samples a second an error of 10⁻¹² of a position is one of 10⁻⁷ of an acceleration."""
 
 FORMAT, VERSION = "armlab plan", 1
-"""What a file of a plan says it is."""
+"""Name and version of the format in a file of a plan."""
 
 OF_THE_SCREEN = ("before", "handled")
-"""Entries of a plan that are about what is going on in the lab, not about the motion."""
+"""Entries of a plan that describe the state of the lab, not the motion."""
 
 UNITS = {"q": ("rad", "m"), "qdot": ("rad_s", "m_s"), "qddot": ("rad_s2", "m_s2")}
-"""Columns of a table for each joint, with the units of a turning and of a sliding one."""
+"""Columns of a table for each joint, with the units of a revolute and of a prismatic one."""
 
 
 def checked_rate(rate: float) -> float:
-    """Return a number of samples a second; `InputError` when it is none that can be written."""
+    """Return a number of samples a second; `InputError` if it is out of range."""
     if not (math.isfinite(rate) and 0.0 < rate <= FASTEST_RATE):
         raise InputError(f"samples a second: expected more than 0 and at most {FASTEST_RATE:g}, got {rate:g}")
     return float(rate)
 
 
 def count_of(duration: float, rate: float) -> int:
-    """Return how many evenly spaced samples, both ends included, are at least so many a second."""
+    """Return the least number of evenly spaced samples, both ends included, for at least the given rate."""
     return int(np.ceil(duration * rate * (1.0 - 1e-12))) + 1
 
 
@@ -66,7 +66,7 @@ def column_names(arm: Arm) -> tuple[str, ...]:
 
 
 def motion_csv(arm: Arm, motion: Motion, rate: float) -> str:
-    """Return a motion as comma-separated values: s, rad, m; one header line without comment signs.
+    """Return a motion as comma-separated values in s, rad, m, with one header line without comment signs.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def motion_csv(arm: Arm, motion: Motion, rate: float) -> str:
 
 
 def refuse_long(duration: float, rate: float) -> None:
-    """Raise `InputError` where a table would have too many rows."""
+    """Raise `InputError` if a table would have too many rows."""
     count = count_of(duration, checked_rate(rate))
     if count > MOST_SAMPLES:
         raise InputError(
@@ -97,7 +97,7 @@ def refuse_long(duration: float, rate: float) -> None:
 
 
 def table_text(names: Sequence[str], table: Floats, decimals: Sequence[int]) -> str:
-    """Return a table as text, with so many decimals in each column; zeros have no sign."""
+    """Return a table as text, with the given decimals in each column; zeros have no sign."""
     line = ",".join(f"%.{each}f" for each in decimals)
     small = np.abs(table) < 0.5 * 0.1 ** np.array(decimals)
     rows = np.where(small, 0.0, table).tolist()

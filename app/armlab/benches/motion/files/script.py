@@ -1,4 +1,4 @@
-"""A planned motion as a Python script that makes it again with the library alone."""
+"""A planned motion as a Python script that computes it again with the library alone."""
 
 from __future__ import annotations
 
@@ -59,11 +59,11 @@ NAMES = (
     "path_type",
     "scaled",
 )
-"""What a script may need of `armlab.kin.motion`."""
+"""Names of `armlab.kin.motion` that a script may need."""
 
 
 def motion_script(part: RobotPart, plan: Planned, rate: float, file: str) -> str:
-    """Return the script of what can be run of a plan.
+    """Return the script of the part of a plan that can be run.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def motion_script(part: RobotPart, plan: Planned, rate: float, file: str) -> str
 
 
 def _header(arm: Arm) -> list[str]:
-    """Return the header of the table in lines of one quantity each."""
+    """Return the header of the table, with one quantity in each line."""
     names, n = column_names(arm), arm.n
     groups = [names[:1], *(names[1 + k * n : 1 + (k + 1) * n] for k in range(3))]
     return [",".join(group) + ("," if k < 3 else "") for k, group in enumerate(groups)]
@@ -104,7 +104,7 @@ def _header(arm: Arm) -> list[str]:
 
 
 def _arm(part: RobotPart) -> str:
-    """Return the line that loads the arm of a file, or those that make one of the student's own."""
+    """Return the line that loads the arm of a file, or the lines that make the student's own one."""
     arm = part.robot.arm
     if not part.own:
         return f'arm = armlab.load("{part.robot.key}")'
@@ -160,7 +160,7 @@ def _leg(question: Question, leg: Leg, q: Floats, first: bool) -> Iterable[str]:
 
 
 def _apart(question: Question, leg: Leg, q: Floats) -> Iterable[str]:
-    """Yield a straight move in which each joint goes by itself."""
+    """Yield the lines of a straight move in which each joint moves by itself."""
     assert leg.stretch is not None
     assert leg.motion is not None
     law = leg.stretch.move.law
@@ -183,7 +183,7 @@ def _in_joints(question: Question, leg: Leg, q: Floats) -> Iterable[str]:
 
 
 def _in_space(question: Question, leg: Leg, q: Floats, start: str) -> Iterable[str]:
-    """Yield the path of the tool and its inverse kinematics."""
+    """Yield the lines of the tool path and its inverse kinematics."""
     assert leg.stretch is not None
     assert leg.tool_path is not None
     arm, stretch, way = question.arm, leg.stretch, leg.tool_path
@@ -206,7 +206,7 @@ def _in_space(question: Question, leg: Leg, q: Floats, start: str) -> Iterable[s
 
 
 def _orientation(arm: Arm, leg: Leg, at: Floats | None) -> str:
-    """Return how the tool turns, as `armlab.benches.motion.plan.paths.tool_path` does."""
+    """Return the orientation of the tool along the path, as in `armlab.benches.motion.plan.paths.tool_path`."""
     assert leg.stretch is not None
     turning = leg.stretch.move.turning
     if arm.task.rotation == "none" or turning == "kept":
@@ -217,7 +217,7 @@ def _orientation(arm: Arm, leg: Leg, at: Floats | None) -> str:
 
 
 def _how(question: Question, leg: Leg) -> str:
-    """Return the limits and options of a law as arguments, as `armlab.benches.motion.plan.laws.fastest` gives them."""
+    """Return the limits and options of a law as arguments, as in `armlab.benches.motion.plan.laws.fastest`."""
     assert leg.stretch is not None
     held, given = question.limits.of_joints(), how(question, leg.stretch)
     shape, jumps = given.pop("shape"), given.pop("jumps")
@@ -276,7 +276,7 @@ def _list(values: ArrayLike) -> str:
 
 
 def _array(values: ArrayLike) -> str:
-    """Return an array, with a line for each row; all digits."""
+    """Return an array with a line for each row and with all digits."""
     array = np.asarray(values, dtype=float)
     if array.ndim < 2:
         return f"np.array({_list(array)})"

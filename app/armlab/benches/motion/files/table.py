@@ -1,4 +1,4 @@
-"""Samples of a motion from a table of text, as the lab, a spreadsheet or another tool has written it."""
+"""Samples of a motion from a table of text, written by the lab, a spreadsheet or another tool."""
 
 from __future__ import annotations
 
@@ -19,21 +19,22 @@ from armlab.kin.arm import Arm
 Floats = NDArray[np.float64]
 
 MOST_BYTES = 1_500_000
-"""Of a file. The page can hand in no more in one message."""
+"""Largest number of bytes of a file, which is also the most that the page can send in one message."""
 
 MOST_COLUMNS = 1000
-"""Of a table; other programs write many that are not read."""
+"""Largest number of columns of a table; other programs write many that are not read."""
 
 MOST_ROWS = 6000
-"""Half a minute at 200 samples a second. The spline through them has to be planned again with every limit."""
+"""Largest number of rows: half a minute at 200 samples a second. The spline through them is planned again for every
+limit."""
 
 SHOWN = 30
-"""Characters of a cell that are shown when it cannot be read."""
+"""Largest number of characters that are shown of a cell that cannot be read."""
 
 
 @dataclass(frozen=True)
 class Row:
-    """A line of a table: where a spreadsheet has it, and its cells."""
+    """A line of a table: its number in a spreadsheet, and its cells."""
 
     number: int
     cells: list[str]
@@ -76,7 +77,7 @@ def read_table(arm: Arm, text: str) -> Recorded:
 
 
 def refuse_unreadable(text: str, what: str) -> None:
-    """Raise `InputError` for a text that is too long, empty, or no text."""
+    """Raise `InputError` for content that is too long, empty, or no text."""
     # Counted in characters first: the bytes of a huge text need not be made.
     if len(text) > MOST_BYTES or len(text.encode("utf-8", "replace")) > MOST_BYTES:
         raise InputError(
@@ -102,13 +103,13 @@ def _refuse_many(count: int) -> None:
 
 
 def _separator(line: str) -> str:
-    """Return what keeps cells apart: the strongest of those outside quotation marks."""
+    """Return the separator of the cells: the strongest one outside quotation marks."""
     bare = re.sub(r'"[^"]*"', "", line)
     return next((mark for mark in "\t;," if mark in bare), " ")
 
 
 def _header(line: str, apart: str, number: int) -> list[str]:
-    """Return the cells of the first line; their quotation marks may hold a separator."""
+    """Return the cells of the first line, whose quotation marks may hold a separator."""
     if apart == " ":
         return line.split()
     try:
@@ -125,7 +126,7 @@ def _cells(line: str, apart: str) -> list[str]:
 
 
 def _is_number(cell: str, apart: str) -> bool:
-    """Return whether a cell of the first line holds a number; not a finite one either is none of a name."""
+    """Return whether a cell of the first line holds a number, finite or not, and so is no name."""
     try:
         float(_cells(cell, apart)[0])
     except (ValueError, IndexError):
@@ -157,7 +158,7 @@ def _numbers(rows: Sequence[Row], columns: Sequence[Column], width: int) -> Floa
 
 
 def _no_number(row: Row, column: Column) -> InputError | None:
-    """Return what to say about a cell without a number; None about one with a number."""
+    """Return the error for a cell without a number, or None."""
     try:
         float(row.cells[column.index])
     except ValueError:

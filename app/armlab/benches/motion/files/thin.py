@@ -1,4 +1,4 @@
-"""Few of many samples: those of which waypoints are made."""
+"""The choice of a few out of many samples, from which waypoints are made."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 APART = 1e-4
-"""rad, or length scales: samples that are nearer are one configuration."""
+"""Distance of two samples, rad or length scales, below which they are the same configuration."""
 
 
 def evenly(t: Floats, q: Floats, count: int) -> list[int]:
-    """Return the indices of samples at evenly spaced times, of those in a row that are the same only the first.
+    """Return the indices of samples at evenly spaced times; of equal ones in a row only the first is kept.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def evenly(t: Floats, q: Floats, count: int) -> list[int]:
 
 
 def farthest(t: Floats, q: Floats, count: int) -> list[int]:
-    """Return the indices of both ends, and one after the other of the sample a polygon through them misses most.
+    """Return the indices of both ends, and then step by step of the sample farthest from the polygon so far.
 
     Parameters as of `evenly`; the times do not matter.
 
@@ -49,7 +49,7 @@ def farthest(t: Floats, q: Floats, count: int) -> list[int]:
 
 
 def _missed(q: Floats, chosen: list[int]) -> Floats:
-    """Return how far each sample is from the side of the polygon it belongs to, (N,)."""
+    """Return the distance of each sample from its side of the polygon, (N,)."""
     knots = np.array(chosen)
     side = np.clip(np.searchsorted(knots, np.arange(len(q)), side="right") - 1, 0, len(knots) - 2)
     start, way = q[knots[side]], q[knots[side + 1]] - q[knots[side]]
@@ -60,7 +60,7 @@ def _missed(q: Floats, chosen: list[int]) -> Floats:
 
 
 def _distinct(q: Floats, chosen: list[int]) -> list[int]:
-    """Return indices without those at which the arm is where it was at the one before."""
+    """Return indices without those whose configuration equals the previous one."""
     kept = chosen[:1]
     for k in chosen[1:]:
         if np.abs(q[k] - q[kept[-1]]).max() >= APART:

@@ -36,20 +36,20 @@ FIELDS: tuple[Field, ...] = (
     ),
     Field("speed", "V", "speed to work with; empty for the largest", "number", None, 0.0, LARGEST, True, unit="1/s"),
 )
-"""What is typed for the calculator, besides the options of the path."""
+"""Inputs of the calculator, besides the options of the path."""
 
 EXAMPLE_PATH = Chosen("polynomial", (("start", ((0.0, -2.0),)),))
-"""q = (2 s² + 1, 3 s² - 2 s), the path of 6.34."""
+"""Path of 6.34, q = (2 s² + 1, 3 s² - 2 s)."""
 
 
 def joint_paths() -> dict[str, PathType]:
-    """Return the kinds of paths that make sense between configurations, by key."""
+    """Return the kinds of paths that can be used between configurations, by key."""
     return {key: kind for key, kind in path_types().items() if "joint" in kind.spaces}
 
 
 @dataclass(frozen=True)
 class Bounded:
-    """A path with the limits of its joints; as it opens, the example of 6.34-6.44.
+    """A path with the limits of its joints, at first the example of 6.34-6.44.
 
     Attributes
     ----------
@@ -75,7 +75,7 @@ class Bounded:
         return len(self.knots[0])
 
     def with_value(self, name: str, value: Any) -> Bounded:
-        """Return it with one of `FIELDS` set.
+        """Return the calculator with one of `FIELDS` set.
 
         With another number of joints the limits go on as the last one given, and the path keeps none of its options.
 
@@ -111,7 +111,7 @@ class Bounded:
 
     @property
     def found(self) -> LawBounds:
-        """The bounds; `InputError` says what is wrong with path or limits."""
+        """The bounds; `InputError` names the fault of path or limits."""
         return _found(self)
 
     def to_json(self) -> Json:
@@ -126,7 +126,7 @@ class Bounded:
 
     @classmethod
     def from_json(cls, data: Json) -> Bounded:
-        """Read them back; raises when they are not usable."""
+        """Read path and limits back; raises if they are not usable."""
         part = cls(path=Chosen.from_json(data["path"], joint_paths()))
         given = {"a_max": data["a_max"] or None, "v_max": data["v_max"], "speed": data["speed"]}
         # The knots first: they would drop the options of the path otherwise.

@@ -1,4 +1,4 @@
-"""The film of timing laws: all begin together, and each goes its way as its law says."""
+"""The film of timing laws: all begin together, and each moves by its own law."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from armlab.session.state import State
 
 
 def present_time(state: State) -> float:
-    """Return the seconds since the laws began; 0 while their film is not on."""
+    """Return the seconds since the laws began, or 0 while their film is closed."""
     timeline = state[Timeline]
     return timeline.time if timeline.clip == CLIP_KEY else 0.0
 
 
 def _stops(state: State) -> tuple[float, ...]:
-    """Return where one formula of a law ends and the next begins."""
+    """Return the times at which one formula of a law ends and the next begins."""
     edges = np.concatenate([law.edges[1:] for law in state[Laws].every])
     return tuple(np.unique(edges[edges < state[Laws].end]).tolist())
 

@@ -1,4 +1,4 @@
-"""What a person does on the bench of timing laws."""
+"""Commands of the bench of timing laws."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from armlab.session.state import Command, State
 
 @dataclass(frozen=True)
 class AddLaw(Command):
-    """Put one law more beside the others: the first kind that is not there yet."""
+    """Add a law beside the others: the first kind that is not shown yet."""
 
     label: ClassVar[str] = "timing law"
 
     def apply(self, state: State) -> State:
-        """Return the state with one law more."""
+        """Return the state with one more law."""
         part = state[Laws]
         if len(part.entries) == MOST_LAWS:
             raise InputError(f"at most {MOST_LAWS} laws are shown at once: remove one first")
@@ -44,13 +44,13 @@ class AddLaw(Command):
 
 @dataclass(frozen=True)
 class RemoveLaw(Command):
-    """Take a law away."""
+    """Remove a law."""
 
     place: int
     label: ClassVar[str] = "timing law"
 
     def apply(self, state: State) -> State:
-        """Return the state with one law less."""
+        """Return the state without the law."""
         part = state[Laws]
         entry = _entry(part, self.place)
         if len(part.entries) == 1:
@@ -62,7 +62,7 @@ class RemoveLaw(Command):
 
 @dataclass(frozen=True)
 class ChooseLaw(Command):
-    """Take another kind for a law, with its options as they come."""
+    """Choose another kind for a law, with its options at their defaults."""
 
     place: int
     key: str
@@ -78,7 +78,7 @@ class ChooseLaw(Command):
 
 @dataclass(frozen=True)
 class SetLawOption(Command):
-    """Set an option of a law; None leaves it as it comes."""
+    """Set an option of a law; None restores its default."""
 
     place: int
     name: str
@@ -94,7 +94,7 @@ class SetLawOption(Command):
 
 @dataclass(frozen=True)
 class LeaveAsTyped(Command):
-    """Leave a law as its options say, or stretch it to the duration and the distance."""
+    """Leave a law as its options define it, or stretch it to the duration and the distance."""
 
     place: int
     on: bool
@@ -109,7 +109,7 @@ class LeaveAsTyped(Command):
 
 @dataclass(frozen=True)
 class AsFastAsAllowed(Command):
-    """Choose whether the laws are as fast as the limits allow, or take the duration."""
+    """Choose whether the laws are as fast as the limits allow, or last for the duration."""
 
     on: bool
     label: ClassVar[str] = "timing"
@@ -121,7 +121,7 @@ class AsFastAsAllowed(Command):
 
 @dataclass(frozen=True)
 class SetQuantity(Command):
-    """Set duration, distance or a limit; None takes a limit away."""
+    """Set duration, distance or a limit; None removes a limit."""
 
     name: str
     value: float | None
@@ -134,7 +134,7 @@ class SetQuantity(Command):
 
 @dataclass(frozen=True)
 class Stretch(Command):
-    """Stretch the chosen law to k times its time: a moving slider."""
+    """Stretch the chosen law to k times its time; sent by a slider in motion."""
 
     k: float
     snapshot: ClassVar[bool] = True
@@ -160,7 +160,7 @@ class StretchOptimally(Command):
 
 @dataclass(frozen=True)
 class SetBound(Command):
-    """Set knots, limits or speed of the calculator; None leaves one as it comes."""
+    """Set knots, limits or speed of the calculator; None restores a default."""
 
     name: str
     value: Any
@@ -173,7 +173,7 @@ class SetBound(Command):
 
 @dataclass(frozen=True)
 class ChooseBoundPath(Command):
-    """Take another kind of path through the knots of the calculator."""
+    """Choose another kind of path through the knots of the calculator."""
 
     key: str
     label: ClassVar[str] = "path of the bounds"
@@ -188,7 +188,7 @@ class ChooseBoundPath(Command):
 
 @dataclass(frozen=True)
 class SetBoundOption(Command):
-    """Set an option of the path of the calculator; None leaves it as it comes."""
+    """Set an option of the path of the calculator; None restores its default."""
 
     name: str
     value: Any
@@ -203,7 +203,7 @@ class SetBoundOption(Command):
 
 @dataclass(frozen=True)
 class LowerSpeed(Command):
-    """Lower the V of the calculator until some acceleration is left."""
+    """Lower V of the calculator so that some acceleration is left."""
 
     label: ClassVar[str] = "lowered speed"
 
@@ -215,12 +215,12 @@ class LowerSpeed(Command):
 
 @dataclass(frozen=True)
 class TakeBounds(Command):
-    """Take V and A of the calculator as limits of laws from 0 to 1, as fast as allowed."""
+    """Use V and A of the calculator as limits of laws from 0 to 1, as fast as allowed."""
 
     label: ClassVar[str] = "limits from a path"
 
     def apply(self, state: State) -> State:
-        """Return the state with the limits taken over."""
+        """Return the state with these limits."""
         part = state[Laws]
         bounds = part.bounded.found
         if not bounds.possible:
@@ -232,7 +232,7 @@ class TakeBounds(Command):
 
 
 def optimal(part: Laws) -> Scaling:
-    """Return the factor with which the chosen law meets one of V, A and J; J counts where the jerk is finite.
+    """Return the factor with which the chosen law meets one of V, A and J; J is used only if the jerk is finite.
 
     Raises
     ------

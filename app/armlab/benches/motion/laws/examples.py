@@ -1,4 +1,4 @@
-"""Examples of the bench of timing laws, each with a sentence on what to look at. One entry each."""
+"""Examples of the bench of timing laws, each with a sentence on what to look at."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Example:
     bounds_shown: bool = False
 
     def part(self) -> Laws:
-        """Return the bench with this example in place."""
+        """Return the bench with this example loaded."""
         entries = []
         for colour, (key, given) in enumerate(self.laws):
             options = {name: value for name, value in given.items() if name != "as_typed"}
@@ -177,18 +177,18 @@ EXAMPLES: Registry[Example] = Registry(
         ),
     ),
 )
-"""By key, in the order of the list."""
+"""Examples by key, in the order of the list."""
 
 
 @dataclass(frozen=True)
 class ChooseLawExample(Command):
-    """Put the laws, the timing and the path of an example in place, and their film, if it is on, at its beginning."""
+    """Load the laws, the timing and the path of an example, and put their film, if it is open, at its start."""
 
     key: str
     label: ClassVar[str] = "example of timing laws"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         part = EXAMPLES[self.key].part()
         part.check()
         timeline = state[Timeline]

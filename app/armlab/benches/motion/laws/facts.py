@@ -1,4 +1,4 @@
-"""Facts of the first timing law that lessons can check: its peaks, and whether it keeps its limits."""
+"""Facts of the first timing law that lessons can check: its peaks, and whether it is inside its limits."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ CLIP_KEY = "laws"
 MOST_LAWS = 3
 
 LEAST_FACTOR, MOST_FACTOR = 0.001, 1000.0
-"""Of a time scaling."""
+"""Least and largest factor of a time scaling."""
 
 
 OPENED = Entry(Chosen("cubic")), Entry(Chosen("quintic"), colour=1)
@@ -55,7 +55,7 @@ def _bounded(data: Json) -> Bounded:
 
 
 def _kept(entry: Entry, timing: Timing) -> Entry:
-    """Return a law as it was saved, without a deceleration above the limit, which could be typed before."""
+    """Return a saved law without a deceleration above the limit, which earlier versions accepted."""
     down = entry.chosen.options.get("sddot_down")
     if down is None or not timing.fastest or down <= timing.limit(2):
         return entry
@@ -64,7 +64,7 @@ def _kept(entry: Entry, timing: Timing) -> Entry:
 
 @dataclass(frozen=True)
 class Laws(FieldPart):
-    """What the bench shows.
+    """Choices of the bench.
 
     Attributes
     ----------
@@ -81,7 +81,7 @@ class Laws(FieldPart):
     bounds_shown : bool
         Whether the calculator is looked at.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     """
 
     key: ClassVar[str] = "laws"
@@ -97,7 +97,7 @@ class Laws(FieldPart):
     example: str = text("example")
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
-        """Return the part with fields set; laws that are read with their timing are `_kept`."""
+        """Return the part with fields set; laws that are read together with their timing pass through `_kept`."""
         if "entries" in values and "timing" in values:
             fields = declarations(type(self))
             entries, timing = (self._checked(fields[name].spec, values[name]) for name in ("entries", "timing"))
@@ -105,7 +105,7 @@ class Laws(FieldPart):
         return super().with_values(values)
 
     def check(self) -> None:
-        """Refuse what cannot be made; `InputError` names the law, the option or the limit."""
+        """Refuse laws that cannot be computed; `InputError` names the law, the option or the limit."""
         colours = {entry.colour for entry in self.entries}
         if not 1 <= len(self.entries) == len(colours) <= MOST_LAWS or not colours <= set(range(MOST_LAWS)):
             raise InputError(f"laws: expected 1 to {MOST_LAWS} of different colours, got {len(self.entries)}")
@@ -126,7 +126,7 @@ class Laws(FieldPart):
 
     @cached_property
     def stretched(self) -> Law | None:
-        """The chosen law, k times as slow (notes 6.156-6.160); None while k is 1."""
+        """The chosen law, slower by the factor k (notes 6.156-6.160), or None while k is 1."""
         return None if self.k == 1.0 else self.laws[self.scaled].stretched(self.k)
 
     @property
@@ -136,7 +136,7 @@ class Laws(FieldPart):
 
     @property
     def end(self) -> float:
-        """When the slowest of all ends, seconds."""
+        """The end of the slowest law, seconds."""
         return max(law.duration for law in self.every)
 
 

@@ -1,4 +1,4 @@
-"""Timing laws as the bench of laws asks for them: made from what was typed, with what exceeds the limits."""
+"""Timing laws for the bench of laws: made from the typed options, with the limits that they exceed."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from armlab.kin.timing.table import acceleration_law
 from armlab.session.chosen import Chosen
 
 SMALLEST, LARGEST = 1e-4, 1e6
-"""Of times, distances and limits, each in its unit: beyond them nothing could be drawn."""
+"""Least and largest value of times, distances and limits, each in its unit, that can be drawn."""
 
 HUGE = 1e24
-"""Of s and its derivatives: the septic over the longest distance in the shortest time stays below."""
+"""Largest value of s and its derivatives; the septic over the longest distance in the shortest time stays below it."""
 
 MOST_ROWS = 60
-"""Of a typed table: more could not be read."""
+"""Largest number of rows of a typed table."""
 
 QUANTITIES: tuple[Field, ...] = (
     Field("duration", "T", "duration", "number", 2.0, low=0.0, above=True, unit="s"),
@@ -38,21 +38,21 @@ QUANTITIES: tuple[Field, ...] = (
     Field("acceleration", "A", "limit of acceleration; empty for none", "number", low=0.0, above=True, unit="1/s²"),
     Field("jerk", "J", "limit of jerk; empty for none", "number", low=0.0, above=True, unit="1/s³"),
 )
-"""What is typed for all laws at once."""
+"""Inputs for all laws together."""
 
 LIMITS = ("speed", "acceleration", "jerk")
-"""The limits, in the order of the derivatives 1, 2, 3 they are of."""
+"""Names of the limits, in the order of the derivatives 1, 2, 3."""
 
 AS_TYPED: Mapping[str, Callable[..., Law]] = MappingProxyType({"table": acceleration_law})
-"""Laws that say all by themselves, time and distance too: what makes them from their options."""
+"""Functions that make the laws with their own time and distance from their options."""
 
 END_SPEEDS = ("sdot_start", "sdot_end", "sdot_first")
-"""Options of laws that do not begin or end at rest on purpose."""
+"""Options of laws that may begin or end with a speed."""
 
 
 @dataclass(frozen=True)
 class Timing:
-    """How long the laws take, how far they go, and their limits.
+    """Duration, distance and limits of the laws.
 
     Attributes
     ----------
@@ -72,12 +72,12 @@ class Timing:
     jerk: float | None = None
 
     def limit(self, order: int) -> float:
-        """Return the limit of the derivative of order 1, 2 or 3; infinite where there is none."""
+        """Return the limit of the derivative of order 1, 2 or 3; infinite if there is none."""
         value = getattr(self, LIMITS[order - 1])
         return math.inf if value is None else float(value)
 
     def with_quantity(self, name: str, value: Any) -> Timing:
-        """Return it with one quantity set; `InputError` names a quantity that is not positive or cannot be drawn."""
+        """Return the timing with one quantity set; `InputError` names one that is not positive or cannot be drawn."""
         field = next((each for each in QUANTITIES if each.key == name), None)
         if field is None:
             raise InputError(f"unknown quantity {name!r}. Available: {', '.join(each.key for each in QUANTITIES)}")
@@ -87,7 +87,7 @@ class Timing:
 
 
 def drawable(field: Field, value: float | None) -> float | None:
-    """Return a checked number; `InputError` when it is too small or too large to be drawn."""
+    """Return a checked number; `InputError` if it is too small or too large to be drawn."""
     if value is not None and not SMALLEST <= value <= LARGEST:
         raise InputError(f"{field.key} {field.symbol}: expected 0.0001 to 1 000 000 {field.unit}, got {value:g}")
     return value
@@ -118,13 +118,13 @@ class Entry:
 
     @property
     def moving_ends(self) -> bool:
-        """Whether it begins or ends with a speed on purpose."""
+        """Whether the law begins or ends with a speed on purpose."""
         return any(self.chosen.options.get(name) for name in END_SPEEDS)
 
 
 @lru_cache(maxsize=256)
 def law_of(entry: Entry, timing: Timing) -> Law:
-    """Return the law an entry stands for.
+    """Return the law of an entry.
 
     Raises
     ------
@@ -158,7 +158,7 @@ def _made(entry: Entry, timing: Timing, options: dict[str, Any]) -> Law:
 
 
 class Excess(NamedTuple):
-    """A limit that is not kept.
+    """A limit that is exceeded.
 
     Attributes
     ----------
@@ -204,7 +204,7 @@ def _spans(law: Law, order: int, limit: float) -> tuple[tuple[float, float], ...
 
 
 class Phases(NamedTuple):
-    """A law of constant accelerations that speeds up, goes on, slows down.
+    """A law of constant accelerations with three phases: speed up, constant speed, slow down.
 
     Attributes
     ----------
@@ -221,16 +221,16 @@ class Phases(NamedTuple):
 
     @property
     def triangle(self) -> bool:
-        """Whether there is no constant speed in between."""
+        """Whether there is no phase of constant speed."""
         return self.coast == 0.0
 
 
 STILL = 1e-9
-"""An acceleration below this part of the largest is none."""
+"""Ratio to the largest acceleration below which one counts as zero."""
 
 
 def phases(law: Law) -> Phases | None:
-    """Return the phases of a trapezoid or triangle of speed; None for a law that is something else.
+    """Return the phases of a trapezoid or triangle of speed, or None for another law.
 
     References
     ----------

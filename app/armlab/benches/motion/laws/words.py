@@ -1,4 +1,4 @@
-"""What the bench of timing laws says in words: phases, limits that are not kept, time scaling, bounds, corrections."""
+"""The bench of timing laws in words: phases, exceeded limits, time scaling, bounds, corrections."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from armlab.kin.timing.table import PLUS_MINUS_ONE
 from armlab.session.amounts import amount
 
 SYMBOLS = ("s", "ṡ", "s̈", "jerk")
-"""Of the derivatives 0 to 3."""
+"""Symbols of the derivatives 0 to 3."""
 
 UNITS = ("", "1/s", "1/s²", "1/s³")
-"""Of the derivatives 0 to 3; s itself is a pure number."""
+"""Units of the derivatives 0 to 3; s itself has none."""
 
 LETTERS = ("", "V", "A", "J")
-"""Of the limits of the derivatives 1 to 3."""
+"""Letters of the limits of the derivatives 1 to 3."""
 
 CORRECTIONS: Mapping[str, str] = MappingProxyType(
     {
@@ -32,7 +32,7 @@ CORRECTIONS: Mapping[str, str] = MappingProxyType(
         "cosine": "Notes 6.60 has q′(T) = 0 in normalised time: corrected to q′(1) = 0.",
     }
 )
-"""Where the notes differ from the law used, by its key."""
+"""Differences of the notes from the law used, by its key."""
 
 PROFILE = (
     "Notes 1.41 has 3/8, 5/8, 7/8 for 3, 5, 7: corrected. The answer after 1.42 says ∫ṡ dt for ∫s̈ dt in its first line."
@@ -44,7 +44,7 @@ NEGATIVE = "Notes 6.33 does not say that its bound may be 0 or less: added, V mu
 
 
 def corrections(entry: Entry, timing: Timing, found: Phases | None) -> tuple[str, ...]:
-    """Return where the notes differ from a law, in short lines."""
+    """Return the differences of the notes from a law, in short lines."""
     said = []
     if entry.chosen.key in CORRECTIONS:
         said.append(CORRECTIONS[entry.chosen.key])
@@ -59,7 +59,7 @@ _PROFILE_ROWS = tuple(tuple(map(float, row)) for row in PLUS_MINUS_ONE)
 
 
 def phases_text(part: Laws, i: int) -> str:
-    """Return in words how a law of constant accelerations goes; empty for other laws.
+    """Return in words the phases of a law of constant accelerations; empty for other laws.
 
     References
     ----------
@@ -98,7 +98,7 @@ def _fastest_text(found: Phases, timing: Timing) -> str:
 
 
 def excess_text(excess: Excess) -> str:
-    """Return in words how a limit is not kept.
+    """Return in words how a limit is exceeded.
 
     Examples
     --------
@@ -116,7 +116,7 @@ def excess_text(excess: Excess) -> str:
 
 
 def class_words(continuity: float) -> str:
-    """Return a class as it fits into a narrow column.
+    """Return a class in a form that fits into a narrow column.
 
     >>> class_words(1.0), class_words(3.0), class_words(-1.0)
     ('C1', '≥ C3', 'jumps')
@@ -126,7 +126,7 @@ def class_words(continuity: float) -> str:
 
 
 def optimal_text(part: Laws) -> str:
-    """Return the optimal factor of the chosen law in words, or why there is none."""
+    """Return in words the optimal factor of the chosen law, or why there is none."""
     try:
         found = optimal(part)
     except InputError as refusal:
@@ -138,7 +138,7 @@ def optimal_text(part: Laws) -> str:
 
 
 def stretch_rows(part: Laws) -> tuple[tuple[str, str, float, float, str], ...]:
-    """Return what time scaling does to the chosen law: name, unit, before, after, and by which factor."""
+    """Return the effect of time scaling on the chosen law: name, unit, before, after, and the factor."""
     law = part.laws[part.scaled]
     after = law if part.stretched is None else part.stretched
     return (
@@ -150,7 +150,7 @@ def stretch_rows(part: Laws) -> tuple[tuple[str, str, float, float, str], ...]:
 
 
 def bounds_text(bounded: Bounded, bounds: LawBounds) -> tuple[str, str]:
-    """Return ``ok`` or ``no``, and in words what the bounds are."""
+    """Return ``ok`` or ``no``, and the bounds in words."""
     who = f"joint {bounds.V_joint} decides" if bounds.V_joint else "chosen below the largest"
     if not bounded.a_max:
         return "ok", f"V = {amount(bounds.V, '1/s')}, {who}. Give a_max for a bound of s̈."
@@ -160,7 +160,7 @@ def bounds_text(bounded: Bounded, bounds: LawBounds) -> tuple[str, str]:
 
 
 class JointRow(NamedTuple):
-    """What one joint allows.
+    """The bounds of one joint.
 
     Attributes
     ----------
@@ -185,7 +185,7 @@ class JointRow(NamedTuple):
 
 
 def joint_rows(bounded: Bounded) -> tuple[JointRow, ...]:
-    """Return what each joint allows (notes 6.25 and 6.33); a joint that stands still allows anything."""
+    """Return the bounds of each joint (notes 6.25 and 6.33); a joint at rest has none."""
     found = bounded.found
     rows = []
     for j in range(bounded.joints):
@@ -198,7 +198,7 @@ def joint_rows(bounded: Bounded) -> tuple[JointRow, ...]:
 
 
 def factor(law: Law, peak: float, order: int) -> float | None:
-    """Return T^order peak / L, the peak of the law from 0 to 1 in 1 s; None for one that ends where it began."""
+    """Return T^order peak / L, the peak of the law from 0 to 1 in 1 s, or None for one that returns to its start."""
     low, high = law.span
     if abs(law.distance) <= 1e-9 * (high - low):
         return None
@@ -206,6 +206,6 @@ def factor(law: Law, peak: float, order: int) -> float | None:
 
 
 def gain(law: Law) -> float:
-    """Return the integral of the acceleration, s'(T) - s'(0) (notes 1.37-1.39); rounding is taken as 0."""
+    """Return the integral of the acceleration, s'(T) - s'(0) (notes 1.37-1.39), with rounding set to 0."""
     value = float(law.at(law.duration, 1) - law.at(0.0, 1))
     return 0.0 if abs(value) <= 1e-12 * max(law.peak_speed, 1e-300) else value

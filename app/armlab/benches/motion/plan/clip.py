@@ -1,4 +1,4 @@
-"""The motion of the plan, played by its own clock."""
+"""The film of the planned motion, played by its own clock."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from armlab.session.parts.timeline import Clip
 from armlab.session.state import State
 
 WAITING = 1.0
-"""Seconds of a motion that is still being planned, or that cannot be run."""
+"""Duration of a motion that is still being planned, or that cannot be run, seconds."""
 
 Floats = NDArray[np.float64]
 
 
 def duration(state: State) -> float:
-    """Return the seconds of the motion."""
+    """Return the duration of the motion, seconds."""
     plan = last_planned(state)
     return WAITING if plan is None or plan.motion is None else plan.duration
 
@@ -30,7 +30,7 @@ def stops(state: State) -> tuple[float, ...]:
 
 
 def configuration(state: State, time: float) -> Floats | None:
-    """Return the joint values at a time, (n,), inside the limits; None while there is no motion."""
+    """Return the joint values at a time, (n,), inside the limits, or None while there is no motion."""
     plan = last_planned(state)
     return None if plan is None or plan.motion is None else np.asarray(state[Joints].arm.clip(plan.motion.at(time)))
 

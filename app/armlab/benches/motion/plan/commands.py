@@ -1,4 +1,4 @@
-"""What a person does to the moves of a plan. What makes no plan is refused, and the old one stays."""
+"""Commands for the moves of a plan. One that makes the plan impossible is refused, and the old plan stays."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from armlab.session.state import Command, State
 
 
 def with_plan(state: State, part: Plan) -> State:
-    """Return the state with a changed plan that paths can be laid through.
+    """Return the state with a changed plan, after a check that its paths exist.
 
     Raises
     ------
@@ -40,7 +40,7 @@ def with_plan(state: State, part: Plan) -> State:
 
 
 def refuse_pathless(arm: Arm, part: Plan) -> None:
-    """Raise `InputError` where no path can be laid through the waypoints of a stretch."""
+    """Raise `InputError` if there is no path through the waypoints of a stretch."""
     parts = stretches(part.moves)
     refuse_coincident(arm, part.waypoints, parts)
     for stretch in parts:
@@ -52,7 +52,7 @@ def refuse_pathless(arm: Arm, part: Plan) -> None:
 
 
 def edited(part: Plan, **changes: object) -> Plan:
-    """Return a part changed by a hand: no example any more, and no recorded motion in place of the waypoints."""
+    """Return an edited part, which is no longer an example and has no recorded motion in place of the waypoints."""
     return replace(part, **{"example": "", "recorded": None, **changes})  # type: ignore[arg-type]
 
 
@@ -64,9 +64,9 @@ class PlanCommand(Command):
 
 @dataclass(frozen=True)
 class SetMove(PlanCommand):
-    """Choose how the arm comes to a waypoint; None leaves as it is.
+    """Choose how the arm comes to a waypoint; None leaves a choice unchanged.
 
-    Of a stretch through several waypoints all moves change.
+    In a stretch through several waypoints all moves change.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ class SetMove(PlanCommand):
         return with_plan(state, refitted(edited(part, moves=tuple(moves))))
 
     def _reached(self, part: Plan) -> tuple[int, int]:
-        """Return the moves a new path takes: those of the stretch, and as many beside it as it needs or goes through.
+        """Return the moves that get a new path: those of the stretch, and as many beside it as the path needs.
 
         Through any number of waypoints it goes where moves like this one follow each other.
         """
@@ -146,7 +146,7 @@ class SetMove(PlanCommand):
 
 @dataclass(frozen=True)
 class SetMoveOption(PlanCommand):
-    """Set one option of the path or the law of the move to a waypoint; None leaves it as it comes."""
+    """Set one option of the path or the law of the move to a waypoint; None restores its default."""
 
     k: int
     of: Literal["path", "law"]
@@ -175,7 +175,7 @@ class AllMovesLike(PlanCommand):
     label: ClassVar[str] = "kind of all moves"
 
     def apply(self, state: State) -> State:
-        """Return the state with equal moves, none of which stops where its path goes through."""
+        """Return the state with equal moves, without stops where the path can pass through."""
         part = state[Plan]
         first, _ = _moves_of(part, self.k)
         like = part.moves[first].through()
@@ -183,14 +183,14 @@ class AllMovesLike(PlanCommand):
 
 
 def checked_index(part: Plan, k: int) -> int:
-    """Return the index of a waypoint; `InputError` when there is none such."""
+    """Return the index of a waypoint; `InputError` if there is none."""
     if not 0 <= k < len(part.waypoints):
         raise InputError(f"waypoint: expected 1 to {len(part.waypoints)}, got {k + 1}")
     return k
 
 
 def _moves_of(part: Plan, k: int) -> tuple[int, int]:
-    """Return the first move, and the one after the last, of the stretch that comes to a waypoint."""
+    """Return the first move, and the one after the last, of the stretch that ends at a waypoint."""
     if checked_index(part, k) == 0:
         raise InputError("waypoint 1: the motion begins there, no move comes to it")
     stretch = stretch_at(part.moves, k - 1)
@@ -198,7 +198,7 @@ def _moves_of(part: Plan, k: int) -> tuple[int, int]:
 
 
 def refitted(part: Plan) -> Plan:
-    """Return a plan without the options that list a value for each of another number of waypoints."""
+    """Return a plan without the options that list values for another number of waypoints."""
     moves = list(part.moves)
     for stretch in stretches(part.moves):
         count = stretch.last - stretch.first + 1

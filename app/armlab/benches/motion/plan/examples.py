@@ -1,4 +1,4 @@
-"""Examples of chapter 6 of the notes: an arm, waypoints and moves, and what to look at. One entry each."""
+"""Examples of chapter 6 of the notes: an arm, waypoints and moves, and what to look at."""
 
 from __future__ import annotations
 
@@ -187,7 +187,7 @@ EXAMPLES: Registry[Example] = Registry(
 
 @dataclass(frozen=True)
 class TakeExample(Command):
-    """Put an example in place: its arm, waypoints, moves and limits."""
+    """Load an example: its arm, waypoints, moves and limits."""
 
     key: str
     label: ClassVar[str] = "example"

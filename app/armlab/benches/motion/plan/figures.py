@@ -1,4 +1,4 @@
-"""What is measured of a planned motion: its largest values, what holds it back, and which limits it exceeds when."""
+"""Measures of a planned motion: its largest values, the limit that slows it, and the limits it exceeds."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ Floats = NDArray[np.float64]
 Limited = Literal["position", "velocity", "acceleration", "jerk", "tool speed"]
 
 TOOL = 0
-"""Stands for the tool where joints are counted from 1."""
+"""Number of the tool, where joints are counted from 1."""
 
 MOST_SPANS = 200
-"""Times at which one limit is exceeded that are kept; more cannot be told apart in a plot."""
+"""Largest number of times at which one limit is exceeded that are kept; more cannot be told apart in a plot."""
 
 
 @dataclass(frozen=True)
@@ -41,13 +41,13 @@ class Overrun:
 
     @classmethod
     def of(cls, joint: int, quantity: Limited, spans: Sequence[tuple[float, float]]) -> Self:
-        """Return a limit exceeded at these times, of which the first `MOST_SPANS` are kept."""
+        """Return a limit exceeded in the given intervals, of which the first `MOST_SPANS` are kept."""
         return cls(joint, quantity, tuple(spans[:MOST_SPANS]), len(spans))
 
 
 @dataclass(frozen=True)
 class Binding:
-    """The limit that keeps a motion from being faster for the longest part of it.
+    """The limit that slows a motion for the longest part of it.
 
     Attributes
     ----------

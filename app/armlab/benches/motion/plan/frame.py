@@ -1,4 +1,4 @@
-"""The trihedron of the way of the tool at a time of a planned motion."""
+"""The Frenet frame of the tool's path at a time of a planned motion."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from armlab.benches.motion.plan.samples import STANDS, tool_rates
 Floats = NDArray[np.float64]
 
 INSIDE = 1e-3
-"""Part of a leg by which its ends are left out: there the tool stands, and its way has no direction."""
+"""Part of a leg that is left out at its ends, where the tool rests and its path has no direction."""
 
 STRAIGHT = 1e-4
-"""Curvature, times the length scale of the arm, below which a way is straight and has no normal."""
+"""Curvature, times the length scale of the arm, below which a path counts as straight and has no normal."""
 
 
 class Trihedron(NamedTuple):
-    """The tool point with unit tangent, normal and binormal, (3,) each, world; zeros where not defined.
+    """The tool point with unit tangent, normal and binormal, (3,) each, world; zeros if not defined.
 
     The curvature is in 1/m.
     """
@@ -33,7 +33,7 @@ class Trihedron(NamedTuple):
 
 
 def trihedron(plan: Planned, time: float) -> Trihedron | None:
-    """Return the Frenet frame of the way of the tool; None where there is no motion.
+    """Return the Frenet frame of the tool's path, or None if there is no motion.
 
     From velocity and acceleration of the tool: t = v / |v|, kappa b = (v x a) / |v|^3, n = b x t.
 

@@ -1,4 +1,4 @@
-"""Works out the plan of the motion, while somebody looks at it, a lesson asks for it, or it is on."""
+"""The job that computes the plan of the motion, while it is seen, played, or requested by a lesson."""
 
 from __future__ import annotations
 
@@ -18,28 +18,28 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 
 MOTION = "motion"
-"""By which lessons ask for the plan."""
+"""Name by which lessons request the plan."""
 
 PANELS = "motion"
-"""How the keys of panels that show the plan begin."""
+"""Prefix of the keys of panels that show the plan."""
 
 
 class Asked(NamedTuple):
-    """The plan, and the one it is compared with."""
+    """The plan, and the plan it is compared with."""
 
     plan: Question | None
     other: Question | None
 
 
 class Found(NamedTuple):
-    """What has been worked out so far."""
+    """Plans computed so far."""
 
     plan: Planned | None = None
     other: Planned | None = None
 
 
 def asked(state: State) -> Asked:
-    """Return what is still to be worked out."""
+    """Return the plans that are still to be computed."""
     part, whole = state[Plan], state.derived(question)
     other = other_way(whole) if part.compared else None
     return Asked(
@@ -49,7 +49,7 @@ def asked(state: State) -> Asked:
 
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
-    """Return what to work out while it is seen, is on, or a lesson asks for it."""
+    """Return the missing plans while they are seen, played, or requested by a lesson."""
     seen = any(key.startswith(PANELS) for key in panels)
     if not (seen or state[Timeline].clip == CLIP_KEY or MOTION in state[LessonPart].asked):
         return None
@@ -60,7 +60,7 @@ def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
 
 
 def run(missing: Asked) -> Iterator[Found | None]:
-    """Yield all that is worked out so far: of several deliveries only the newest counts."""
+    """Yield all results so far; only the newest delivery counts."""
     found = Found()
     for name, whole in zip(missing._fields, missing, strict=True):
         if whole is None:
@@ -71,7 +71,7 @@ def run(missing: Asked) -> Iterator[Found | None]:
 
 
 def delivered(state: State, missing: Asked, found: Found) -> State:
-    """Return the state with what was found, the arm where the new motion has it if the old one had put it there."""
+    """Return the state with the results; the arm moves to the new motion if the old one had moved it."""
     part = state[Plan]
     here = ARM.untouched(state)
     now = state.replace(replace(part, planned=found.plan or part.planned, other=found.other or part.other))
@@ -79,7 +79,7 @@ def delivered(state: State, missing: Asked, found: Found) -> State:
 
 
 def with_planned(state: State) -> State:
-    """Return the state with its plan worked out, at once: for tests and for those who can wait."""
+    """Return the state with its plan computed, at once, for tests and for callers that can wait."""
     missing = asked(state)
     for found in run(missing):
         state = state if found is None else delivered(state, missing, found)

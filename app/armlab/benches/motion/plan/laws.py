@@ -28,7 +28,7 @@ from armlab.kin.motion.breaks import SMOOTH_ENOUGH
 Floats = NDArray[np.float64]
 
 RAMPS = {"ramp", "rounding"}
-"""Options that say the shape of a law in a given time; as fast as allowed the limits shape it."""
+"""Options that shape a law in a given time; a law that is as fast as allowed is shaped by the limits."""
 
 JERK_JUMPS = "the acceleration jumps, so the limit of jerk cannot be kept"
 SPEED_JUMPS = "the speed jumps where it begins or ends: no motor can do that. Take a law that rests there"
@@ -36,7 +36,7 @@ CORNERS = "the velocity jumps at a corner: no motor can do that. Fly over it, or
 
 
 def fastest(question: Question, stretch: Stretch, path: Path) -> Trajectory:
-    """Return a path in joint space run through as fast as its law can be within the limits.
+    """Return the motion along a path in joint space that is as fast as its law can be within the limits.
 
     Raises
     ------
@@ -55,7 +55,7 @@ def fastest(question: Question, stretch: Stretch, path: Path) -> Trajectory:
 
 
 def bounds_of(question: Question, stretch: Stretch, path: Path) -> LawBounds | None:
-    """Return what the limits leave to the law of a stretch; None where its shape does not come from that."""
+    """Return the bounds of the law of a stretch from the limits, or None if its shape does not follow from them."""
     kind = law_types()[stretch.move.law.key]
     if stretch.move.independent or kind.on_path is not None:
         return None
@@ -65,7 +65,7 @@ def bounds_of(question: Question, stretch: Stretch, path: Path) -> LawBounds | N
 def how(question: Question, stretch: Stretch) -> dict[str, Any]:
     """Return the options with which the law of a stretch is made along its path.
 
-    What jumps is told, not refused, and a law that needs a limit of jerk takes a usual one for its shape.
+    Jumps are reported, not refused, and a law that needs a limit of jerk takes a usual one for its shape.
     """
     law = stretch.move.law
     shape = question.limits.of_joints("jerk" in law_types()[law.key].needs)
@@ -73,7 +73,7 @@ def how(question: Question, stretch: Stretch) -> dict[str, Any]:
 
 
 def unkept(question: Question, motion: Motion) -> tuple[str, ...]:
-    """Return the limits that a motion cannot keep in any time, in words."""
+    """Return in words the limits that a motion exceeds in any time."""
     if motion.continuity < 1.0:
         return (CORNERS,)
     if motion.continuity_from_rest < 1.0:
@@ -83,7 +83,7 @@ def unkept(question: Question, motion: Motion) -> tuple[str, ...]:
 
 
 def independent_motion(question: Question, stretch: Stretch, start: Floats, end: Floats) -> Motion:
-    """Return a straight joint move in which each joint is as fast as its limits allow, and those there first wait.
+    """Return a straight joint move with each joint as fast as its limits allow, so that the first ones wait.
 
     Raises
     ------
@@ -100,7 +100,7 @@ def independent_motion(question: Question, stretch: Stretch, start: Floats, end:
 
 
 def lasting(stretch: Stretch, path: Path, motion: Motion, duration: float) -> Motion:
-    """Return a motion of a stretch in another time: the same law scaled, or with the ramps that were typed for it.
+    """Return a motion of a stretch in another time: the same law scaled, or with the typed ramps.
 
     Raises
     ------
@@ -116,12 +116,12 @@ def lasting(stretch: Stretch, path: Path, motion: Motion, duration: float) -> Mo
 
 
 def slack(question: Question, motion: Motion) -> float:
-    """Return the factor for the time of a motion at which one limit is met; below 1 it may be faster."""
+    """Return the factor of time with which a motion meets one limit; below 1 it may be faster."""
     limits = question.limits
     _, scaling = as_fast_as_allowed(motion, limits.of_joints(), jumps=True)
     return max(scaling.k, _too_fast(question.arm, motion, limits))
 
 
 def _too_fast(arm: Arm, motion: Motion, limits: Limits) -> float:
-    """Return the largest speed of the tool in parts of its limit."""
+    """Return the ratio of the largest speed of the tool to its limit."""
     return 0.0 if limits.tool_speed is None else fastest_tool(arm, motion) / limits.tool_speed

@@ -1,4 +1,4 @@
-"""What the planned motion gives to lessons: facts of the plan, and what solutions do to its waypoints and moves."""
+"""The planned motion in lessons: facts of the plan, and the commands of solutions for waypoints and moves."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ from armlab.session.state import Command, Json, State
 from armlab.session.taught import Taught
 
 MOST_POSES = 30_000
-"""Poses for which the inverse kinematics of one plan is solved again; more than any lesson asks for."""
+"""Largest number of poses for which the inverse kinematics of one plan is solved again; no lesson needs more."""
 
 
 def ended(before: State, now: State) -> bool:
-    """Return whether the motion that is planned has come to its end."""
+    """Return whether the planned motion has reached its end."""
     # What has moved is else the motion before the last change; or a shorter one has come to where the old one stood.
     return planned(now) is not None and now[Timeline].time > before[Timeline].time
 
 
 def again(data: Json, told: SeenMotion, robot: Robot) -> SeenMotion:
-    """Return what there is to see of a motion, planned again; whether and how far it was played is as told."""
+    """Return the facts of a motion that is planned again; how far it was played is taken from ``told``."""
     if data is None:
         raise InputError("motion: what it is planned of is missing")
     part = Plan.from_json(evidence.mapping(data, Plan.key, (), tuple(Plan.initial(robot).to_json())), robot)
@@ -42,7 +42,7 @@ def again(data: Json, told: SeenMotion, robot: Robot) -> SeenMotion:
 
 
 def motion_commands(action: Action, state: State) -> Iterator[Command]:
-    """Yield what a solution does to the plan of the motion."""
+    """Yield the commands of a solution for the plan of the motion."""
     if isinstance(action, EditWaypoint):
         k = state[Plan].selected if action.k is None else action.k
         if action.how == "add":

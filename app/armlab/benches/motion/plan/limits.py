@@ -1,4 +1,4 @@
-"""What a person does to the limits, the time and the samples of a plan."""
+"""Commands for the limits, the time and the samples of a plan."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from armlab.session.state import Command, State
 
 @dataclass(frozen=True)
 class UseShare(PlanCommand):
-    """Use only a share of the limits of the joints, more than 0 and at most 1; None leaves as it is."""
+    """Use only a share of the limits of the joints, more than 0 and at most 1; None leaves a share unchanged."""
 
     velocity: float | None = None
     acceleration: float | None = None
@@ -37,7 +37,7 @@ class UseShare(PlanCommand):
 
 @dataclass(frozen=True)
 class LimitTool(PlanCommand):
-    """Limit the speed of the tool point, m/s; None: any."""
+    """Limit the speed of the tool point, m/s; None removes the limit."""
 
     speed: float | None
     label: ClassVar[str] = "limit of tool speed"
@@ -49,7 +49,7 @@ class LimitTool(PlanCommand):
 
 @dataclass(frozen=True)
 class LimitJerk(PlanCommand):
-    """Limit the jerk by the seconds in which the full acceleration is built up; None: any jerk."""
+    """Limit the jerk by the seconds in which the full acceleration is built up; None removes the limit."""
 
     time: float | None
     label: ClassVar[str] = "limit of jerk"
@@ -82,7 +82,7 @@ class LimitJoint(PlanCommand):
 
 @dataclass(frozen=True)
 class LastFor(PlanCommand):
-    """Give the whole motion a duration in seconds; None: as fast as allowed."""
+    """Give the whole motion a duration in seconds; None is as fast as allowed."""
 
     duration: float | None
     label: ClassVar[str] = "duration"
@@ -94,7 +94,7 @@ class LastFor(PlanCommand):
 
 @dataclass(frozen=True)
 class SampleBy(PlanCommand):
-    """Choose for how many poses along a Cartesian stretch the inverse kinematics is solved."""
+    """Set the number of poses along a Cartesian stretch for which the inverse kinematics is solved."""
 
     samples: float
     label: ClassVar[str] = "number of samples"
@@ -106,7 +106,7 @@ class SampleBy(PlanCommand):
 
 @dataclass(frozen=True)
 class CompareMoves(Command):
-    """Plan the same waypoints also with the other kind of moves, or no longer."""
+    """Choose whether the same waypoints are also planned with the other kind of moves."""
 
     on: bool
     undoable: ClassVar[bool] = False

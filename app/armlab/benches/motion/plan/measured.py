@@ -1,4 +1,4 @@
-"""Measuring a plan that is worked out: once, with the planning, so that what shows it only reads."""
+"""Measures of a computed plan, taken once with the planning, so that panels only read them."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from armlab.kin.motion import Motion, peaks
 Floats = NDArray[np.float64]
 
 AT_LIMIT = 0.995
-"""A share from which on a limit is what keeps a motion from being faster; the bounds of the tool are met at samples."""
+"""Share of a limit from which on it slows a motion; the bounds of the tool are met at samples."""
 
 
 def measuring(work: Iterator[Planned | None]) -> Iterator[Planned | None]:
-    """Yield what the making of a plan yields, the plan measured; None between pieces of the work."""
+    """Yield the plans of a computation with their measures, and None between pieces of the work."""
     for plan in work:
         if plan is None:
             yield None
@@ -33,7 +33,7 @@ def measuring(work: Iterator[Planned | None]) -> Iterator[Planned | None]:
 
 
 def _figures(plan: Planned) -> Generator[None, None, Figures | None]:
-    """Return the largest values of what can be run of a plan, None for nothing; pause behind each quantity."""
+    """Return the largest values of the part of a plan that can be run, or None if there is none, with pauses."""
     samples, limits = plan.samples, plan.question.limits
     if plan.motion is None or samples is None:
         return None
@@ -66,13 +66,13 @@ def _figures(plan: Planned) -> Generator[None, None, Figures | None]:
 
 
 def _largest(values: Floats, times: Floats) -> tuple[Floats, Floats]:
-    """Return the largest of each column of legs (k, n), and when it is."""
+    """Return the largest value of each column of legs (k, n), and its time."""
     leg, joints = np.argmax(values, axis=0), np.arange(values.shape[1])
     return values[leg, joints], times[leg, joints]
 
 
 def _met(plan: Planned, start: float, motion: Motion, velocity: Floats, acceleration: Floats) -> Binding | None:
-    """Return the limit a leg comes nearest to, if it meets it."""
+    """Return the limit that a leg comes nearest to, if the leg meets it."""
     limits = plan.question.limits
     shares: dict[Binding, float] = {}
     _note(shares, "velocity", velocity / np.array(limits.velocity))
@@ -92,7 +92,7 @@ def _note(shares: dict[Binding, float], quantity: Limited, values: Floats) -> No
 
 
 def _longest(met: list[tuple[float, Binding | None]]) -> Binding | None:
-    """Return the limit that is met in legs that last longest together."""
+    """Return the limit that is met in the legs of the longest total duration."""
     lasting: dict[Binding, float] = {}
     for duration, binding in met:
         if binding is not None:
@@ -101,7 +101,7 @@ def _longest(met: list[tuple[float, Binding | None]]) -> Binding | None:
 
 
 def _overruns(plan: Planned) -> tuple[Overrun, ...]:
-    """Return every limit that is exceeded, each once, in the order of time; that of the tool speed among them."""
+    """Return the limits that are exceeded, each once, in the order of time, including that of the tool speed."""
     found: dict[tuple[int, Limited], list[tuple[float, float]]] = {}
     for violation in plan.violations:
         found.setdefault((violation.joint, violation.quantity), []).append((violation.start, violation.end))

@@ -1,4 +1,4 @@
-"""What a plan of motion is made of: waypoints, and the moves from each to the next."""
+"""Parts of a plan of motion: waypoints, and the moves between them."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ TURNINGS: dict[Turning, str] = {
     "kept": "kept as it is",
     "wrist": "apart, by the wrist",
 }
-"""How the tool turns during a Cartesian move."""
+"""Rotations of the tool during a Cartesian move, in words."""
 
 EULER_AXES = "zyx"
 
 MOST_WAYPOINTS = 100
-"""More cannot be told apart in a list; long lists of samples are read as a recorded motion."""
+"""Largest number of waypoints in a list; longer lists of samples are read as a recorded motion."""
 
 
 LINE, TRAPEZOID = Chosen("line"), Chosen("trapezoidal")
@@ -40,7 +40,7 @@ LINE, TRAPEZOID = Chosen("line"), Chosen("trapezoidal")
 
 @dataclass(frozen=True)
 class Waypoint:
-    """A configuration to go through.
+    """A configuration of the plan.
 
     Attributes
     ----------
@@ -59,19 +59,19 @@ class Waypoint:
         return np.asarray(pose, dtype=np.float64)
 
     def to_json(self) -> Json:
-        """Write it down."""
+        """Write the waypoint."""
         return {"q": list(self.q), **({} if self.pose is None else {"pose": list(self.pose)})}
 
     @classmethod
     def from_json(cls, data: Json, arm: Arm) -> Self:
-        """Read it back; raises when it does not fit the arm."""
+        """Read the waypoint back; raises if it does not fit the arm."""
         pose = data.get("pose")
         return cls(checked_q(arm, data["q"]), None if pose is None else flat_pose(np.reshape(pose, (4, 4))))
 
 
 @dataclass(frozen=True)
 class Move:
-    """How the arm comes from the waypoint before.
+    """The move of the arm from the previous waypoint.
 
     Moves in a row that are the same, of a path that takes several waypoints, are one stretch of it.
 
@@ -98,20 +98,20 @@ class Move:
 
     @property
     def independent(self) -> bool:
-        """Whether each joint goes by itself."""
+        """Whether each joint moves by itself."""
         return self.apart and self.space == "joint" and self.path.key == LINE.key
 
     @property
     def kind(self) -> PathType:
-        """The kind of its path."""
+        """The kind of path of the move."""
         return path_types()[self.path.key]
 
     def through(self) -> Self:
-        """Return the move without its stop: moves that are equal then can be one stretch."""
+        """Return the move without its stop; equal moves can then form one stretch."""
         return replace(self, stop=False)
 
     def to_json(self) -> Json:
-        """Write it down."""
+        """Write the move."""
         return {
             "space": self.space,
             "path": self.path.to_json(),
@@ -123,7 +123,7 @@ class Move:
 
     @classmethod
     def from_json(cls, data: Json) -> Self:
-        """Read it back; `InputError` when it is not usable."""
+        """Read the move back; `InputError` if it is not usable."""
         path = Chosen.from_json(data.get("path", LINE.to_json()), path_types())
         law = Chosen.from_json(data.get("law", TRAPEZOID.to_json()), law_types())
         turning = checked_turning(data.get("turning", "axis"))
@@ -133,7 +133,7 @@ class Move:
 
 @dataclass(frozen=True)
 class Stretch:
-    """Moves that are one path.
+    """Moves that form one path.
 
     Attributes
     ----------
@@ -149,12 +149,12 @@ class Stretch:
 
     @property
     def title(self) -> str:
-        """Which waypoints it joins, such as ``"1 → 3"``."""
+        """Waypoints that the stretch joins, such as ``"1 → 3"``."""
         return f"{self.first + 1} → {self.last + 1}"
 
 
 def stretches(moves: tuple[Move, ...]) -> tuple[Stretch, ...]:
-    """Return what moves between waypoints 0, 1, ... amount to, in order."""
+    """Return the stretches of the moves between waypoints 0, 1, ..., in order."""
     found: list[Stretch] = []
     for k, move in enumerate(moves):
         before = found[-1] if found else None
@@ -173,7 +173,7 @@ def stretches(moves: tuple[Move, ...]) -> tuple[Stretch, ...]:
 
 
 def _straightened(stretch: Stretch) -> Stretch:
-    """Return a stretch with waypoints enough for its path; of too few, as of half an arc, it is a straight line.
+    """Return a stretch with enough waypoints for its path; one with too few, as half an arc, becomes a straight line.
 
     The moves keep their path, so that a stop that is taken away again brings it back.
     """
@@ -184,17 +184,17 @@ def _straightened(stretch: Stretch) -> Stretch:
 
 
 def resting(law: Chosen) -> Chosen:
-    """Return a law that rests at its ends: constant speed is only for paths that have their own time."""
+    """Return a law that rests at its ends, because constant speed is only for paths with their own time."""
     return TRAPEZOID if law.key == "constant" else law
 
 
 def stretch_at(moves: tuple[Move, ...], k: int) -> Stretch:
-    """Return the stretch a move belongs to, the move to waypoint k + 1 counted from 0."""
+    """Return the stretch of a move; the move to waypoint k + 1 is counted from 0."""
     return next(stretch for stretch in stretches(moves) if stretch.first <= k < stretch.last)
 
 
 def checked_q(arm: Arm, q: ArrayLike) -> tuple[float, ...]:
-    """Return joint values inside the limits; `InputError` when they are not n finite numbers or far outside."""
+    """Return joint values inside the limits; `InputError` if they are not n finite numbers or far outside."""
     values = np.array(q, dtype=float)
     if values.shape != (arm.n,) or not np.isfinite(values).all():
         raise InputError(f"waypoint: expected {arm.n} finite joint values, got {values.size}")
@@ -202,14 +202,14 @@ def checked_q(arm: Arm, q: ArrayLike) -> tuple[float, ...]:
 
 
 def checked_joint(arm: Arm, joint: int) -> int:
-    """Return the index of a joint, from 0; `InputError` when the arm has none such."""
+    """Return the index of a joint, from 0; `InputError` if the arm does not have it."""
     if not 0 <= joint < arm.n:
         raise InputError(f"joint: expected 1 to {arm.n}, got {joint + 1}")
     return joint
 
 
 def flat_pose(pose: ArrayLike) -> tuple[float, ...]:
-    """Return the 16 numbers of a pose; `InputError` when it is none."""
+    """Return the 16 numbers of a pose; `InputError` if it is none."""
     return tuple(np.asarray(as_pose(pose, "pose of the waypoint"), dtype=float).reshape(16).tolist())
 
 
@@ -219,5 +219,5 @@ def checked_space(space: object) -> Space:
 
 
 def checked_turning(turning: object) -> Turning:
-    """Return a way of turning; `UnknownName` for another word."""
+    """Return a rotation of the tool; `UnknownName` for another word."""
     return known_name("turning", turning, TURNINGS)

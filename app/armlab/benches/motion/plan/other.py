@@ -1,4 +1,4 @@
-"""The plan a motion is compared with: the same waypoints, joint moves for Cartesian ones and the other way round."""
+"""The plan for comparison: the same waypoints, with joint moves for Cartesian ones and the reverse."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from armlab.benches.motion.plan.question import Question
 
 
 def other_way(question: Question) -> Question | None:
-    """Return the question with straight moves in the other space; None where there are no waypoints to go through."""
+    """Return the question with straight moves in the other space, or None if there are no waypoints."""
     if question.recorded is not None or not question.moves:
         return None
     moves = tuple(_swapped(move) for move in question.moves)
@@ -17,5 +17,5 @@ def other_way(question: Question) -> Question | None:
 
 
 def _swapped(move: Move) -> Move:
-    """Return a straight move in the other space, with the same law where that is one between rests."""
+    """Return a straight move in the other space, with the same law if that begins and ends at rest."""
     return replace(move, space="joint" if move.space == "cartesian" else "cartesian", path=LINE, turning="axis")

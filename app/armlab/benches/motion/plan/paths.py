@@ -18,7 +18,7 @@ from armlab.kin.wrist import wrist_centre
 Floats = NDArray[np.float64]
 
 FINE = 2001
-"""Samples of a path among which the place of a waypoint is looked for."""
+"""Number of samples of a path among which the place of a waypoint is looked for."""
 
 
 def joint_path(arm: Arm, stretch: Stretch, knots: Floats) -> Path:
@@ -30,7 +30,7 @@ def joint_path(arm: Arm, stretch: Stretch, knots: Floats) -> Path:
 
 
 def joint_scales(arm: Arm) -> Floats | None:
-    """Return how much of each joint counts as a radian of the way, (n,): of sliding joints the length scale of the arm.
+    """Return the length of each joint's motion that counts as a radian, (n,): for prismatic joints the length scale.
 
     None of an arm whose joints are all of one kind: the way is in radians or in metres.
     """
@@ -40,7 +40,7 @@ def joint_scales(arm: Arm) -> Floats | None:
 
 
 def tool_path(arm: Arm, stretch: Stretch, poses: Floats) -> ToolPath:
-    """Return the path of the tool of a stretch through poses (k, 4, 4).
+    """Return the path of the tool along a stretch through poses (k, 4, 4).
 
     Raises
     ------
@@ -78,7 +78,7 @@ def _orientation(stretch: Stretch, position: Path, points: Floats, R: Floats, tu
 
 
 def places(path: Path, points: Floats) -> Floats:
-    """Return the s at which a path passes points (k, m), or comes nearest to them all, increasing from 0 to 1.
+    """Return the s at which a path passes points (k, m), or comes nearest to them, increasing from 0 to 1.
 
     Together, and not one after the other: a path may pass a point again where a later one is meant.
     """
@@ -102,7 +102,7 @@ def places(path: Path, points: Floats) -> Floats:
 
 
 def _snapped(place: float, pieces: Floats) -> float:
-    """Return the end of a piece that is at most a sample away: there the path passes its waypoint exactly."""
+    """Return the end of a piece that is at most one sample away, because the path passes its waypoint there exactly."""
     if not len(pieces):
         return place
     nearest = float(pieces[int(np.abs(pieces - place).argmin())])
@@ -110,7 +110,7 @@ def _snapped(place: float, pieces: Floats) -> float:
 
 
 def shortfall(arm: Arm, point: Waypoint) -> str:
-    """Return in words how far the pose of a waypoint is from where the arm can be; empty when it is there."""
+    """Return in words the distance of a waypoint's pose from the arm's tool; empty if the tool reaches it."""
     if point.pose is None:
         return ""
     found = judge(arm, point.wanted(arm), np.array(point.q))
@@ -118,7 +118,7 @@ def shortfall(arm: Arm, point: Waypoint) -> str:
 
 
 def refuse_coincident(arm: Arm, waypoints: Sequence[Waypoint], parts: Sequence[Stretch]) -> None:
-    """Raise `InputError` where two waypoints in a row are the same, and the path between them needs a length."""
+    """Raise `InputError` if two waypoints in a row are the same, and the path between them needs a length."""
     for stretch in parts:
         if not stretch.move.kind.apart:
             continue
@@ -137,7 +137,7 @@ def refuse_coincident(arm: Arm, waypoints: Sequence[Waypoint], parts: Sequence[S
 
 
 def _laid(stretch: Stretch, points: Floats, scales: Floats | None = None) -> Path:
-    """Return the path of a stretch; what it refuses is told with the move, and the waypoints of the plan."""
+    """Return the path of a stretch; its errors name the move, and the waypoints of the plan."""
     try:
         return stretch.move.kind.path(points, scales=scales, **stretch.move.path.options)
     except InputError as refusal:
@@ -145,7 +145,7 @@ def _laid(stretch: Stretch, points: Floats, scales: Floats | None = None) -> Pat
 
 
 def _counted(text: str, first: int) -> str:
-    """Return a sentence with its waypoints counted from the beginning of the plan."""
+    """Return a sentence with its waypoints counted from the start of the plan."""
     if first == 0:
         return text
 

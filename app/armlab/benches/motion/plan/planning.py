@@ -1,4 +1,4 @@
-"""Working out a plan: paths, inverse kinematics, laws; in pieces, because it takes longer than a command may."""
+"""The computation of a plan: paths, inverse kinematics, laws; in pieces, because it takes longer than a command may."""
 
 from __future__ import annotations
 
@@ -30,14 +30,15 @@ from armlab.kin.motion import (
 Floats = NDArray[np.float64]
 
 NEARLY_SINGULAR = 0.03
-"""Smallest over largest singular value of the task Jacobian below which a path is marked: joints turn fast there."""
+"""Ratio of smallest to largest singular value of the task Jacobian below which a path is marked: joints are fast
+there."""
 
 APART = 1e-6
-"""Radians, or length scales: a leg that ends nearer to a waypoint's configuration has kept it."""
+"""Distance from a waypoint's configuration, radians or length scales, below which a leg has reached it."""
 
 
 def making(question: Question) -> Iterator[Planned | None]:
-    """Work out a plan; yield None between pieces of the work, and at last the plan."""
+    """Compute a plan; yield None between pieces of the work, and finally the plan."""
     if question.recorded is not None:
         yield from recorded_motion(question)
         return
@@ -56,7 +57,7 @@ def making(question: Question) -> Iterator[Planned | None]:
 
 
 def _laid(question: Question, stretch: Stretch, q: Floats) -> Leg:
-    """Return a leg with its path in joint space, or with the reason why it has none."""
+    """Return a leg with its path in joint space, or with the reason why there is none."""
     lay = _in_space if stretch.move.space == "cartesian" else _in_joints
     try:
         return lay(question, stretch, q)
@@ -65,7 +66,7 @@ def _laid(question: Question, stretch: Stretch, q: Floats) -> Leg:
 
 
 def _timed(question: Question, leg: Leg) -> Leg:
-    """Return a leg run through as fast as the limits allow."""
+    """Return a leg with the fastest motion that the limits allow."""
     if leg.path is None or leg.stretch is None or leg.trouble:
         return leg
     motion: Motion
@@ -117,7 +118,7 @@ def _worth(found: Followed) -> NDArray[np.int_]:
 
 
 def _deviation(question: Question, way: ToolPath, path: Path, found: Followed) -> float:
-    """Return how far the tool is from its path half way between two samples, at most."""
+    """Return the largest distance of the tool from its path half way between two samples."""
     between = 0.5 * (found.s[1:] + found.s[:-1])
     arm = question.arm
     gap = arm.position(path.at(between)) - way.pose(between)[:, :3, 3]
@@ -131,7 +132,7 @@ def _decapitalised(text: str) -> str:
 
 
 def _other_way(question: Question, stretch: Stretch, q: Floats) -> tuple[str, ...]:
-    """Return the sentence on a waypoint that is reached in another way than it was stored in."""
+    """Return a sentence on a waypoint that is reached in another configuration than the stored one."""
     if stretch.move.space == "joint":
         return ()
     arm, stored = question.arm, np.array(question.waypoints[stretch.last].q)
@@ -144,7 +145,7 @@ def _other_way(question: Question, stretch: Stretch, q: Floats) -> tuple[str, ..
 
 
 def _together(question: Question, legs: Sequence[Leg]) -> Planned:
-    """Return the plan of legs one after the other, in the time that was asked for."""
+    """Return the plan of legs in sequence, in the requested time."""
     running = list(takewhile(lambda leg: leg.motion is not None, legs))
     within = sum(leg.motion.duration for leg in running if leg.motion is not None)
     start, placed = 0.0, []
@@ -165,7 +166,7 @@ def _together(question: Question, legs: Sequence[Leg]) -> Planned:
 
 
 def _lasting(question: Question, leg: Leg, within: float) -> Leg:
-    """Return a leg in its share of the time that was asked for; as fast as allowed where none was."""
+    """Return a leg in its share of the requested time, or as fast as allowed if none was requested."""
     if question.duration is None or leg.stretch is None or leg.path is None:
         return leg
     share = question.duration * _motion(leg).duration / within

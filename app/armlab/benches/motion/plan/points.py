@@ -1,4 +1,4 @@
-"""What a person does to the waypoints of a plan."""
+"""Commands for the waypoints of a plan."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ from armlab.session.parts.target import FARTHEST
 from armlab.session.state import Command, State
 
 SEARCHES = 8
-"""Random starts of the inverse kinematics for a typed waypoint, after the one it has."""
+"""Number of random starts of the inverse kinematics for a typed waypoint, after its present configuration."""
 
 DRAG_TRAVEL = 0.5
-"""Radians, or length scales, a joint of a dragged waypoint moves in one event at most."""
+"""Largest motion of a joint of a dragged waypoint in one event, radians or length scales."""
 
 
 @dataclass(frozen=True)
 class AddWaypoint(PlanCommand):
-    """Add the present configuration behind the selected waypoint."""
+    """Add the present configuration after the selected waypoint."""
 
     label: ClassVar[str] = "new waypoint"
 
     def apply(self, state: State) -> State:
-        """Return the state with one waypoint more, which is selected; its move is like the one before it."""
+        """Return the state with one more waypoint, which is selected; its move equals the previous one."""
         part, joints = state[Plan], state[Joints]
         if len(part.waypoints) >= MOST_WAYPOINTS:
             raise InputError(f"waypoints: at most {MOST_WAYPOINTS}; a longer motion can be read from a file")
@@ -52,13 +52,13 @@ class AddWaypoint(PlanCommand):
 
 @dataclass(frozen=True)
 class RemoveWaypoint(PlanCommand):
-    """Take a waypoint out; the move that came to it goes with it."""
+    """Remove a waypoint, with the move to it."""
 
     k: int
     label: ClassVar[str] = "removed waypoint"
 
     def apply(self, state: State) -> State:
-        """Return the state without the waypoint, of which one is always left."""
+        """Return the state without the waypoint; one waypoint always stays."""
         part = state[Plan]
         k = checked_index(part, self.k)
         if len(part.waypoints) == 1:
@@ -75,14 +75,14 @@ class RemoveWaypoint(PlanCommand):
 
 @dataclass(frozen=True)
 class ShiftWaypoint(PlanCommand):
-    """Exchange a waypoint with the one before it, or with the one after."""
+    """Exchange a waypoint with the previous or the next one."""
 
     k: int
     by: Literal[-1, 1]
     label: ClassVar[str] = "order of waypoints"
 
     def apply(self, state: State) -> State:
-        """Return the state with the two exchanged; the moves stay where they are."""
+        """Return the state with the two exchanged; the moves stay in their places."""
         part = state[Plan]
         k, other = checked_index(part, self.k), self.k + self.by
         if not 0 <= other < len(part.waypoints):
@@ -94,7 +94,7 @@ class ShiftWaypoint(PlanCommand):
 
 @dataclass(frozen=True)
 class SelectWaypoint(Command):
-    """Show the values of a waypoint, and of the move to it; the handle in the scene is then its own, or the arm's.
+    """Show the values of a waypoint, and of the move to it; the handle in the scene belongs to it, or to the arm.
 
     Parameters
     ----------
@@ -118,7 +118,7 @@ class SelectWaypoint(Command):
 
 @dataclass(frozen=True)
 class TakePresent(PlanCommand):
-    """Put a waypoint where the arm stands."""
+    """Set a waypoint to the present configuration."""
 
     k: int
     label: ClassVar[str] = "waypoint"
@@ -137,7 +137,7 @@ class GoToWaypoint(Command):
     label: ClassVar[str] = "move"
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm there."""
+        """Return the state with the arm at the waypoint."""
         part, joints = state[Plan], state[Joints]
         moved = joints.moved_to(np.array(part.waypoints[checked_index(part, self.k)].q))
         return state if moved is joints else state.replace(moved)
@@ -153,7 +153,7 @@ class SetWaypointJoint(PlanCommand):
     label: ClassVar[str] = "waypoint"
 
     def apply(self, state: State) -> State:
-        """Return the state with the value; outside the limits it is refused."""
+        """Return the state with the value; `InputError` outside the limits."""
         part, arm = state[Plan], state[Joints].arm
         q = list(part.waypoints[checked_index(part, self.k)].q)
         low, high = arm.limits[checked_joint(arm, self.joint)]
@@ -173,7 +173,7 @@ class SetWaypointPose(PlanCommand):
     label: ClassVar[str] = "waypoint"
 
     def apply(self, state: State) -> State:
-        """Return the state with the waypoint there, on the branch it is on if possible; refused out of reach."""
+        """Return the state with the waypoint there, on its branch if possible; `InputError` out of reach."""
         part, arm = state[Plan], state[Joints].arm
         near = part.waypoints[checked_index(part, self.k)].q
         pose = _wanted(arm, self.pose, np.array(near))
@@ -186,7 +186,7 @@ class SetWaypointPose(PlanCommand):
 
 @dataclass(frozen=True, eq=False)
 class DragWaypoint(PlanCommand):
-    """Follow the handle of a waypoint in the scene: one event of a drag.
+    """Drag the handle of a waypoint in the scene; this is one event of a drag.
 
     Parameters
     ----------
@@ -205,11 +205,11 @@ class DragWaypoint(PlanCommand):
 
     @property
     def stroke(self) -> object:
-        """One drag is one step."""
+        """Make one step of history of one drag."""
         return DragWaypoint, self.drag
 
     def apply(self, state: State) -> State:
-        """Return the state with the waypoint there; out of reach it keeps the pose, and the plan says so."""
+        """Return the state with the waypoint there; out of reach it keeps the pose, and the plan reports it."""
         part, arm = state[Plan], state[Joints].arm
         near = np.array(part.waypoints[checked_index(part, self.k)].q)
         pose = _wanted(arm, self.pose, near)
@@ -230,7 +230,7 @@ def _with_point(part: Plan, k: int, point: Waypoint) -> Plan:
 
 
 def _wanted(arm: Arm, pose: NDArray[np.floating], q: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return a pose with the components the arm does not control taken from its tool."""
+    """Return a pose whose components outside the arm's task are taken from its tool."""
     checked = np.array(as_pose(pose, "waypoint"), dtype=np.float64)
     if np.linalg.norm(checked[:3, 3] - arm.base[:3, 3]) > FARTHEST * 2.0 * arm.length_scale:
         raise InputError(f"waypoint: farther than {FARTHEST:g} times the reach of the arm")

@@ -1,4 +1,4 @@
-"""All that a plan depends on, and what is found out about it."""
+"""The arguments of a plan, and its results."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from armlab.kin.motion import Limits as JointLimits
 Floats = NDArray[np.float64]
 
 TURN_SPEED, TURN_ACCELERATION = np.radians(90.0), np.radians(180.0)
-"""rad/s and rad/s² of a joint whose file says none; a sliding one covers as many length scales of the arm."""
+"""Usual speed, rad/s, and acceleration, rad/s², of a joint without limits; in length scales if it slides."""
 
 FULL_AFTER = 0.1
-"""Seconds in which an acceleration is built up where a law needs a limit of jerk and none was given."""
+"""Time in which an acceleration is built up if a law needs a limit of jerk and none is given, seconds."""
 
 
 LONGEST = 600.0
-"""Seconds of a motion."""
+"""Longest motion, seconds."""
 
 
 class Limits(NamedTuple):
-    """What a motion must keep to, besides the joint limits.
+    """Limits of a motion, besides the joint limits.
 
     Attributes
     ----------
@@ -47,11 +47,11 @@ class Limits(NamedTuple):
     tool_speed: float | None = None
 
     def of_joints(self, needed: bool = False) -> JointLimits:
-        """Return those of the joints; ``needed``: with a usual limit of jerk where none is set, for a law's shape."""
+        """Return the limits of the joints; ``needed`` adds a usual limit of jerk if none is set, for a law's shape."""
         return JointLimits(self.velocity, self.acceleration, self.jerk(needed))
 
     def jerk(self, needed: bool = False) -> Floats:
-        """Return the limits of jerk, infinite where there are none and none is needed."""
+        """Return the limits of jerk, infinite if there are none and none is needed."""
         time = FULL_AFTER if self.jerk_time is None and needed else self.jerk_time
         a = np.array(self.acceleration)
         return np.full(len(a), np.inf) if time is None else a / time
@@ -61,7 +61,7 @@ Rows = tuple[tuple[float, ...], ...]
 
 
 class Recorded(NamedTuple):
-    """A motion that was read from a file: samples joined by a spline, or by cubics with the velocities of the file.
+    """A motion read from a file: samples joined by a spline, or by cubics with the velocities of the file.
 
     Attributes
     ----------
@@ -80,7 +80,7 @@ class Recorded(NamedTuple):
 
 
 class Question(NamedTuple):
-    """All that a plan depends on; equal questions have equal answers."""
+    """All arguments of a plan; equal questions have equal answers."""
 
     arm: Arm
     waypoints: tuple[Waypoint, ...]
@@ -92,12 +92,12 @@ class Question(NamedTuple):
 
     @property
     def parts(self) -> tuple[Stretch, ...]:
-        """The stretches."""
+        """The stretches of the moves."""
         return stretches(self.moves)
 
 
 class Feasible(IntEnum):
-    """What a place of a path is worth."""
+    """Feasibility of a place of a path."""
 
     YES = 0
     NEAR_SINGULAR = 1
@@ -154,7 +154,7 @@ class Leg:
 
     @property
     def trajectory(self) -> Trajectory | None:
-        """Its motion where that is one path with one law."""
+        """The motion of the leg if it is one path with one law."""
         return self.motion if isinstance(self.motion, Trajectory) else None
 
 
@@ -189,7 +189,7 @@ class Samples:
 
 @dataclass(frozen=True, eq=False)
 class Planned:
-    """A plan, worked out.
+    """A computed plan.
 
     Attributes
     ----------
@@ -223,20 +223,20 @@ class Planned:
 
     @property
     def whole(self) -> bool:
-        """Whether all of it can be run."""
+        """Whether the whole plan can be run."""
         return self.motion is not None and not any(leg.trouble for leg in self.legs)
 
     @property
     def trouble(self) -> str:
-        """The first thing that keeps it from being run; empty when nothing does."""
+        """The first reason why the plan cannot be run; empty if it can."""
         return next((leg.trouble for leg in self.legs if leg.trouble), "")
 
     @property
     def duration(self) -> float:
-        """Seconds of what can be run."""
+        """Duration of the part that can be run, seconds."""
         return 0.0 if self.motion is None else self.motion.duration
 
     def leg_at(self, time: float) -> Leg | None:
-        """Return the leg that is on at a time."""
+        """Return the leg at a time."""
         on = [leg for leg in self.legs if leg.motion is not None and leg.start <= time + 1e-9]
         return on[-1] if on else None

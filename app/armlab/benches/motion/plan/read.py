@@ -1,4 +1,4 @@
-"""A plan as it was written down, read back: what is wrong with it is named by its place."""
+"""The reading of a written plan, with errors that name the place."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from armlab.session.state import Json
 Read = TypeVar("Read")
 
 DAMAGED = (TypeError, ValueError, KeyError, AttributeError, OverflowError)
-"""What a value of another kind than was written may raise."""
+"""Exceptions that a value of the wrong kind may raise."""
 
 SHOWN = 30
-"""Characters of such a value that are shown."""
+"""Largest number of characters of such a value that are shown."""
 
 
 def route_from(data: Json, arm: Arm) -> tuple[tuple[Waypoint, ...], tuple[Move, ...]]:
@@ -48,12 +48,12 @@ def route_from(data: Json, arm: Arm) -> tuple[tuple[Waypoint, ...], tuple[Move, 
 
 
 def too_many(count: str) -> str:
-    """Return what is wrong with a plan of so many waypoints."""
+    """Return the error for a plan with too many waypoints."""
     return f"plan: it has {count} waypoints; at most {MOST_WAYPOINTS} are taken (a table may have more rows)"
 
 
 def entry(data: Json, name: str, default: object, read: Callable[..., Read]) -> Read:
-    """Return another entry of a plan, checked by ``read``; `InputError` when it is not usable."""
+    """Return another entry of a plan, checked by ``read``; `InputError` if it is not usable."""
     value = data.get(name, default)
     try:
         return read(value)
@@ -90,5 +90,5 @@ def _move(data: Json, k: int) -> Move:
 
 
 def _shown(data: Json) -> str:
-    """Return a value as it stands in a file, cut short."""
+    """Return a value as text, cut short."""
     return "nothing" if data is None else str(data)[:SHOWN]

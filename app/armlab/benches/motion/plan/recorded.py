@@ -1,4 +1,4 @@
-"""A motion that was read from a file, as a plan: in its own time or another, judged where it was sampled."""
+"""The plan of a motion read from a file: in its own time or another, judged at its samples."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 
 
 def recorded_motion(question: Question) -> Iterator[Planned | None]:
-    """Yield None between pieces of the work, and at last the plan of the recorded motion of a question."""
+    """Yield None between pieces of the work, and finally the plan of a question's recorded motion."""
     recorded = question.recorded
     assert recorded is not None
     own = _motion(recorded)
@@ -53,7 +53,7 @@ def _motion(recorded: Recorded) -> Motion:
 def _judged(
     question: Question, recorded: Recorded, motion: Motion, own: Motion, k: float
 ) -> tuple[tuple[Violation, ...], float]:
-    """Return when limits are exceeded, and the seconds within them.
+    """Return the intervals in which limits are exceeded, and the time inside the limits.
 
     A file that has rates is believed at its samples: between them nobody knows where an acceleration has jumped, and
     any curve swings over there.
@@ -93,6 +93,6 @@ def _outside(arm: Arm, t: Floats, q: Floats) -> list[Violation]:
 
 
 def _runs(on: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """Return first and last index of each run of True."""
+    """Return the first and last index of each run of True."""
     edges = np.diff(np.concatenate([[False], on, [False]]).astype(int))
     return list(zip(np.flatnonzero(edges == 1).tolist(), (np.flatnonzero(edges == -1) - 1).tolist(), strict=True))

@@ -15,29 +15,29 @@ from armlab.kin.motion import Limits, Motion, Violation, violations
 Floats = NDArray[np.float64]
 
 ROUNDING = 1.0 + 1e-6
-"""Times a limit: what exceeds it by less keeps it."""
+"""Multiple of a limit up to which it counts as kept."""
 
 DRAWN = 161
-"""Points of the way of a leg in the scene."""
+"""Number of points of a leg's path in the scene."""
 
 PLOTTED = 601
-"""Samples of a whole motion in the plots."""
+"""Number of samples of a whole motion in the plots."""
 
 SEARCHED, FINER, REFINEMENTS = 400, 41, 3
-"""Samples among which the largest speed of the tool is looked for, those around the best, and how often."""
+"""Number of samples in the search for the largest speed of the tool, of those around the best, and of refinements."""
 
 DIFFERENCE = 1e-5
-"""Seconds to either side of the change of the Jacobian."""
+"""Time to either side for the difference of the Jacobian, seconds."""
 
 TOOL_SLACK = 1e-4
-"""Part of its limit by which the tool may be faster: rounding, and the search for the largest of its speeds."""
+"""Relative excess of the tool speed that is allowed, for rounding and the search for its largest value."""
 
 STANDS = 1e-6
-"""Of the largest speed of the tool: below, the tool stands and its way has no curvature."""
+"""Ratio to the largest speed of the tool below which it rests and its path has no curvature."""
 
 
 def exceeded(question: Question, motion: Motion) -> tuple[Violation, ...]:
-    """Return when which limit is exceeded by more than rounding."""
+    """Return when limits are exceeded by more than rounding."""
     held = Limits(*(ROUNDING * values for values in question.limits.of_joints().each))
     # What was recorded may begin with a speed, and a spline through it does so by rounding.
     from_rest = question.recorded is None
@@ -45,7 +45,7 @@ def exceeded(question: Question, motion: Motion) -> tuple[Violation, ...]:
 
 
 def sampled(arm: Arm, motion: Motion, legs: Sequence[Leg], count: int = PLOTTED) -> Samples:
-    """Return a motion at evenly spaced times, with what the tool does."""
+    """Return a motion at evenly spaced times, with the motion of the tool."""
     t = np.linspace(0.0, motion.duration, count)
     q, qdot, qddot, qdddot = motion.derivatives(t)
     tool = np.asarray(arm.position(q), dtype=np.float64)
@@ -58,7 +58,7 @@ def sampled(arm: Arm, motion: Motion, legs: Sequence[Leg], count: int = PLOTTED)
 
 
 def fastest_tool(arm: Arm, motion: Motion) -> float:
-    """Return the largest speed of the tool point, m/s: from samples, and finer ones around the largest."""
+    """Return the largest speed of the tool point, m/s, from samples, and finer ones around the largest."""
     t = np.union1d(np.linspace(0.0, motion.duration, SEARCHED), motion.edges)
     best = 0.0
     for _ in range(REFINEMENTS):
@@ -85,7 +85,7 @@ def tool_rates(arm: Arm, q: Floats, qdot: Floats, qddot: Floats) -> tuple[Floats
 
 
 def _parameter(legs: Sequence[Leg], t: Floats) -> Floats:
-    """Return the path parameter of the leg that is on."""
+    """Return the path parameter of the leg at each time."""
     found = np.full(len(t), np.nan)
     for leg in legs:
         if leg.trajectory is not None:
@@ -95,7 +95,7 @@ def _parameter(legs: Sequence[Leg], t: Floats) -> Floats:
 
 
 def drawn_leg(arm: Arm, leg: Leg, over: Sequence[tuple[float, float]]) -> Leg:
-    """Return a leg with its way at even times, marked where a limit is exceeded."""
+    """Return a leg with its path at evenly spaced times, marked where a limit is exceeded."""
     motion = leg.motion
     assert motion is not None
     t = np.linspace(0.0, motion.duration, DRAWN)
@@ -114,12 +114,12 @@ def drawn_leg(arm: Arm, leg: Leg, over: Sequence[tuple[float, float]]) -> Leg:
 
 
 def spans_of(over: Sequence[Violation]) -> tuple[tuple[float, float], ...]:
-    """Return when limits of joints are exceeded, seconds."""
+    """Return the intervals in which limits of joints are exceeded, seconds."""
     return tuple((violation.start, violation.end) for violation in over)
 
 
 def too_fast(samples: Samples, limit: float | None) -> list[tuple[float, float]]:
-    """Return when the tool is faster than it may be, from samples and straight lines between them."""
+    """Return when the tool exceeds its speed limit, from samples and straight lines between them."""
     if limit is None:
         return []
     t, over = samples.t, samples.tool_speed - limit * (1.0 + TOOL_SLACK)
@@ -132,5 +132,5 @@ def too_fast(samples: Samples, limit: float | None) -> list[tuple[float, float]]
 
 
 def _crossing(t: Floats, values: Floats, i: int) -> float:
-    """Return where values cross zero between samples i and i + 1."""
+    """Return the time at which values cross zero between samples i and i + 1."""
     return float(t[i] + (t[i + 1] - t[i]) * values[i] / (values[i] - values[i + 1]))

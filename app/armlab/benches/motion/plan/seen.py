@@ -1,4 +1,4 @@
-"""What a lesson sees of the planned motion: the facts its checks and live values ask for."""
+"""The planned motion as seen by lessons: the facts for checks and live values."""
 
 from __future__ import annotations
 
@@ -18,29 +18,29 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 
 KEPT = 64
-"""Plans whose facts are kept; a class at work asks for those of the same few plans again and again."""
+"""Number of plans whose facts are kept; a class asks for those of the same few plans again and again."""
 
 ROUNDING = 1e-9
-"""By which a limit may be higher and still be the same: typed in degrees it is rounded a few times."""
+"""Relative difference of two equal limits: one typed in degrees is rounded a few times."""
 
 
 def asks_for_motion(lesson: Lesson, step: Step, met: bool) -> bool:
-    """Return whether a step looks at the planned motion, in a text, or in its check until that is met."""
+    """Return whether a step uses the planned motion, in a text, or in its check until that is met."""
     return (checks_motion(step) and not met) or not OF_MOTION.isdisjoint((*step.live, *lesson.live))
 
 
 def checks_motion(step: Step) -> bool:
-    """Return whether the check of a step looks at the planned motion."""
+    """Return whether the check of a step uses the planned motion."""
     return step.check is not None and step.check.of_motion
 
 
 def motion_changed(before: State, now: State) -> bool:
-    """Return whether the plan of a state is another one, worked out or not."""
+    """Return whether the plan of a state has changed, computed or not."""
     return now[Plan] is not before[Plan] and now.derived(question) != before.derived(question)
 
 
 def seen_motion(state: State, played: bool) -> SeenMotion:
-    """Return what there is to see of the motion.
+    """Return the facts of the motion.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def seen_motion(state: State, played: bool) -> SeenMotion:
 
 
 def _raised(state: State) -> str:
-    """Return which limit of a joint is set higher than the arm's own; empty when none is."""
+    """Return the limit of a joint that is set higher than the arm's own; empty if there is none."""
     part = state[Plan]
     own = default_limits(state[Joints].arm)
     for name, values, most in zip(("velocity", "acceleration"), (part.velocity, part.acceleration), own, strict=True):
@@ -74,7 +74,7 @@ def _raised(state: State) -> str:
 
 @lru_cache(maxsize=KEPT)
 def _facts(plan: Planned, velocity: tuple[float, ...], acceleration: tuple[float, ...]) -> SeenMotion:
-    """Return what follows from a plan that is worked out, and from the whole limits of the joints."""
+    """Return the facts of a computed plan, relative to the full limits of the joints."""
     samples = plan.samples
     return SeenMotion(
         planned=True,
@@ -90,5 +90,5 @@ def _facts(plan: Planned, velocity: tuple[float, ...], acceleration: tuple[float
 
 
 def _share(rates: np.ndarray, limits: tuple[float, ...]) -> float:
-    """Return the largest part of its limit that a joint uses."""
+    """Return the largest share of its limit that a joint uses."""
     return float(np.max(np.abs(rates) / np.array(limits)))

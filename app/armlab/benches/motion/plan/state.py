@@ -1,4 +1,4 @@
-"""The plan of a motion: waypoints, the moves between them, what limits them, and what becomes of it."""
+"""The plan of a motion: waypoints, the moves between them, the limits, and the computed plan."""
 
 from __future__ import annotations
 
@@ -33,22 +33,22 @@ from armlab.session.state import Json, Part, PartType, State
 CLIP_KEY = "motion"
 
 SAMPLES, MOST_SAMPLES = 201, 1001
-"""Poses along a Cartesian stretch for which the inverse kinematics is solved."""
+"""Usual and largest number of poses along a Cartesian stretch for which the inverse kinematics is solved."""
 
 SHORTEST = 0.01
-"""Seconds of a motion at least."""
+"""Shortest motion, seconds."""
 
 LEAST, MOST = 1e-4, 1e6
-"""Limits in SI units: what is outside is a slip of the pen, or leaves the range of numbers."""
+"""Least and largest limit in SI units."""
 
 LEAST_SHARE = 0.01
-"""Of the limits that is used at least."""
+"""Least share of the limits that can be used."""
 
 FULL = 1.0, 1.0
 """Shares of the limits of velocity and acceleration that are used."""
 
 ASIDE = np.array([0.8, -0.5, 0.6, 0.7, -0.6, 0.5])
-"""rad, or parts of half a stroke, of each joint from the home pose to the second waypoint an arm opens with."""
+"""Offset of each joint from the home pose to the second initial waypoint, rad, or parts of half a stroke."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +79,7 @@ class Plan(Part):
     recorded : Recorded or None
         A motion from a file, which then stands in place of the waypoints.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     before : tuple of float or None
         Where the arm stood when the motion was put on; None while it is not on.
     kinds : str
@@ -111,17 +111,17 @@ class Plan(Part):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return one joint move from home, at the limits of the robot file."""
+        """Return one joint move from the home pose, at the limits of the robot file."""
         arm = robot.arm
         points = tuple(Waypoint(checked_q(arm, q)) for q in (robot.home, _aside(robot)))
         return cls(points, (Move(),), *default_limits(arm), kinds=_kinds(arm))
 
     def for_robot(self, robot: Robot) -> Self:
-        """Begin anew: waypoints are of an arm."""
+        """Begin anew, because waypoints belong to an arm."""
         return self.initial(robot)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep all where the joints are the same; begin anew where there are others."""
+        """Keep the plan if the joints are the same, else begin anew."""
         arm, same = robot.arm, origin == tuple(range(len(self.velocity)))
         # Radians are no metres: a joint that has become a sliding one has neither values nor limits yet.
         if not same or self.kinds != _kinds(arm):
@@ -130,13 +130,13 @@ class Plan(Part):
         return replace(self, waypoints=points, recorded=None, example="", before=None, planned=None, other=None)
 
     def after(self, before: State, now: State) -> Self:
-        """Forget where the arm stood when the motion is taken off."""
+        """Forget the earlier configuration when the motion is closed."""
         off = self.before is not None and now[Timeline].clip != CLIP_KEY
         return replace(self, before=None) if off else self
 
     @cached_property
     def parts(self) -> tuple[Stretch, ...]:
-        """The stretches."""
+        """The stretches of the moves."""
         return stretches(self.moves)
 
     @property
@@ -152,11 +152,11 @@ class Plan(Part):
 
     @property
     def stretch(self) -> Stretch | None:
-        """The stretch that comes to the selected waypoint; None where there is no move."""
+        """The stretch that ends at the selected waypoint, or None if there is no move."""
         return stretch_at(self.moves, max(self.selected - 1, 0)) if self.moves else None
 
     def to_json(self) -> Json:
-        """Write everything but what has become of it."""
+        """Write all but the computed plan."""
         recorded = self.recorded
         return {
             "waypoints": [point.to_json() for point in self.waypoints],
@@ -178,7 +178,7 @@ class Plan(Part):
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when it is not usable with this arm."""
+        """Read the plan back; raises if it cannot be used with this arm."""
         arm, opened = robot.arm, cls.initial(robot)
         points, moves = route_from(data, arm)
         selected = entry(data, "selected", 0, int)
@@ -208,7 +208,7 @@ PART = PartType(Plan, order=98)
 
 
 def default_limits(arm: Arm) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Return limits of velocity and acceleration: those of the robot file, or usual ones where it says none."""
+    """Return limits of velocity and acceleration: those of the robot file, or usual ones if it gives none."""
     unit = np.where(arm.revolute, 1.0, arm.length_scale)
     v = np.where(np.isfinite(arm.speed_limits), arm.speed_limits, TURN_SPEED * unit)
     a = np.where(np.isfinite(arm.acceleration_limits), arm.acceleration_limits, TURN_ACCELERATION * unit)
@@ -231,7 +231,7 @@ def _aside(robot: Robot) -> np.ndarray:
 
 
 def question(state: State) -> Question:
-    """Return all that the plan of a state depends on."""
+    """Return all arguments of the plan of a state."""
     part = state[Plan]
     return Question(
         state[Joints].arm, part.waypoints, part.moves, part.limits, part.duration, part.samples, part.recorded
@@ -239,14 +239,14 @@ def question(state: State) -> Question:
 
 
 def planned(state: State) -> Planned | None:
-    """Return the plan, worked out; None while it is not."""
+    """Return the computed plan, or None while it is not up to date."""
     part = state[Plan]
     known = part.planned is not None and part.planned.question == state.derived(question)
     return part.planned if known else None
 
 
 def last_planned(state: State) -> Planned | None:
-    """Return the plan as it was worked out last, of this arm: what is played and drawn until there is a newer one."""
+    """Return the plan of this arm that was computed last, which is played and drawn until there is a newer one."""
     found = state[Plan].planned
     return found if found is not None and found.question.arm is state[Joints].arm else None
 
@@ -260,7 +260,7 @@ def checked_limits(arm: Arm, name: str, values: ArrayLike) -> tuple[float, ...]:
 
 
 def _in_range(value: float, name: str) -> float:
-    """Return a positive number that a motion can be drawn with; `InputError` for any other."""
+    """Return a positive number in the range that can be drawn; `InputError` for any other."""
     number = positive(value, name)
     if not LEAST <= number <= MOST:
         raise InputError(f"{name}: too {'small' if number < LEAST else 'large'}, no motion can be drawn with it")
@@ -268,7 +268,7 @@ def _in_range(value: float, name: str) -> float:
 
 
 def checked_shares(shares: ArrayLike) -> tuple[float, float]:
-    """Return shares of the limits; `InputError` when they are not more than 0 and at most 1."""
+    """Return shares of the limits; `InputError` unless they are more than 0 and at most 1."""
     array = np.array(shares, dtype=float)
     if array.shape != (2,) or not ((array >= LEAST_SHARE) & (array <= 1.0)).all():
         raise InputError(f"share of the limits: expected {100.0 * LEAST_SHARE:g} to 100 %")
@@ -281,14 +281,14 @@ def optional_positive(value: float | None, name: str) -> float | None:
 
 
 def checked_duration(duration: float | None) -> float | None:
-    """Return a duration; `InputError` when it is not more than 0 and at most `LONGEST`."""
+    """Return a duration; `InputError` unless it is more than 0 and at most `LONGEST`."""
     if duration is not None and not (SHORTEST <= positive(duration, "duration") <= LONGEST):
         raise InputError(f"duration: expected {SHORTEST:g} to {LONGEST:g} s, got {duration:g}")
     return None if duration is None else float(duration)
 
 
 def checked_samples(samples: float) -> int:
-    """Return a number of samples; `InputError` when it is no whole number in range."""
+    """Return a number of samples; `InputError` unless it is a whole number in range."""
     if not (math.isfinite(samples) and samples == int(samples) and 2 <= samples <= MOST_SAMPLES):
         raise InputError(f"samples: expected a whole number from 2 to {MOST_SAMPLES}, got {samples:g}")
     return int(samples)
@@ -309,7 +309,7 @@ def _recorded_from(data: Json, arm: Arm) -> Recorded | None:
 def checked_recorded(
     arm: Arm, t: ArrayLike, q: ArrayLike, qdot: ArrayLike | None = None, qddot: ArrayLike | None = None
 ) -> Recorded:
-    """Return a recorded motion; `InputError` names the row that is wrong. Rates count only where there are both."""
+    """Return a recorded motion; `InputError` names the wrong row. Rates are used only if both are given."""
     times, values = np.array(t, dtype=float), np.array(q, dtype=float)
     if values.ndim != 2 or values.shape[1] != arm.n or times.shape != (len(values),):
         raise InputError(f"recorded motion: expected a time and {arm.n} joint values in each row")

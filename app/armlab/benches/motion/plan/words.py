@@ -1,4 +1,4 @@
-"""What a plan is worth, in words."""
+"""The verdict on a plan, in words."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from armlab.benches.motion.plan.figures import TOOL, Overrun
 from armlab.benches.motion.plan.question import Leg, Planned
 
 MOST_TOLD = 2
-"""Times at which a limit is exceeded that are told one by one."""
+"""Largest number of times at which a limit is exceeded that are listed one by one."""
 
 
 class Said(NamedTuple):
@@ -24,7 +24,7 @@ class Said(NamedTuple):
 
 
 def judged(plan: Planned) -> Said:
-    """Return what a plan is worth: whether it can be run, within its limits, and what is worth knowing."""
+    """Return the verdict on a plan: whether it can be run within its limits, and further remarks."""
     remarks = tuple(_with_move(leg, remark) for leg in plan.legs for remark in leg.remarks)
     if not plan.legs:
         return Said("warn", "no motion yet", ("move the arm and add where it stands: a motion needs two waypoints",))
@@ -48,12 +48,12 @@ def exceeded_words(plan: Planned) -> list[str]:
 
 
 def rounded_up(seconds: float) -> float:
-    """Return hundredths of a second that are enough."""
+    """Return a number of seconds rounded up to hundredths."""
     return math.ceil(100.0 * seconds - 1e-9) / 100.0
 
 
 def sentences(found: Sequence[Overrun]) -> list[str]:
-    """Return the limits that are exceeded in words, without full stops; joints that do it together in one sentence."""
+    """Return in words the limits that are exceeded, without full stops, in one sentence for equal times of joints."""
     together: dict[tuple[str, str], list[int]] = {}
     for overrun in found:
         together.setdefault((overrun.quantity, _when(overrun)), []).append(overrun.joint)
@@ -82,7 +82,7 @@ def listed(words: Sequence[str]) -> str:
 
 
 def _when(overrun: Overrun) -> str:
-    """Return when a limit is exceeded: the first times, and how often more."""
+    """Return when a limit is exceeded: the first times, and the number of further ones."""
     spans = [_span(*each) for each in overrun.spans[:MOST_TOLD]]
     more = overrun.count - MOST_TOLD
     if more > 0:

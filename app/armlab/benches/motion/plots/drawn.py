@@ -1,4 +1,4 @@
-"""What the plots of a motion show besides its samples: shares of the limits, and the comparison with another plan."""
+"""Curves of the plots of a motion besides its samples: shares of the limits, and the comparison with another plan."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Floats = NDArray[np.float64]
 Kind = Literal["joint", "cartesian", "mixed"]
 
 SAME = 1e-4
-"""Part of the duration by which motions that take the same time may differ: one follows its path by samples."""
+"""Relative difference of the durations of motions that count as equally long: one follows its path by samples."""
 
 
 def boundaries(plan: Planned) -> tuple[float, ...]:
@@ -26,7 +26,7 @@ def boundaries(plan: Planned) -> tuple[float, ...]:
 
 
 def shares(plan: Planned) -> tuple[Floats, Floats] | None:
-    """Return |qdot_i| / v_i and |qddot_i| / a_i at the samples of a plan, (k, n) each; None when it cannot be run."""
+    """Return |qdot_i| / v_i and |qddot_i| / a_i at the samples of a plan, (k, n) each, or None if it cannot be run."""
     if plan.samples is None:
         return None
     limits: Limits = plan.question.limits
@@ -35,19 +35,19 @@ def shares(plan: Planned) -> tuple[Floats, Floats] | None:
 
 
 def kind_of(question: Question) -> Kind:
-    """Return in which space the moves of a plan are straight: one, or both."""
+    """Return the space in which the moves of a plan are straight: one, or both."""
     spaces = {move.space for move in question.moves}
     return spaces.pop() if len(spaces) == 1 else "mixed"
 
 
 def can_compare(state: State) -> bool:
-    """Return whether there are moves of which another kind can be planned: not of a motion read from a file."""
+    """Return whether there are moves for a comparison, which a motion read from a file does not have."""
     part = state[Plan]
     return part.recorded is None and bool(part.moves)
 
 
 def compared(state: State, plan: Planned) -> Planned | None:
-    """Return the plan of the other kind of moves that belongs to a plan; None while it is not wanted or not ready."""
+    """Return the plan for comparison that belongs to a plan, or None while it is not wanted or not ready."""
     part = state[Plan]
     if not part.compared or part.other is None or part.other.question.arm is not state[Joints].arm:
         return None

@@ -1,4 +1,4 @@
-"""Which plots of the motion are shown."""
+"""The choice of plots of the motion."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from armlab.session.state import Command, Json, PartType, State
 Quantity = Literal["q", "q_dot", "q_ddot", "jerk", "s", "speed", "curvature", "load"]
 
 QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
-"""In the order of the page."""
+"""Quantities in the order of the page."""
 
 FIRST: tuple[Quantity, ...] = ("q", "q_dot", "q_ddot")
-"""Shown when nobody has chosen."""
+"""Quantities that are shown at first."""
 
 
 def _in_order(keys: Json) -> tuple[Quantity, ...]:
@@ -25,7 +25,7 @@ def _in_order(keys: Json) -> tuple[Quantity, ...]:
 
 @dataclass(frozen=True)
 class MotionPlots(FieldPart):
-    """The choice of plots; it stays when the arm changes.
+    """The choice of plots, which stays when the arm changes.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""The film of the laboratory of geometry: once along the curve, or from one orientation to the other."""
+"""The film of the page of geometry: once along the curve, or from one orientation to the other."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from armlab.session.parts.timeline import Clip
 from armlab.session.state import State
 
 PARTS = 8
-"""Of the duration: where stepping stops, besides the ends of pieces of the motion."""
+"""Number of equal parts of the duration at which stepping stops, besides the ends of pieces of the motion."""
 
 MOST_PIECES = 24
 

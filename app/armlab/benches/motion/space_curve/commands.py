@@ -1,4 +1,4 @@
-"""What a person can change of the curve and of the turn in the laboratory of geometry."""
+"""Commands for the curve and the turn on the page of geometry."""
 
 from __future__ import annotations
 
@@ -32,30 +32,30 @@ from armlab.session.state import Command, State
 End = Literal["A", "B"]
 
 NEXT = 0.2
-"""Metres beyond the last waypoint at which one is added."""
+"""Distance beyond the last waypoint at which one is added, metres."""
 
 
 @dataclass(frozen=True)
 class LookAt(Command):
-    """Look at the curve or at the turn."""
+    """Choose the curve or the turn."""
 
     shown: Shown
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the other one in view."""
+        """Return the state with that choice."""
         return setting(state, SpaceCurve, {"shown": self.shown})
 
 
 @dataclass(frozen=True)
 class ChooseCurve(Command):
-    """Take another kind of curve through as many of the waypoints as it takes, its options as they come."""
+    """Choose another kind of curve through as many waypoints as it can have, with its options at their defaults."""
 
     key: str
     label: ClassVar[str] = "kind of curve"
 
     def apply(self, state: State) -> State:
-        """Return the state with the curve; where it does not pass through these waypoints, through others."""
+        """Return the state with the curve, through other waypoints if it cannot pass through these."""
         part = state[SpaceCurve]
         if self.key == part.curve.key:
             return state
@@ -75,7 +75,7 @@ class ChooseCurve(Command):
 
 @dataclass(frozen=True)
 class SetPoint(Command):
-    """Move one waypoint along one axis, to metres; both counted from 0."""
+    """Set one coordinate of a waypoint, metres; waypoint and axis are counted from 0."""
 
     point: int
     axis: int
@@ -93,25 +93,25 @@ class SetPoint(Command):
 
 @dataclass(frozen=True)
 class AddPoint(Command):
-    """Add a waypoint behind the last one, a little aside."""
+    """Add a waypoint after the last one, a little aside."""
 
     label: ClassVar[str] = "added waypoint"
 
     def apply(self, state: State) -> State:
-        """Return the state with one waypoint more."""
+        """Return the state with one more waypoint."""
         points = state[SpaceCurve].points
         return _curve(state, points=_fitting(points, len(points) + 1, None))
 
 
 @dataclass(frozen=True)
 class RemovePoint(Command):
-    """Take a waypoint away; counted from 0."""
+    """Remove a waypoint, counted from 0."""
 
     point: int
     label: ClassVar[str] = "removed waypoint"
 
     def apply(self, state: State) -> State:
-        """Return the state without it."""
+        """Return the state without the waypoint."""
         points = state[SpaceCurve].points
         if not 0 <= self.point < len(points):
             raise InputError(f"waypoint: expected 1 to {len(points)}, got {self.point + 1}")
@@ -120,7 +120,7 @@ class RemovePoint(Command):
 
 @dataclass(frozen=True)
 class TypeFormula(Command):
-    """Write x(s), y(s) or z(s): axis 0, 1 or 2."""
+    """Set the formula of x(s), y(s) or z(s): axis 0, 1 or 2."""
 
     axis: int
     text: str
@@ -136,7 +136,7 @@ class TypeFormula(Command):
 
 @dataclass(frozen=True)
 class SetOption(Command):
-    """Set an option of the curve ("curve") or of the law ("law"); None leaves it as it comes."""
+    """Set an option of the curve ("curve") or of the law ("law"); None restores its default."""
 
     of: str
     name: str
@@ -154,7 +154,7 @@ class SetOption(Command):
 
 @dataclass(frozen=True)
 class ChooseLaw(Command):
-    """Take another timing law, its options as they come."""
+    """Choose another timing law, with its options at their defaults."""
 
     key: str
     label: ClassVar[str] = "timing law"
@@ -168,7 +168,7 @@ class ChooseLaw(Command):
 
 @dataclass(frozen=True)
 class OwnTimes(Command):
-    """Move as the curve was made: at constant rate, in the time of its waypoints."""
+    """Run through the curve as it was made: at constant rate, in the time of its waypoints."""
 
     label: ClassVar[str] = "times of the waypoints"
 
@@ -182,7 +182,7 @@ class OwnTimes(Command):
 
 @dataclass(frozen=True)
 class GoTo(Command):
-    """Put the film on where it passes a place s from 0 to 1."""
+    """Put the film at the time when it passes a place s from 0 to 1."""
 
     s: float
     undoable: ClassVar[bool] = False
@@ -202,7 +202,7 @@ class GoTo(Command):
 
 @dataclass(frozen=True)
 class WriteIn(Command):
-    """Write both orientations in other angles; they stay what they are."""
+    """Write both orientations, which stay the same, in other angles."""
 
     axes: str | None = None
     fixed: bool | None = None
@@ -221,7 +221,7 @@ class WriteIn(Command):
 
 @dataclass(frozen=True)
 class SetAngle(Command):
-    """Set one angle of R_A or R_B; k from 0, radians."""
+    """Set one angle of R_A or R_B, radians; k is counted from 0."""
 
     end: End
     k: int
@@ -238,7 +238,7 @@ class SetAngle(Command):
 
 @dataclass(frozen=True)
 class TakeOrientation(Command):
-    """Take R_A or R_B from the tool ("tool") or from the handle of the target ("handle")."""
+    """Set R_A or R_B to the orientation of the tool ("tool") or of the target's handle ("handle")."""
 
     end: End
     source: str
@@ -261,7 +261,7 @@ def _curve(state: State, **fields: Any) -> State:
 
 
 def _refuse_index(name: str, k: int) -> None:
-    """Raise `InputError` where one of three is meant by a number, from 0, that is none of theirs."""
+    """Raise `InputError` if an index, from 0, is not one of three."""
     if not 0 <= k < 3:
         raise InputError(f"{name}: expected 1 to 3, got {k + 1}")
 
@@ -273,7 +273,7 @@ def _angles(state: State, end: End) -> Point:
 
 
 def _fitting(points: tuple[Point, ...], least: int, most: int | None) -> tuple[Point, ...]:
-    """Return as many of the points as are wanted, and others behind them where they are too few."""
+    """Return as many of the points as wanted, with further ones after them if they are too few."""
     kept = list(points[: MOST_POINTS if most is None else most])
     for spare in POINTS:
         if len(kept) < least and spare not in kept:

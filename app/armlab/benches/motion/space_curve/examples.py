@@ -1,4 +1,4 @@
-"""Examples of sections 6.1, 6.3.2 and 6.3.3 of the notes, and what to look at. One entry each."""
+"""Examples of sections 6.1, 6.3.2 and 6.3.3 of the notes, and what to look at."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from armlab.session.state import Command, State
 
 @dataclass(frozen=True)
 class Example:
-    """One example; what it does not name stays as it is.
+    """One example; settings that it does not name keep their defaults.
 
     Attributes
     ----------
@@ -207,7 +207,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
     ),
 )
-"""By key, in the order of the list."""
+"""Examples by key, in the order of the list."""
 
 OWN_TIMES = ("square_flown", "overfly")
 """Examples that run in the time of their waypoints."""
@@ -215,18 +215,18 @@ OWN_TIMES = ("square_flown", "overfly")
 
 @dataclass(frozen=True)
 class ChooseExample(Command):
-    """Put an example in place, and its film on at the beginning."""
+    """Load an example, and open its film at the start."""
 
     key: str
     label: ClassVar[str] = "example of a curve"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         return with_clip(state.replace(example_part(self.key)), CLIP_KEY)
 
 
 def example_part(key: str) -> SpaceCurve:
-    """Return the part with an example in place."""
+    """Return the part with an example loaded."""
     part = replace(SpaceCurve(), **EXAMPLES[key].sets, example=key)
     if key in OWN_TIMES:
         duration = made_curve(part.question).duration

@@ -1,4 +1,4 @@
-"""A curve in space typed as three functions of s, made a path with derivatives."""
+"""A curve in space typed as three functions of s, converted to a path with derivatives."""
 
 from __future__ import annotations
 
@@ -16,23 +16,23 @@ from armlab.kin.motion.path import Path
 Floats = NDArray[np.float64]
 
 COUNT = 17
-"""Coefficients of a piece."""
+"""Number of coefficients of a piece."""
 
 TAIL = 1e-13
-"""The last coefficients of a piece, relative to the largest of its coordinate, when it is resolved; what is smaller
-than a tenth of it is rounding and left out, so that a polynomial keeps its degree."""
+"""Size of the last coefficients of a piece, relative to the largest of its coordinate, at which it is resolved; smaller
+ones than a tenth of it are rounding and left out, so that a polynomial keeps its degree."""
 
 SHORTEST = 1e-6
-"""A piece that is still not resolved holds a corner: it is bridged by a straight line."""
+"""Length of a piece, in s, below which it holds a corner if it is still not resolved; a straight line replaces it."""
 
 MOST_PLACES = 1400
-"""Values of s at which the functions are asked at most: a corner takes 700."""
+"""Largest number of values of s at which the functions are evaluated; a corner takes 700."""
 
 EXACT_DEGREE = 12
-"""Up to which one series counts as the polynomial that was typed."""
+"""Largest degree of a single series that counts as the typed polynomial."""
 
 FARTHEST = 1e4
-"""Metres a coordinate may be away."""
+"""Largest absolute value of a coordinate, metres."""
 
 AXES = "xyz"
 
@@ -159,7 +159,7 @@ def _bridge(series: Floats) -> Floats:
 
 
 def _trimmed(coefficients: Floats, largest: Floats) -> Floats:
-    """Return coefficients without rounding, and without the highest ones where they are all zero."""
+    """Return coefficients without rounding errors, and without the highest ones if they are all zero."""
     clean = np.where(np.abs(coefficients) <= 0.1 * TAIL * largest, 0.0, coefficients)
     there = np.flatnonzero(np.abs(clean).max(axis=(0, 2)))
     return clean[:, : int(there[-1]) + 1 if len(there) else 1]

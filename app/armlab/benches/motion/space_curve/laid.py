@@ -1,4 +1,4 @@
-"""One curve in space with its timing law, computed: geometry over s, and all there is to say at one moment."""
+"""One computed curve in space with its timing law: geometry over s, and all quantities at one moment."""
 
 from __future__ import annotations
 
@@ -32,21 +32,21 @@ Floats = NDArray[np.float64]
 Point = tuple[float, float, float]
 
 FORMULA = "formula"
-"""The key of the curve that is typed as three functions."""
+"""Key of the curve that is typed as three functions."""
 
 SAMPLES = 401
-"""Of the curve as it is drawn and plotted."""
+"""Number of samples of the curve for drawings and plots."""
 
 LEAST = 1e-6
-"""Metres a curve must extend: beneath it everything would be rounding."""
+"""Least extent of a curve, metres; a smaller one would consist of rounding errors."""
 
 SHORTEST, LONGEST = 0.05, 120.0
-"""Seconds of a motion."""
+"""Least and largest duration of a motion, seconds."""
 
 
 @dataclass(frozen=True)
 class Typed:
-    """The kind of the typed curve: it has neither points nor options."""
+    """The kind of the typed curve, which has neither points nor options."""
 
     title: str = "Three functions of s"
     fields: tuple[Field, ...] = ()
@@ -55,7 +55,7 @@ class Typed:
 
 
 def kinds() -> Mapping[str, PathType | Typed]:
-    """Return the kinds of curves by key: paths that make sense in space, and the typed one."""
+    """Return the kinds of curves by key: the paths that can be used in space, and the typed one."""
     paths = {
         key: kind
         for key, kind in path_types().items()
@@ -65,7 +65,7 @@ def kinds() -> Mapping[str, PathType | Typed]:
 
 
 class Question(NamedTuple):
-    """What a curve and its motion follow from.
+    """Arguments of a curve and its motion.
 
     Attributes
     ----------
@@ -130,7 +130,7 @@ class Laid:
 
 @dataclass(frozen=True, eq=False)
 class Moment:
-    """What holds at one moment.
+    """Quantities at one moment.
 
     Attributes
     ----------
@@ -204,21 +204,21 @@ def laid(question: Question) -> Laid:
 
 
 def made_curve(question: Question) -> Path:
-    """Return the path as it is made."""
+    """Return the path with its own parameter."""
     if question.curve.key == FORMULA:
         return formula_path(question.formula)
     return path_types()[question.curve.key].path(question.points, **question.curve.options)
 
 
 def made_law(law: Chosen, duration: float) -> Law:
-    """Return the law; `InputError` when the duration is none to be watched."""
+    """Return the law; `InputError` if the duration is too short or too long."""
     if not SHORTEST <= duration <= LONGEST:
         raise InputError(f"T: expected {SHORTEST:g} to {LONGEST:g} s, got {duration:g}")
     return law_type(law.key).law(duration, **law.options)
 
 
 def moment(found: Laid, t: float) -> Moment:
-    """Return what holds at a time in seconds."""
+    """Return the quantities at a time in seconds."""
     s, rate, change = (float(value) for value in found.law.derivatives(t, (0, 1, 2)))
     s = min(max(s, 0.0), 1.0)
     if found.by_length:
@@ -229,7 +229,7 @@ def moment(found: Laid, t: float) -> Moment:
 
 
 def _by_length(found: Laid, t: float, s: float, rate: float, change: float) -> Moment:
-    """Return what holds where the parameter is the length: p' = t and p'' = kappa n."""
+    """Return the quantities if the parameter is the length: p' = t and p'' = kappa n."""
     length = found.arc.length
     sigma = s * length
     frame = frenet(found.given, found.arc.s(sigma))

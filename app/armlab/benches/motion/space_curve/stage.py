@@ -1,4 +1,4 @@
-"""Where in the scene a curve is drawn, and how large: in the world, or as a model beside an arm it would dwarf."""
+"""Place and size of a curve in the scene: in the world, or as a model beside an arm that is much smaller."""
 
 from __future__ import annotations
 
@@ -17,30 +17,30 @@ from armlab.session.state import State
 Floats = NDArray[np.float64]
 
 NEAR = 1.05
-"""Reaches of the arm from its base within which a curve is drawn where it is."""
+"""Distance from the base, in reaches of the arm, up to which a curve is drawn in its place."""
 
 MODEL = 0.26
-"""Reaches of the arm that a model is across at most."""
+"""Largest extent of a model, in reaches of the arm."""
 
 ASIDE = 0.19
-"""How far beside the base the middle of a model, and of the sphere of the orientations, is: to the left as the arm is
-looked at from its home view, where no arm has its tool. In reaches."""
+"""Distance from the base to the middle of a model, and of the sphere of the orientations, in reaches: to the left in
+the home view of the arm, where no arm has its tool."""
 
 STEPS = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
 """Ratios of a model, up to a power of ten."""
 
 ABOVE = 0.06
-"""Height of the lowest point of a model over the base, in reaches."""
+"""Height of the lowest point of a model above the base, in reaches."""
 
 SPHERE, SPHERE_HEIGHT = 0.115, 0.26
-"""Radius of the sphere on which the tips run, and height of its centre, in reaches."""
+"""Radius of the sphere for the tips, and height of its centre, in reaches."""
 
 ACROSS, SMALL, LARGE = 0.2, 0.07, 0.24
-"""Length of the drawn vectors: of the extent of the curve; at least and at most in reaches."""
+"""Length of the drawn vectors relative to the extent of the curve, and its least and largest value in reaches."""
 
 
 class Stage(NamedTuple):
-    """How points in metres are drawn: shift + factor p.
+    """The map from points in metres to the drawing: shift + factor p.
 
     Attributes
     ----------
@@ -60,22 +60,22 @@ class Stage(NamedTuple):
     reach: float
 
     def at(self, points: Floats) -> Floats:
-        """Return where points (..., 3) are drawn."""
+        """Return the places of points (..., 3) in the drawing."""
         return np.asarray(self.shift + self.factor * points)
 
     @property
     def model(self) -> bool:
-        """Whether it is not drawn in its place."""
+        """Whether the curve is not drawn in its place."""
         return bool(self.shift.any())
 
     @property
     def ratio(self) -> float:
-        """How many metres are drawn as one."""
+        """Number of metres that are drawn as one."""
         return 1.0 / self.factor
 
 
 def stage_of(state: State) -> Stage:
-    """Return where the curve of a state is drawn."""
+    """Return the stage of a state's curve."""
     base, beside, reach = _arm(state)
     return _stage(state[SpaceCurve].question, _tuple(base), _tuple(beside), reach)
 
@@ -96,7 +96,7 @@ def _stage(question: Question, centre: Point, beside: Point, reach: float) -> St
 
 
 def sphere_of(state: State) -> tuple[Floats, float]:
-    """Return centre (3,) and radius of the sphere on which the tips of the axes run, metres."""
+    """Return centre (3,) and radius of the sphere for the tips of the axes, metres."""
     _, beside, reach = _arm(state)
     return beside + np.array([0.0, 0.0, SPHERE_HEIGHT * reach]), SPHERE * reach
 
@@ -120,7 +120,7 @@ def _length(extent: float, reach: float) -> float:
 
 
 def _ratio(least: float) -> float:
-    """Return the next ratio of `STEPS`, times a power of ten, that is not below; 1 or more."""
+    """Return the next ratio of `STEPS`, times a power of ten, that is not smaller; 1 or more."""
     if least <= 1.0:
         return 1.0
     power = 10.0 ** math.floor(math.log10(least))

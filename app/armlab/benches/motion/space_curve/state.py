@@ -1,4 +1,4 @@
-"""One curve in space with its law, and one turn between two orientations: the laboratory of geometry."""
+"""One curve in space with its law, and one turn between two orientations, for the page of geometry."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ CLIP_KEY = "space_curve"
 Shown = Literal["curve", "turn"]
 
 MOST_POINTS = 24
-"""Of a curve: what can be typed and read in a panel."""
+"""Largest number of points of a curve, which can be typed and read in a panel."""
 
 POINTS: tuple[Point, ...] = ((-0.6, -0.1, 0.25), (-0.4, -0.25, 0.6), (-0.15, -0.1, 0.35), (-0.3, 0.15, 0.6))
-"""Where points are put that nobody has typed."""
+"""Initial points."""
 
 NOTES: tuple[str, str, str] = ("6s+2", "5s^2", "-8s")
-"""The curve of the notes, 6.142."""
+"""Curve of the notes, 6.142."""
 
 START: Triple = (0.0, math.radians(60.0), 0.0)
 END: Triple = (math.radians(120.0), math.radians(60.0), math.radians(-120.0))
-"""Two orientations to turn between."""
+"""Two initial orientations to turn between, as three angles each, radians."""
 
 
 def _chosen(known: Callable[[], Mapping[str, Kind]], data: Json) -> Chosen:
@@ -60,7 +60,7 @@ def _angles(name: str, data: Json) -> Triple:
 
 
 def _formulas(data: Json) -> tuple[str, str, str]:
-    """Return three texts; what they say is read when the curve is laid."""
+    """Return three texts, which are parsed when the curve is computed."""
     x, y, z = data
     if isinstance(data, str) or not all(isinstance(each, str) for each in data):
         raise TypeError
@@ -69,7 +69,7 @@ def _formulas(data: Json) -> tuple[str, str, str]:
 
 @dataclass(frozen=True)
 class SpaceCurve(FieldPart):
-    """What is looked at.
+    """Choices of the page.
 
     Attributes
     ----------
@@ -98,7 +98,7 @@ class SpaceCurve(FieldPart):
     other_way : bool
         Whether the turn about one axis goes the long way.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     """
 
     key: ClassVar[str] = "space_curve"
@@ -122,7 +122,7 @@ class SpaceCurve(FieldPart):
     example: str = text("example", "frenet")
 
     def check(self) -> None:
-        """Refuse what nothing can be computed or drawn with; the text names what is wrong."""
+        """Refuse settings that cannot be computed or drawn; the text names the fault."""
         if self.curve.key != FORMULA and len(self.points) > MOST_POINTS:
             raise InputError(f"waypoints: expected at most {MOST_POINTS} here, got {len(self.points)}")
         turned(self.turn_question)
@@ -130,14 +130,14 @@ class SpaceCurve(FieldPart):
 
     @property
     def question(self) -> Question:
-        """What the curve follows from."""
+        """Arguments of the curve."""
         points = () if self.curve.key == FORMULA else self.points
         formula = self.formula if self.curve.key == FORMULA else ("0", "0", "0")
         return Question(self.curve, points, formula, self.by_length, self.law, self.duration)
 
     @property
     def turn_question(self) -> TurnQuestion:
-        """What the turn follows from."""
+        """Arguments of the turn."""
         return TurnQuestion(self.axes, self.fixed, self.start, self.end, self.other_way)
 
 
@@ -155,17 +155,17 @@ def turn_of(state: State) -> Turned:
 
 
 def time_of(state: State) -> float:
-    """Return where its clip stands, seconds; 0 while it is not on."""
+    """Return the time of the clip, seconds; 0 while it is closed."""
     timeline = state[Timeline]
     return timeline.time if timeline.clip == CLIP_KEY else 0.0
 
 
 def moment_of(state: State) -> Moment:
-    """Return what holds on the curve where the clip stands."""
+    """Return the quantities of the curve at the time of the clip."""
     return moment(state.derived(curve_of), time_of(state))
 
 
 def turn_place(state: State) -> tuple[float, float]:
-    """Return s and s-dot of the turn where the clip stands."""
+    """Return s and s-dot of the turn at the time of the clip."""
     s, rate = state.derived(curve_of).law.derivatives(time_of(state), (0, 1))
     return min(max(float(s), 0.0), 1.0), float(rate)

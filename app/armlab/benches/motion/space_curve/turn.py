@@ -20,7 +20,7 @@ SAMPLES = 201
 
 
 class TurnQuestion(NamedTuple):
-    """What the two turns follow from.
+    """Arguments of the two turns.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class TurnQuestion(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Turned:
-    """Both ways.
+    """Both turns.
 
     Attributes
     ----------

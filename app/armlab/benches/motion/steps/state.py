@@ -1,4 +1,4 @@
-"""Which of the five planning steps is shown."""
+"""The choice of one of the five planning steps."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ KNOTS, PATH, SAMPLING, INVERSE, JOINTS = STEPS = (1, 2, 3, 4, 5)
 
 @dataclass(frozen=True)
 class PlanSteps(FieldPart):
-    """The step that is shown, with those before it.
+    """The chosen step, which is shown with those before it.
 
     Attributes
     ----------

@@ -1,7 +1,7 @@
 """The five steps from knots to a motion of the joints, with the numbers of each.
 
-Notes, the list before section 6.1. What is computed here was planned already, in
-`armlab.benches.motion.plan.planning`; this looks at what came of each step.
+Notes, the list before section 6.1. The steps were computed by `armlab.benches.motion.plan.planning`; this module reads
+the result of each.
 """
 
 from __future__ import annotations
@@ -27,24 +27,24 @@ from armlab.session.state import State
 Floats = NDArray[np.float64]
 
 ARMS = 5
-"""Arms along the way that are shown."""
+"""Number of arms that are shown along the path."""
 
 BETWEEN = 240
-"""Samples between which the joint path is looked at in several places; of more, only half way between each two."""
+"""Number of samples up to which the joint path is evaluated at several places between two; beyond, only half way."""
 
 FINE = 2001
-"""Points by which the length of the way of a tool is measured; of an arc it is then exact to 1e-6 of itself."""
+"""Number of points by which the length of a tool path is measured, exact to a relative 1e-6 for an arc."""
 
 LARGER = (100.0, 50.0, 20.0, 10.0, 5.0, 2.0)
-"""Times as large as they are distances from the path may be drawn."""
+"""Factors by which distances from the path may be drawn larger."""
 
 DRAWN_APART, UNSEEN = 0.08, 1e-4
-"""Length scales of the arm: the largest distance that is drawn larger, and the smallest that is worth it."""
+"""Largest distance that is drawn larger, and least one that is worth it, in length scales of the arm."""
 
 
 @dataclass(frozen=True, eq=False)
 class Apart:
-    """How far the tool is from where it is wanted, while the joints follow their path.
+    """The distance of the tool from its wanted place, while the joints follow their path.
 
     Attributes
     ----------
@@ -69,13 +69,13 @@ class Apart:
 
     @property
     def worst(self) -> int:
-        """Where the distance is largest."""
+        """Index of the largest distance."""
         return int(np.argmax(self.distance))
 
 
 @dataclass(frozen=True, eq=False)
 class Steps:
-    """A stretch of a plan, step by step; each is looked at when it is first asked for.
+    """A stretch of a plan, step by step; each step is computed when it is first needed.
 
     Attributes
     ----------
@@ -101,7 +101,7 @@ class Steps:
 
     @property
     def way(self) -> ToolPath | None:
-        """Step 2: the path of the tool; None of a joint move, or when it cannot be laid."""
+        """Step 2: the path of the tool, or None for a joint move, or if there is no path."""
         return self.leg.tool_path
 
     @property
@@ -111,14 +111,14 @@ class Steps:
 
     @property
     def path(self) -> Path | None:
-        """Step 5: the path of the joints; None when there is none."""
+        """Step 5: the path of the joints, or None."""
         return self.leg.path
 
     # -- 1: knots ----------------------------------------------------------------------------------------------------
 
     @cached_property
     def knot_q(self) -> Floats:
-        """Joint values of the knots, (k, n); the first of a joint move is where the move before has ended."""
+        """Joint values of the knots, (k, n); the first of a joint move is the end of the previous move."""
         q = np.array([point.q for point in self._waypoints])
         if not self.in_space and self.path is not None:
             q[0] = self.path.at(0.0)
@@ -142,7 +142,7 @@ class Steps:
 
     @cached_property
     def drawn(self) -> Floats:
-        """The path of the tool, (DRAWN, 3); without one, the straight lines between the knots, (k, 3)."""
+        """Points of the tool path, (DRAWN, 3), or the ends of the straight lines between the knots, (k, 3)."""
         if self.way is None:
             return self.knot_poses[:, :3, 3]
         return np.asarray(self.way.pose(np.linspace(0.0, 1.0, DRAWN))[:, :3, 3])
@@ -155,14 +155,14 @@ class Steps:
 
     @cached_property
     def turn(self) -> float:
-        """Angle the tool turns through along its path, radians."""
+        """Angle through which the tool turns along its path, radians."""
         return 0.0 if self.way is None else swept(self.way.orientation)
 
     # -- 3 and 4: samples and their inverse kinematics ---------------------------------------------------------------
 
     @cached_property
     def samples(self) -> Floats:
-        """Tool points of the samples, (N, 3), metres; (0, 3) where there are none."""
+        """Tool points of the samples, (N, 3), metres; (0, 3) if there are none."""
         if self.way is None or self.followed is None:
             return np.zeros((0, 3))
         return np.asarray(self.way.pose(self.followed.s)[:, :3, 3])
@@ -183,7 +183,7 @@ class Steps:
 
     @cached_property
     def shown_arms(self) -> tuple[tuple[float, Floats], ...]:
-        """A few arms along the way: s and joint values; of a joint move those at the knots."""
+        """Places s and joint values of a few configurations along the path; for a joint move those at the knots."""
         if not self.in_space:
             return tuple(zip(self.knot_places.tolist(), self.knot_q, strict=True))
         if self.followed is None:
@@ -194,7 +194,7 @@ class Steps:
 
     @property
     def least_singular(self) -> tuple[float, float] | None:
-        """The smallest over the largest singular value where it is smallest, and the s; None without any sample."""
+        """Ratio of smallest to largest singular value where it is least, and the s; None without any sample."""
         if self.followed is None or not self.followed.reached.any():
             return None
         k = int(np.nanargmin(self.followed.singular_value))
@@ -202,7 +202,7 @@ class Steps:
 
     @property
     def branch(self) -> str:
-        """The name of the branch the arm is on where the path begins; empty when branches have no names."""
+        """The name of the arm's branch at the start of the path; empty if branches have no names."""
         if self.followed is None or not self.followed.reached[0]:
             return ""
         name = branch_names(self.arm, self.followed.q[:1])[0]
@@ -219,7 +219,7 @@ class Steps:
 
     @cached_property
     def apart(self) -> Apart | None:
-        """How far the tool is from its path, or of a joint move from the straight lines; None without a path."""
+        """Distance of the tool from its path, or for a joint move from the straight lines; None without a path."""
         if self.path is None:
             return None
         if self.way is None or self.followed is None:
@@ -228,7 +228,7 @@ class Steps:
 
     @cached_property
     def larger(self) -> float:
-        """How many times as large as it is the distance from the path is to be drawn, so that it is seen."""
+        """Factor by which the distance from the path is drawn larger, so that it is visible."""
         if self.apart is None or not self.in_space:
             return 1.0
         most = float(self.apart.distance.max()) / self.arm.length_scale
@@ -236,14 +236,14 @@ class Steps:
 
     @cached_property
     def tool_length(self) -> float:
-        """Length of the way of the tool while the joints follow their path, metres; 0 without a path."""
+        """Length of the tool's path while the joints follow theirs, metres; 0 without a path."""
         if self.path is None:
             return 0.0
         return length_of(np.asarray(self.arm.position(self.path.at(np.linspace(0.0, 1.0, FINE)))))
 
 
 def steps(state: State) -> Steps | None:
-    """Return the steps of the chosen stretch, in the plan as it was worked out last; None while there are none."""
+    """Return the steps of the chosen stretch, in the plan computed last, or None while there are none."""
     plan, chosen = last_planned(state), state[Plan].stretch
     if plan is None or chosen is None:
         return None
@@ -259,9 +259,9 @@ def length_of(points: Floats) -> float:
 
 
 def between(s: Floats) -> Floats:
-    """Return places at which a path through samples is looked at: the samples and an odd number between each two.
+    """Return places at which a path through samples is evaluated: the samples and an odd number between each two.
 
-    Of many samples it is half way between them alone.
+    If the samples are many the places are only those half way between them.
     """
     if len(s) - 1 > BETWEEN:
         return 0.5 * (s[1:] + s[:-1])
@@ -281,7 +281,7 @@ def _beside_way(arm: Arm, path: Path, way: ToolPath, s: Floats) -> Apart:
 
 
 def _turn(arm: Arm, pose: Floats, wanted: Floats) -> Floats:
-    """Return the angle between orientations, (k,), as far as the arm controls them."""
+    """Return the angle between orientations, (k,), in the components that the arm controls."""
     if arm.task.rotation == "none":
         return np.zeros(len(pose))
     if arm.task.rotation == "approach":
@@ -310,6 +310,6 @@ def nearest_on(corners: Floats, points: Floats) -> Floats:
 
 
 def kept(found: Steps | None, before: Steps | None) -> Steps | None:
-    """Return the steps that were looked at before where they are the same ones: their numbers are known then."""
+    """Return the earlier steps if they are the same, because their numbers are known."""
     same = found is not None and before is not None and found.leg is before.leg
     return before if same else found

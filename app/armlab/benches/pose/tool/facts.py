@@ -1,4 +1,4 @@
-"""Facts of the transform that is looked at that lessons can check."""
+"""Facts of the chosen transform that lessons can check."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which transform is looked at, and in which angles its rotation is written."""
+"""The chosen transform, and the angles in which its rotation is written."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from armlab.session.state import Command, PartType, State
 WORLD, TOOL = "w", "E"
 
 MATRIX = "pose"
-"""Under which the selection knows the matrix of the transform."""
+"""Key of the transform's matrix in the selection."""
 
 
 def frame_names(n: int) -> tuple[str, ...]:
@@ -31,7 +31,7 @@ def frame_names(n: int) -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class PoseView(FieldPart):
-    """What the Pose bench shows.
+    """Choices of the bench Pose.
 
     Attributes
     ----------
@@ -64,11 +64,11 @@ class PoseView(FieldPart):
         return replace(super().for_robot(robot), axes=self.axes, fixed=self.fixed)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep what another arm would keep."""
+        """Keep the same as for another arm."""
         return self.for_robot(robot)
 
     def check(self) -> None:
-        """Refuse frames there are not, and a frame in itself."""
+        """Refuse frames that do not exist, and a frame in itself."""
         for name in (self.reference, self.frame):
             if name not in frame_names(self.n):
                 raise UnknownName("frame", name, frame_names(self.n))
@@ -77,17 +77,17 @@ class PoseView(FieldPart):
 
     @property
     def inward(self) -> bool:
-        """Whether it leads from the tool towards the world: the inverse of a transform as it is usually written."""
+        """Whether the transform leads from the tool towards the world, the inverse of the usual direction."""
         names = frame_names(self.n)
         return names.index(self.frame) < names.index(self.reference)
 
     @property
     def outer_pair(self) -> tuple[str, str]:
-        """Reference and frame of the transform, or of the one it is the inverse of."""
+        """Reference and frame of the transform, or of its inverse if that has the usual direction."""
         return (self.frame, self.reference) if self.inward else (self.reference, self.frame)
 
     def exchanged(self) -> Self:
-        """Return the part that looks at the inverse."""
+        """Return the part with the inverse transform."""
         return replace(self, reference=self.frame, frame=self.reference)
 
 
@@ -96,7 +96,7 @@ PART = PartType(PoseView, order=81)
 
 @dataclass(frozen=True)
 class LookAt(Command):
-    """Look at the pose of one frame in another.
+    """Choose the pose of one frame in another.
 
     Parameters
     ----------
@@ -111,7 +111,7 @@ class LookAt(Command):
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with this transform chosen."""
+        """Return the state with the transform chosen."""
         view = state[PoseView]
         changed = view.with_values({"reference": self.reference, "frame": self.frame})
         if self.keeps_sense and view.inward:
@@ -121,7 +121,7 @@ class LookAt(Command):
 
 @dataclass(frozen=True)
 class Invert(Command):
-    """Look at the inverse of what is looked at."""
+    """Choose the inverse of the present transform."""
 
     undoable: ClassVar[bool] = False
 
@@ -161,7 +161,7 @@ class Pair:
 
 
 def pair_at(arm: Arm, q: NDArray[np.floating], view: PoseView) -> Pair:
-    """Return the frames that are looked at in a configuration, shape (n,)."""
+    """Return the chosen frames in a configuration, shape (n,)."""
     frames = arm.frames(q)
 
     def pose(name: str) -> NDArray[np.floating]:
@@ -174,13 +174,13 @@ def pair_at(arm: Arm, q: NDArray[np.floating], view: PoseView) -> Pair:
 
 
 def pair_of(state: State) -> Pair:
-    """Return the frames that are looked at."""
+    """Return the chosen frames at the present configuration."""
     joints = state[Joints]
     return pair_at(joints.arm, joints.q, state[PoseView])
 
 
 def step_of(view: PoseView) -> int | None:
-    """Return i when A_i, frame i in frame i-1, or its inverse is looked at; else None."""
+    """Return i if the transform is A_i, frame i in frame i-1, or its inverse; else None."""
     reference, frame = view.outer_pair
     if reference in (WORLD, TOOL) or frame in (WORLD, TOOL) or int(frame) - int(reference) != 1:
         return None

@@ -1,4 +1,4 @@
-"""The film of the table: four moves a row, from frame 0 to the tool. It shows the arm as it stands; no joint moves."""
+"""The film of the table: four moves for each row, from frame 0 to the tool. The joints of the arm do not move."""
 
 from __future__ import annotations
 
@@ -21,22 +21,23 @@ from armlab.session.parts.timeline import Clip, Timeline
 from armlab.session.state import State
 
 MOVE_SECONDS, BEAT_SECONDS = 1.5, 0.3
-"""Of a move, and of one that the table says is none. A joint's own move keeps its time at any joint value, so that the
-film does not jump under a hand that moves the joint."""
+"""Duration of a move, and of one that the table gives as zero, in seconds. A joint's own move keeps its time at any
+joint value, so that the film does not jump while the student moves the joint."""
 
 NOTHING = 1e-9
-"""Metres or radians of a constant of the table that count as none."""
+"""Constant of the table, metres or radians, below which it counts as zero."""
 
 JUST_AFTER = 1e-3
-"""Seconds. The end of a row and the start of the next are one time: it shows the end, and a row starts just after."""
+"""Time, seconds, after the start of a row at which it is shown: at the start itself the film shows the end of the last
+row."""
 
 NO_TOOL = 1e-12
-"""Largest difference, in metres and of entries of the rotation, at which a tool's frame is frame n itself."""
+"""Largest difference, in metres and of entries of the rotation, at which the tool's frame is frame n itself."""
 
 
 @dataclass(frozen=True)
 class Place:
-    """Where the film stands.
+    """A place in the film.
 
     Attributes
     ----------
@@ -54,17 +55,17 @@ class Place:
 
     @property
     def progress(self) -> float:
-        """Moves of the row done, 0 to 4."""
+        """Number of moves of the row that are done, 0 to 4."""
         return self.move + self.part
 
 
 def has_tool(arm: Arm) -> bool:
-    """Return whether the tool's frame is another than frame n."""
+    """Return whether the tool's frame differs from frame n."""
     return bool(np.abs(arm.tool - np.eye(4)).max() > NO_TOOL)
 
 
 def moves_in(arm: Arm) -> int:
-    """Return how many moves the film has: four a row, and one to the tool if it has a frame of its own."""
+    """Return the number of moves of the film: four for each row, and one to the tool if it has its own frame."""
     return MOVES * arm.n + int(has_tool(arm))
 
 
@@ -81,7 +82,7 @@ def _seconds(row: Row, symbol: str) -> float:
 
 
 def place_at(arm: Arm, time: float) -> Place:
-    """Return the place at a time; before the start and after the end, those."""
+    """Return the place at a time, which is clipped to the start and the end."""
     ends = ends_of(arm)
     k = min(bisect_left(ends, time), len(ends) - 1)
     begin = ends[k - 1] if k else 0.0
@@ -89,36 +90,36 @@ def place_at(arm: Arm, time: float) -> Place:
 
 
 def place_of(state: State) -> Place:
-    """Return where the film of a state stands."""
+    """Return the place in the film of a state."""
     return place_at(state[RobotPart].robot.arm, state[Timeline].time)
 
 
 def start_of(arm: Arm, row: int) -> float:
-    """Return the time at which a row (0-based; n for the tool) has not yet begun."""
+    """Return the time just after the start of a row (0-based; n for the tool)."""
     return end_of(arm, row - 1, MOVES - 1) + JUST_AFTER if row else 0.0
 
 
 def end_of(arm: Arm, row: int, move: int) -> float:
-    """Return the time at which a move of a row has just ended; the end of the film for one the arm has not."""
+    """Return the time at which a move of a row ends, or the end of the film for a row that the arm does not have."""
     ends = ends_of(arm)
     return ends[min(MOVES * row + move, len(ends) - 1)]
 
 
 def moving_frame(state: State) -> NDArray[np.float64]:
-    """Return the moving frame in the world, shape (4, 4): at the end of the film the pose of the tool."""
+    """Return the moving frame in the world, shape (4, 4), which is the pose of the tool at the end of the film."""
     joints, place = state[Joints], place_of(state)
     return partial_product(joints.arm, joints.q, place.row, place.progress)
 
 
 def row_product(state: State) -> NDArray[np.float64]:
-    """Return the moving frame in the frame its row starts from, shape (4, 4): at the end of row i its matrix."""
+    """Return the moving frame in the first frame of its row, (4, 4); at the end of row i it is the row's matrix."""
     joints, row = state[Joints], place_of(state).row
     start = joints.frames[row]
     return np.asarray(inverse(start) @ state.derived(moving_frame), dtype=np.float64)
 
 
 def running_product(state: State) -> NDArray[np.float64]:
-    """Return the moving frame in frame 0, shape (4, 4): at the end of row i the product of the matrices 1 to i."""
+    """Return the moving frame in frame 0, shape (4, 4); at the end of row i it is the product of matrices 1 to i."""
     return np.asarray(inverse(state[Joints].arm.base) @ state.derived(moving_frame), dtype=np.float64)
 
 

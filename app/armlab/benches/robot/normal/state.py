@@ -1,4 +1,4 @@
-"""Two lines in space to play with, and their common normal: what a and alpha of the table measure."""
+"""Two lines in space that the student moves, and their common normal: the meaning of a and alpha in the table."""
 
 from __future__ import annotations
 
@@ -24,19 +24,19 @@ Handle = Literal["move", "turn"]
 HANDLES: tuple[Handle, ...] = ("move", "turn")
 
 SNAP_ANGLE = math.radians(2.0)
-"""Lines that a hand leaves nearer to parallel than this become parallel."""
+"""Angle to parallel, radians, below which lines become parallel at the end of a drag."""
 
 SNAP_DISTANCE = 0.02
-"""Lines that a hand leaves nearer than this, in reaches of the arm, meet."""
+"""Distance, in reaches of the arm, below which lines meet at the end of a drag."""
 
 FARTHEST = 20.0
-"""Points farther from the base than this, in reaches of the arm, are slips of the hand."""
+"""Largest distance of a point from the base, in reaches of the arm."""
 
 PLACE = np.array([0.12, -0.14, 0.0])
 LOWEST, APART, ALONG, TILT = 0.24, 0.22, 0.08, math.radians(58.0)
-"""Of the lines that are offered first: a point of the first one from the middle between base and tool, its height above
-the base at least, the distance of the lines and the second one's offset along the first, all in reaches; and the twist
-of those that are not parallel."""
+"""Geometry of the first two lines: a point of the first one from the middle between base and tool, its least height
+above the base, the distance of the lines and the offset of the second one along the first, all in reaches; and the
+twist, radians, of lines that are not parallel."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,11 +79,11 @@ class Lines(Part):
         return cls(*_preset("skew", robot), scale)
 
     def for_robot(self, robot: Robot) -> Self:
-        """Keep what dragging does."""
+        """Return the first lines; only the choice of the handle is kept."""
         return replace(self.initial(robot), handle=self.handle)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep the lines; `after` lets axes of the arm follow the table."""
+        """Keep the lines; `after` moves those on axes of the arm with the table."""
         pair = self.pair if self.pair is not None and self.pair + 1 < robot.arm.n else None
         return replace(self, scale=2.0 * robot.arm.length_scale, pair=pair)
 
@@ -116,7 +116,7 @@ PART = PartType(Lines, order=40)
 
 @dataclass(frozen=True, eq=False)
 class DragLine(Command):
-    """Move or turn one line: one event of a drag.
+    """Move or turn one line; this is one event of a drag.
 
     Parameters
     ----------
@@ -138,11 +138,11 @@ class DragLine(Command):
 
     @property
     def stroke(self) -> object:
-        """One drag is one step."""
+        """Make one step of history of one drag."""
         return DragLine, self.drag
 
     def apply(self, state: State) -> State:
-        """Return the state with the line there, or in the special case it is nearly in."""
+        """Return the state with the line there, or in the special case that it nearly is."""
         lines = state[Lines]
         if self.which not in (0, 1):
             raise InputError(f"line: expected 1 or 2, got {self.which + 1}")
@@ -155,7 +155,7 @@ class DragLine(Command):
 
 @dataclass(frozen=True)
 class PlaceLines(Command):
-    """Put the lines into one of the four cases."""
+    """Place the lines in one of the four cases."""
 
     kind: str
     label: ClassVar[str] = "two lines"
@@ -169,7 +169,7 @@ class PlaceLines(Command):
 
 @dataclass(frozen=True)
 class TakeAxes(Command):
-    """Take the axes of joints pair + 1 and pair + 2 of the arm (``pair`` is 0-based)."""
+    """Put the lines on the axes of joints pair + 1 and pair + 2 of the arm (``pair`` is 0-based)."""
 
     pair: int
     label: ClassVar[str] = "axes of the arm"
@@ -185,19 +185,19 @@ class TakeAxes(Command):
 
 @dataclass(frozen=True)
 class KeepLines(Command):
-    """Keep the lines where they are: they follow the axes of the arm no longer."""
+    """Keep the lines where they are, so that they follow the axes of the arm no longer."""
 
     label: ClassVar[str] = "lines of one's own"
 
     def apply(self, state: State) -> State:
-        """Return the state with the lines the student's own."""
+        """Return the state with lines that belong to the student."""
         lines = state[Lines]
         return state if lines.pair is None else state.replace(replace(lines, pair=None))
 
 
 @dataclass(frozen=True)
 class HandleLines(Command):
-    """Choose what dragging a line does."""
+    """Choose whether a drag moves or turns a line."""
 
     handle: str
     undoable: ClassVar[bool] = False
@@ -211,7 +211,7 @@ class HandleLines(Command):
 
 
 def snapped_to(other: Line, moved: Line, scale: float) -> Line:
-    """Return a line made parallel to another, or moved to meet it, where it nearly is; else the line itself.
+    """Return a line made parallel to another, or moved to meet it, if it nearly is; else the line itself.
 
     The line is turned about its point, then moved along the common normal.
     """
@@ -227,7 +227,7 @@ def snapped_to(other: Line, moved: Line, scale: float) -> Line:
 
 
 def table_entry(state: State) -> tuple[int, float, float] | None:
-    """Return the 0-based row of the table that holds a and alpha of the axes taken, and both; None without a row.
+    """Return the 0-based row of the table with a and alpha of the chosen axes, and both; None without a row.
 
     The table's a may be negative and its alpha turned with it: its x points the other way.
     """
@@ -242,7 +242,7 @@ _CASES: tuple[Relation, ...] = ("skew", "parallel", "intersecting", "coincident"
 
 
 def _preset(kind: Relation, robot: Robot) -> tuple[Line, Line]:
-    """Return lines of one case beside the arm, the first one leaning a little so that it is nobody's axis."""
+    """Return lines of one case beside the arm, the first one tilted a little so that it is no axis of a frame."""
     arm = robot.arm
     scale, base = 2.0 * arm.length_scale, arm.base[:3, 3]
     across = np.array([-1.0, 0.0, 0.0])

@@ -1,4 +1,4 @@
-"""Facts of the table that lessons can check: what kind of arm it is, its determinant, and where its tool point is."""
+"""Facts of the table that lessons can check: the kind of arm, its determinant, and the place of its tool point."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from armlab.session.state import State
 
 
 def _determinant(state: State) -> float | None:
-    """Return the determinant of the task's Jacobian in metres and radians; None where that is not square."""
+    """Return the determinant of the task's Jacobian in metres and radians, or None if that is not square."""
     J = task_matrix(state[Joints].arm, state[Joints].q)
     return float(np.linalg.det(J)) if J.shape[0] == J.shape[1] else None
 

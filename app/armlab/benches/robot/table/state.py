@@ -1,4 +1,4 @@
-"""The tool point: a point fixed to the tool, and where it is in the world."""
+"""The tool point: a point fixed to the tool, and its place in the world."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, Json, Part, PartType, State
 
 FARTHEST = 100.0
-"""Metres; a point farther from the tool's frame is a slip of the pen."""
+"""Largest distance of a point from the tool's frame, metres."""
 
 Xyz = tuple[float, float, float]
 
@@ -70,7 +70,7 @@ def world_point(state: State) -> NDArray[np.float64]:
 
 @dataclass(frozen=True)
 class SetPoint(Command):
-    """Put the tool point somewhere in the tool's frame {E}, metres."""
+    """Place the tool point in the tool's frame {E}, metres."""
 
     xyz: Xyz
     label: ClassVar[str] = "tool point"

@@ -1,4 +1,4 @@
-"""What a person has answered in the assignment trainer, and how it is written down."""
+"""The student's answers in the assignment trainer, and how they are written."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Cells = tuple[float | None, ...]
 Counts = tuple[int, ...]
 
 LARGEST = 1e5
-"""Metres or radians a cell takes: values in a wrong unit must get through, to be told what they are."""
+"""Largest value of a cell, metres or radians: values in a wrong unit must pass, so that a hint can say so."""
 
 MOST_COUNTED = 10**6
 
@@ -38,7 +38,7 @@ class Answers:
     axes_misses : tuple of n + 1 int
         In how many checks each frame was wrong.
     placed : bool
-        Whether all axes are right and the person has gone on to the table.
+        Whether all axes are right and the student has gone on to the table.
     cells : tuple of n tuples of 4 float or None
         The table, in the order of `FIELDS`; metres and radians, None where nothing is written.
     checked_cells, table_checks, cell_misses
@@ -65,12 +65,12 @@ class Answers:
         return cls(axes, None, 0, (0,) * (n + 1), False, cells, None, 0, ((0,) * len(FIELDS),) * n, 0)
 
     def to_json(self) -> Json:
-        """Return the answers written down."""
+        """Return the answers as JSON."""
         return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @classmethod
     def from_json(cls, data: Json, n: int) -> Self:
-        """Return the answers read back.
+        """Return the answers read from JSON.
 
         Raises
         ------

@@ -16,18 +16,18 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
 
 ENOUGH_MISSES = 2
-"""Checks a frame or a cell must have failed before its solution is shown."""
+"""Number of checks that a frame or a cell must have failed before its solution is shown."""
 
 
 def at_reference(state: State) -> bool:
-    """Return whether the arm stands in the pose the frames are placed in."""
+    """Return whether the arm is in the pose in which the frames are placed."""
     q = state[Trainer].exercise.q
     return q is not None and bool(np.array_equal(q, state[Joints].q))
 
 
 @dataclass(frozen=True)
 class StartTrainer(Command):
-    """Begin, or begin anew: no answers, and the arm in the pose of the exercise."""
+    """Begin, or begin again, without answers, and with the arm in the pose of the exercise."""
 
     label: ClassVar[str] = "start of the exercise"
 
@@ -42,7 +42,7 @@ class StartTrainer(Command):
 
 @dataclass(frozen=True)
 class EndTrainer(Command):
-    """Leave the exercise, done or given up; the arm goes back to where it was before, unless a hand has moved it."""
+    """End the exercise, done or given up; the arm goes back to its earlier pose, unless the student has moved it."""
 
     label: ClassVar[str] = "end of the exercise"
 
@@ -58,7 +58,7 @@ class EndTrainer(Command):
 
 @dataclass(frozen=True)
 class TakeTrainerPose(Command):
-    """Put the arm back into the pose of the exercise."""
+    """Move the arm back into the pose of the exercise."""
 
     label: ClassVar[str] = "pose of the exercise"
 
@@ -132,7 +132,7 @@ class CheckAxes(Command):
 
 @dataclass(frozen=True)
 class ReviseAxes(Command):
-    """Go back from the table to the axes; what was typed stays, its marks do not."""
+    """Go back from the table to the axes; the typed values stay, their marks do not."""
 
     label: ClassVar[str] = "return to the axes"
 
@@ -152,7 +152,7 @@ class SetAnswer(Command):
         0-based.
     field : "a", "alpha", "d" or "theta"
     value : float or None
-        Metres or radians; None empties the cell. Of the joint variable it is the offset.
+        Metres or radians; None empties the cell. In the cell of the joint variable it is the offset.
     """
 
     row: int
@@ -192,7 +192,7 @@ class CheckTable(Command):
 
 @dataclass(frozen=True)
 class ShowAxes(Command):
-    """Put legal axes into a frame that was wrong in several checks."""
+    """Set correct axes in a frame that was wrong in several checks."""
 
     frame: int
     label: ClassVar[str] = "solution of a frame"
@@ -211,7 +211,7 @@ class ShowAxes(Command):
 
 @dataclass(frozen=True)
 class ShowCell(Command):
-    """Put the right value into a cell that was wrong in several checks."""
+    """Set the right value in a cell that was wrong in several checks."""
 
     row: int
     field: str

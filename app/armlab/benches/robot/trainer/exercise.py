@@ -18,12 +18,12 @@ from armlab.kin.relations import axis_relations
 
 Vector = NDArray[np.float64]
 Axes = tuple[str, str]
-"""The directions of z and x of one frame, of `DIRECTIONS`; empty where none is chosen."""
+"""The directions of z and x of one frame, out of `DIRECTIONS`; empty if none is chosen."""
 
 DIRECTIONS = ("+x", "-x", "+y", "-y", "+z", "-z")
 
 ALIGNED = 1e-6
-"""How far an entry of a direction may be from 0 or ±1."""
+"""Largest difference of an entry of a direction from 0 or ±1."""
 
 
 def vector(direction: str) -> Vector:
@@ -34,13 +34,13 @@ def vector(direction: str) -> Vector:
 
 
 def choices_of(axes: tuple[Axes, ...]) -> tuple[Choice, ...]:
-    """Return the choices of a person as directions in the world."""
+    """Return the student's choices as directions in the world."""
     return tuple(Choice(vector(z), vector(x)) for z, x in axes)
 
 
 @dataclass(frozen=True, eq=False)
 class Exercise:
-    """What follows from the arm alone.
+    """Data of an exercise that depend on the arm alone.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class Exercise:
 
     @cached_property
     def q(self) -> Vector | None:
-        """The pose the frames are placed in, or None where no pose has all axes along those of the world."""
+        """The pose in which the frames are placed, or None if no pose has all axes along those of the world."""
         return next((q for q in _poses(self.robot) if _is_aligned(self.robot.arm, q)), None)
 
     @property
@@ -66,7 +66,7 @@ class Exercise:
 
     @property
     def pose(self) -> Vector:
-        """The pose the frames are placed in; only of a usable arm."""
+        """The pose in which the frames are placed, for a usable arm."""
         assert self.q is not None
         return self.q
 
@@ -79,7 +79,7 @@ class Exercise:
 
     @cached_property
     def solution(self) -> tuple[Axes, ...]:
-        """Legal axes: those of the arm's own table where they lie along the world's."""
+        """Correct axes: those of the arm's own table if they lie along the world's."""
         own = own_choices(self.robot.arm, self.pose)
         return tuple(self._legal(own, i) for i in range(self.n + 1))
 
@@ -100,7 +100,7 @@ class Exercise:
 
     @property
     def origins(self) -> Vector:
-        """Where the rules put the origins for the solution, in the world, (n + 1, 3); only O_n depends on choices."""
+        """Origins of the solution by the rules, in the world, (n + 1, 3); only O_n depends on choices."""
         return self.solved.frames[:, :3, 3]
 
     @cached_property
@@ -117,7 +117,7 @@ def usable_robots() -> tuple[Robot, ...]:
 
 
 def _poses(robot: Robot) -> Iterator[Vector]:
-    """Yield poses to try: all joints at zero if they can be, those of the file, then zero moved inside the limits."""
+    """Yield poses to try: all joints at zero if possible, those of the file, then zero clipped to the limits."""
     zero = np.zeros(robot.arm.n)
     if robot.arm.within_limits(zero):
         yield zero
@@ -135,7 +135,7 @@ def _is_aligned(arm: Arm, q: Vector) -> bool:
 
 
 def _name(direction: object) -> str:
-    """Return the name of a direction along an axis of the world, or nothing."""
+    """Return the name of a direction along an axis of the world, or an empty text."""
     v = np.asarray(direction, dtype=np.float64)
     k = int(np.argmax(np.abs(v)))
     sign = float(np.sign(v[k]))

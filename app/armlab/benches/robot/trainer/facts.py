@@ -1,4 +1,4 @@
-"""Facts of the exercise of frames and table that lessons can check: how much of it is right."""
+"""Facts of the exercise of frames and table that lessons can check: the number of right answers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The assignment trainer: a person places the frames of the arm and fills its table, and is marked.
+"""The assignment trainer: the student places the frames of the arm and fills its table, and both are marked.
 
 Its commands are in `armlab.benches.robot.trainer.commands`.
 """
@@ -31,7 +31,7 @@ from armlab.kin.dh import Row
 from armlab.session.state import Json, Part, PartType
 
 FARTHEST = 20.0
-"""Lengths of the arm, all in a line, beyond which a length of a wrong table is not drawn."""
+"""Length in a wrong table beyond which it is not drawn, in reaches of the arm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +62,7 @@ class Trainer(Part):
         return cls(Exercise(robot), Answers.empty(robot.arm.n))
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep the answers where they answer the same exercise, such as after a change of limits."""
+        """Keep the answers if the exercise is the same, such as after a change of limits."""
         exercise = Exercise(robot)
         return replace(self, exercise=exercise) if self.exercise.same_as(exercise) else self.for_robot(robot)
 
@@ -73,7 +73,7 @@ class Trainer(Part):
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read them back; raises when they are not usable with this arm."""
+        """Read the answers back; raises if they cannot be used with this arm."""
         started, n = bool(data["started"]), robot.arm.n
         before = None if data.get("before") is None else finite_floats(data["before"], "before", (n,), f"{n} numbers")
         part = cls(Exercise(robot), Answers.from_json(data, n), started, before)
@@ -91,7 +91,7 @@ class Trainer(Part):
 
     @cached_property
     def assignment(self) -> Assignment | None:
-        """The table that belongs to the axes, when all of them are right and the person has gone on to the table."""
+        """The table for the chosen axes, when all of them are right and the student has gone on to the table."""
         if not self.answers.placed:
             return None
         return expected_table(self._arm, self.exercise.pose, choices_of(self.answers.axes))
@@ -132,7 +132,7 @@ class Trainer(Part):
 
     @cached_property
     def complete_rows(self) -> tuple[Row, ...]:
-        """The rows of the person's table up to the first with an empty cell, as long as they can be drawn."""
+        """The rows of the student's table up to the first with an empty cell, as long as they can be drawn."""
         rows: list[Row] = []
         most = FARTHEST * self._arm.reach
         for of_arm, cells in zip(self._arm.rows, self.answers.cells, strict=True):
@@ -144,7 +144,7 @@ class Trainer(Part):
 
     @cached_property
     def student_arm(self) -> Arm | None:
-        """The arm of the complete rows on the person's own frame 0; None when there is none.
+        """The arm of the complete rows on the student's own frame 0; None if there is none.
 
         Its joint values are those of the arm times `Assignment.signs`.
         """
@@ -166,7 +166,7 @@ class Trainer(Part):
         return all(z and x for z, x in axes) and all(v.ok for v in self.judged(axes))
 
     def judged(self, axes: tuple[Axes, ...]) -> tuple[FrameVerdict, ...]:
-        """Judge the frames; those that are not complete are taken from the solution, and must be left out after."""
+        """Judge the frames; incomplete ones are replaced by the solution's, and callers must ignore their verdicts."""
         filled = tuple(own if all(own) else known for own, known in zip(axes, self.exercise.solution, strict=True))
         return judge_frames(self._arm, self.exercise.pose, choices_of(filled))
 

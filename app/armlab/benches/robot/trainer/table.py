@@ -1,4 +1,4 @@
-"""Mark the table of a person: each cell by itself, and the offsets along parallel axes by their sum."""
+"""Marks for the student's table: each cell by itself, and the offsets along parallel axes by their sum."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def judge_table(
 
 
 def parallel_runs(rows: Sequence[Row]) -> list[range]:
-    """Return the longest runs of two and more rows of a standard table, 0-based, whose joint axes are parallel."""
+    """Return the longest runs of two or more rows of a standard table, 0-based, whose joint axes are parallel."""
     runs, start = [], 0
     for i in range(len(rows)):
         # What follows the last joint is no axis.
@@ -59,7 +59,7 @@ def parallel_runs(rows: Sequence[Row]) -> list[range]:
 
 
 def _off(expected: Sequence[Row], got: Sequence[Mapping[str, float | None]], run: range) -> float | None:
-    """Return by how many metres the sum of d along parallel axes is off; None where a number is missing."""
+    """Return the error of the sum of d along parallel axes, metres, or None if a number is missing."""
     total, sense = 0.0, 1.0
     for i in run:
         value = got[i].get("d")

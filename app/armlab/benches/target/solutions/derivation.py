@@ -1,4 +1,4 @@
-"""The lines of the closed form at the present target, and what to say of an arm that has none."""
+"""The lines of the closed form at the present target, and words for an arm that has none."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from armlab.session.state import State
 
 
 class MethodWords(NamedTuple):
-    """How the solutions of an arm are found.
+    """How the solutions of an arm are found, in words.
 
     Attributes
     ----------
@@ -32,7 +32,7 @@ class MethodWords(NamedTuple):
 
 
 def derivation(state: State) -> tuple[DerivationStep, ...]:
-    """Return the lines at the present target; none where the arm has no derivation that is worked here."""
+    """Return the lines at the present target, or none if no derivation is written for the arm."""
     arm = state[Joints].arm
     form = closed_form_of(arm)
     if form is None or form[0].steps is None:
@@ -41,7 +41,7 @@ def derivation(state: State) -> tuple[DerivationStep, ...]:
 
 
 def failing(lines: Sequence[DerivationStep]) -> int | None:
-    """Return the first line, 0-based, with a quantity that has no value at all; None where every line has one."""
+    """Return the first line, 0-based, with a quantity that has no value at all, or None if every line has one."""
     for k, line in enumerate(lines):
         if any(not any(math.isfinite(value) for value in values) for values in line.numbers.values()):
             return k
@@ -49,7 +49,7 @@ def failing(lines: Sequence[DerivationStep]) -> int | None:
 
 
 def ways_of(state: State) -> int:
-    """Return in how many ways a spherical wrist is placed at the present target; 0 for other closed forms."""
+    """Return the number of placements of a spherical wrist at the present target; 0 for other closed forms."""
     form, lines = closed_form_of(state[Joints].arm), state.derived(derivation)
     if form is None or form[0].key != "spherical_wrist" or len(lines) < 2:
         return 0
@@ -57,7 +57,7 @@ def ways_of(state: State) -> int:
 
 
 def method_words(arm: Arm) -> MethodWords:
-    """Return how the solutions of an arm are found, and where to see them."""
+    """Return in words how the solutions of an arm are found, and where to see them."""
     form, structure = closed_form_of(arm), known_structure(arm)
     there = "See the page Solutions for all of them, and Iterate for how one is found step by step."
     if form is not None and form[0].steps is not None:

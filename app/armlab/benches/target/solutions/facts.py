@@ -1,4 +1,4 @@
-"""Facts of all solutions of the target that lessons can check; they are known once these have been looked for."""
+"""Facts of all solutions of the target that lessons can check, known once the solutions have been searched for."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def _of_list(value: Callable[[Found], Any]) -> Callable[[State], Any]:
 
 
 def _at(state: State) -> str | None:
-    """Return the name of the solution the arm is at; None while it is at none."""
+    """Return the name of the solution at which the arm is, or None."""
     row = state.derived(present_row) if state.derived(fresh) is not None else None
     return None if row is None else row.name
 

@@ -1,4 +1,4 @@
-"""All solutions in an order that lasts: while the target moves, each keeps its place and its colour."""
+"""All solutions in a lasting order: while the target moves, each keeps its place and its colour."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from armlab.session.way_to_solution import HERE, ON_CURVE, gap
 Vector = NDArray[np.float64]
 
 FOLLOWS = 1.0
-"""Largest change of a joint, radians or length scales, over which a solution without a name is the same one."""
+"""Largest change of a joint, radians or length scales, over which a solution without a name is still the same one."""
 
 NEAR = 0.3
-"""An arm under a hand is at the solution of an old list to which it is nearer than this in all joints."""
+"""Largest distance of a joint to a solution of an old list at which a moving arm counts as being at it."""
 
 MOST_NAMES = 200
-"""Names that are remembered while a target is dragged."""
+"""Number of names that are remembered while a target is dragged."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +61,7 @@ class Row:
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """What was found for a question.
+    """Results for a question.
 
     Attributes
     ----------
@@ -86,7 +86,7 @@ class Found:
 
     @property
     def families(self) -> list[int]:
-        """Which curve each of the solutions stands for, as `families_of` returns it."""
+        """The curve of each solution, as `families_of` returns it."""
         return [row.family for row in sorted(self.rows, key=lambda row: row.index)]
 
     def row(self, slot: int) -> Row | None:
@@ -96,7 +96,7 @@ class Found:
     def nearest(
         self, q: NDArray[np.float64], skip: Iterable[int] = (), inside: bool = False
     ) -> tuple[Row | None, float]:
-        """Return the row nearest to joint values (n,), and how far they are in the joint that is farthest.
+        """Return the row nearest to joint values (n,), and the largest distance of a joint.
 
         Parameters
         ----------
@@ -115,7 +115,7 @@ class Found:
         return rows[k], float(far[k])
 
     def present(self, q: NDArray[np.float64], fresh: bool) -> Row | None:
-        """Return the row the arm is at; that of an old list which it has just left counts while it is near."""
+        """Return the row at which the arm is; in an old list it counts while the arm is near it."""
         row, far = self.nearest(q)
         return row if far < (HERE if fresh else NEAR) else None
 
@@ -159,7 +159,7 @@ def _slots(arm: Arm, solutions: IkSolutions, before: Found | None) -> list[int]:
 
 
 def _pair(arm: Arm, q: Vector, slots: list[int], old: Mapping[int, Vector]) -> None:
-    """Give those without a slot that of the nearest old configuration, in place."""
+    """Give each solution without a slot that of the nearest old configuration, in place."""
     new = [k for k, slot in enumerate(slots) if slot < 0]
     if not new or not old:
         return
@@ -172,7 +172,7 @@ def _pair(arm: Arm, q: Vector, slots: list[int], old: Mapping[int, Vector]) -> N
 
 
 def families_of(arm: Arm, solutions: IkSolutions) -> list[int]:
-    """Return for each solution which traced curve it stands for, -1 for none."""
+    """Return for each solution the index of its traced curve, or -1."""
     if not solutions.families:
         return [-1] * len(solutions)
     found = []

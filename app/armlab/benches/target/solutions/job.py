@@ -1,4 +1,4 @@
-"""The search for all solutions of the present target, while somebody looks at them."""
+"""The search for all solutions of the present target, while they are seen."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from armlab.session.state import State
 
 PANEL = "solutions"
 SWITCH = "ghosts"
-"""Key of the panel, and name of the switch, with either of which they are looked at."""
+"""Key of the panel, and name of the switch; either of them shows the solutions."""
 
 
 @dataclass(frozen=True, eq=False)
 class Asked:
-    """What is to be found.
+    """Request of the search.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class Asked:
 
 @dataclass(frozen=True, eq=False)
 class Listing:
-    """What was found.
+    """Result of the search.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class Listing:
 
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
-    """Return the present question while somebody looks."""
+    """Return the present question while the solutions are seen."""
     if PANEL not in panels and not state[Display].switches.get(SWITCH, False):
         return None
     found, asked, q = state[Solutions].found, state.derived(question), state[Joints].q
@@ -76,7 +76,7 @@ def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
 
 
 def _has_motion(found: Found, q: NDArray[np.float64]) -> bool:
-    """Return whether the self-motion through the arm is known as far as there is one."""
+    """Return whether the self-motion through the arm is known, if there is one."""
     if found.solutions.completeness != "infinite":
         return True
     arm = found.question.arm
@@ -108,7 +108,7 @@ def _motion(asked: Asked) -> Motion | None:
 
 
 def delivered(state: State, asked: Asked, found: Listing) -> State:
-    """Return the state with what was found, as long as it is for the arm on the table."""
+    """Return the state with the results, if they belong to the present arm."""
     part = state[Solutions]
     if asked.question.arm is not state[Joints].arm:
         return state

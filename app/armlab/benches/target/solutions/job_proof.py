@@ -1,4 +1,4 @@
-"""The search from thousands of random starts that was asked for."""
+"""The requested search from thousands of random starts."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from armlab.session.state import State
 
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
-    """Return the proof that was asked for and is not done, as long as the target stays."""
+    """Return the requested proof until it is done, while the target stays."""
     proof = state.derived(shown_proof) if state[Solutions].proof is not None else None
     if proof is None or proof.done:
         return None
@@ -19,7 +19,7 @@ def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
 
 
 def delivered(state: State, asked: Proof, found: Proof) -> State:
-    """Return the state with the proof as far as it has come, if it is still wanted."""
+    """Return the state with the proof so far, if it is still wanted."""
     part = state[Solutions]
     if part.proof is None or part.proof.solutions is not asked.solutions or found.starts < part.proof.starts:
         return state

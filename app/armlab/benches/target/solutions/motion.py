@@ -1,4 +1,4 @@
-"""The motion that leaves the tool where it is, for a slider: through the arm, inside its limits, held joints held."""
+"""The self-motion for a slider: through the present configuration, inside the limits, with held joints held."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Motion:
         return distance_to(arm, q, [self.q]) < ON_CURVE
 
     def part(self, arm: Arm, q: NDArray[np.float64]) -> float:
-        """Return how far along the curve a configuration on it is, 0 to 1."""
+        """Return the place of a configuration along the curve, 0 to 1."""
         scales = np.where(arm.revolute, 1.0, arm.length_scale)
         k = int(np.argmin(np.abs((self.q - q) / scales).max(axis=1)))
         best, nearest = float(self.along[k]), np.inf
@@ -59,7 +59,7 @@ class Motion:
         return best
 
     def at(self, question: Question, part: float) -> Vector | None:
-        """Return the solution at a part of the curve; None where it cannot be made exact."""
+        """Return the solution at a part of the curve, or None if it cannot be refined to an exact one."""
         arm = question.arm
         guess = np.array([np.interp(part, self.along, column) for column in self.q.T])
         held = np.array([i + 1 in question.held for i in range(arm.n)])
@@ -72,7 +72,7 @@ class Motion:
 
 
 def motion_through(question: Question, q: NDArray[np.float64]) -> Motion | None:
-    """Return the self-motion through a configuration (n,) that solves the question, or None where nothing can move."""
+    """Return the self-motion through a configuration (n,) that solves the question, or None if nothing can move."""
     arm, free = question.arm, question.free()
     if not question.held:
         rest: Arm | None = arm
@@ -95,7 +95,7 @@ def motion_through(question: Question, q: NDArray[np.float64]) -> Motion | None:
 
 
 def _around(arm: Arm, points: Vector) -> Vector:
-    """Return the beginning of a closed curve as it follows on its end, with the turns made on the way."""
+    """Return the beginning of a closed curve as the continuation of its end, with the turns made on the way."""
     step = points[0] - points[-1]
     turned = step - 2.0 * np.pi * np.round(step / (2.0 * np.pi))
     return np.asarray(points[-1] + np.where(arm.revolute, turned, step))

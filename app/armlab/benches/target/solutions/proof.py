@@ -23,19 +23,19 @@ Vector = NDArray[np.float64]
 
 STARTS = 4096
 PIECE = 64
-"""Random starts in all, and in one piece of work."""
+"""Number of random starts in all, and in one piece of work."""
 
 SAME = 1e-3
-"""Radians, or length scales: where descents stop is a solution of the list when it is nearer than this. A descent to a
+"""Distance, radians or length scales, below which the end of a descent is a solution of the list. A descent to a
 solution in which two are about to meet stops so far from it."""
 
 MOST = 64
-"""Other solutions that are kept; where there are more, there are infinitely many."""
+"""Number of other solutions that are kept; if there are more, there are infinitely many."""
 
 
 @dataclass(frozen=True, eq=False)
 class Proof:
-    """What random starts have found so far.
+    """Results of the random starts so far.
 
     Attributes
     ----------
@@ -64,12 +64,12 @@ class Proof:
 
     @property
     def of_families(self) -> bool:
-        """Whether it is about curves of solutions rather than single ones."""
+        """Whether the proof is about curves of solutions rather than single ones."""
         return bool(self.solutions.families)
 
     @property
     def sentence(self) -> str:
-        """What follows from it."""
+        """The conclusion of the proof."""
         inside = " inside the limits" if self.of_families else ""
         said = f"{self.starts} starts, {self.reached} reached the target{inside}: "
         if not self.reached:
@@ -128,14 +128,14 @@ def _with_piece(proof: Proof, arrived: Vector) -> Proof:
 
 
 def _inside(arm: Arm, arrived: Vector) -> Vector:
-    """Return those that are inside the limits, where the families of the list are, as they are there."""
+    """Return the configurations inside the limits, with whole turns added."""
     near = np.zeros(arm.n)
     placed = [wrapped(q.tolist(), near, arm.revolute, arm.limits) for q in arrived]
     return np.array([q for q in placed if arm.within_limits(q)]).reshape(-1, arm.n)
 
 
 def _place(proof: Proof, q: Vector) -> int | None:
-    """Return which solution or family of the list a configuration belongs to."""
+    """Return the index of the solution or family of the list to which a configuration belongs."""
     arm = proof.question.arm
     if proof.of_families:
         far = [distance_to(arm, q, [curve]) for curve in proof.solutions.families]

@@ -1,4 +1,4 @@
-"""What all solutions are asked for: an arm, a place for its tool, and joints that are held."""
+"""The problem of all solutions: an arm, a pose of its tool, and joints that are held."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from armlab.session.state import State
 Vector = NDArray[np.float64]
 
 SAME = 1e-7
-"""Length scales, or entries of a rotation: targets that differ less are one; a jump to a solution is more exact."""
+"""Difference of two targets, length scales or entries of a rotation, below which they are one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +42,7 @@ class Question:
 
     @cached_property
     def aim(self) -> Vector:
-        """The components of the target that the task controls, without unit."""
+        """The components of the target that the task controls, without units."""
         arm, task = self.arm, self.arm.task
         G = inverse(arm.base) @ self.pose
         parts = [G[list(task.coordinates), 3] / arm.length_scale]
@@ -56,11 +56,11 @@ class Question:
 
     @property
     def key(self) -> Hashable:
-        """What tells it from others."""
+        """A key that tells the question from others."""
         return self.arm, self.aim.tobytes(), tuple(self.held.items())
 
     def is_same(self, other: Question) -> bool:
-        """Return whether another one has the same solutions."""
+        """Return whether another question has the same solutions."""
         return (
             self.arm is other.arm
             and self.held == other.held
@@ -77,7 +77,7 @@ class Question:
 
 
 def question(state: State) -> Question:
-    """Return what is asked at present."""
+    """Return the present question."""
     joints = state[Joints]
     held = {i + 1: float(joints.q[i]) for i, locked in enumerate(joints.locked) if locked}
     return Question(joints.arm, target_pose(state), held)

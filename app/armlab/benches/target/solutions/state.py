@@ -1,4 +1,4 @@
-"""All solutions for the present target: what has been found, which of them is looked at, and ways to go there."""
+"""All solutions for the present target: the results, the chosen one, and commands to go to them."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ PRESETS: dict[str, tuple[str, str, str]] = {
     "Manseur–Doty": ("manseur_doty", "sixteen", "16 solutions, as many as six joints can have"),
     "PUMA, q₅ = 0": ("puma560", "zero", "infinitely many: axes 4 and 6 are one line"),
 }
-"""Name to robot, pose and what there is to be seen: the examples of section 4.3 of the notes."""
+"""Robot, pose and a sentence for each example of section 4.3 of the notes, by name."""
 
 
 @dataclass(frozen=True, eq=False)
 class Solutions(FieldPart):
-    """What is known of all solutions; nothing of it is saved: it is found again.
+    """Results on all solutions, which are not saved but found again.
 
     Attributes
     ----------
@@ -68,13 +68,13 @@ def fresh(state: State) -> Found | None:
 
 
 def present_row(state: State) -> Row | None:
-    """Return the row of the list the arm is at."""
+    """Return the row of the list at which the arm is."""
     found = state[Solutions].found
     return None if found is None else found.present(state[Joints].q, state.derived(fresh) is not None)
 
 
 def motion_of(state: State) -> Motion | None:
-    """Return the self-motion the arm is on, if it has been traced."""
+    """Return the self-motion on which the arm is, if it has been traced."""
     found = state.derived(fresh)
     if found is None or found.motion is None:
         return None
@@ -82,7 +82,7 @@ def motion_of(state: State) -> Motion | None:
 
 
 def whole_turns(state: State) -> NDArray[np.float64]:
-    """Return the solution the arm is at with all whole turns inside the limits, shape (k, n); none when at none."""
+    """Return the present solution with all whole turns inside the limits, shape (k, n); none if the arm is at none."""
     row, found = state.derived(present_row), state.derived(fresh)
     if row is None or found is None:
         return np.empty((0, state[Joints].arm.n))
@@ -90,7 +90,7 @@ def whole_turns(state: State) -> NDArray[np.float64]:
 
 
 def shown_proof(state: State) -> Proof | None:
-    """Return the proof for the present target, if one was asked for."""
+    """Return the proof for the present target, if one was requested."""
     proof = state[Solutions].proof
     return proof if proof is not None and proof.question.is_same(state.derived(question)) else None
 
@@ -108,7 +108,7 @@ class GoToSolution(Command):
     label: ClassVar[str] = "jump to a solution"
 
     def apply(self, state: State) -> State:
-        """Return the state at the solution; one of an old list is solved for anew, beginning there.
+        """Return the state at the solution; one of an old list is solved again, starting there.
 
         Raises
         ------
@@ -151,7 +151,7 @@ class TurnTo(Command):
 
 @dataclass(frozen=True)
 class LookAtSolution(Command):
-    """Draw the ghost of a solution as a body; of the one that is drawn so already, no longer."""
+    """Draw the ghost of a solution as a body, or stop drawing it."""
 
     slot: int
     undoable: ClassVar[bool] = False
@@ -164,7 +164,7 @@ class LookAtSolution(Command):
 
 @dataclass(frozen=True)
 class MoveAlong(Command):
-    """Move the arm along its self-motion: a slider in motion.
+    """Move the arm along its self-motion; sent by a slider in motion.
 
     Parameters
     ----------
@@ -178,7 +178,7 @@ class MoveAlong(Command):
     label: ClassVar[str] = "self-motion"
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm at this part of the curve, and the tool where it was."""
+        """Return the state with the arm at this part of the curve, and the tool unmoved."""
         if not math.isfinite(self.part):
             raise InputError(f"self-motion: expected a number from 0 to 1, got {self.part}")
         found, motion = state.derived(fresh), state.derived(motion_of)
@@ -193,13 +193,13 @@ class MoveAlong(Command):
 
 @dataclass(frozen=True)
 class Prove(Command):
-    """Begin the search from thousands of random starts, or give it up."""
+    """Begin the search from thousands of random starts, or stop it."""
 
     on: bool
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the wish."""
+        """Return the state with the search begun or stopped."""
         part, found = state[Solutions], state.derived(fresh)
         if not self.on:
             return state if part.proof is None else state.replace(replace(part, proof=None))
@@ -212,13 +212,13 @@ class Prove(Command):
 
 @dataclass(frozen=True)
 class TakePreset(Command):
-    """Put an example of the notes on the table."""
+    """Load an example of the notes."""
 
     name: str
     label: ClassVar[str] = "example of the notes"
 
     def apply(self, state: State) -> State:
-        """Return the state with its arm in its pose."""
+        """Return the state with the arm of the example in its pose."""
         key, pose, _ = PRESETS[known_name("example", self.name, PRESETS)]
         robot = catalogue()[key]
         if robot is not state[RobotPart].robot:
@@ -227,7 +227,7 @@ class TakePreset(Command):
 
 
 def _inside(found: Found, row: Row) -> NDArray[np.float64]:
-    """Return the joint values of a row that is inside the limits."""
+    """Return the joint values of a row; `InputError` if it is not inside the limits."""
     if not row.within:
         raise InputError(f"{_named(row)} is out of limits: {found.solutions.how_far_out[row.index]} its limit.")
     return row.q
@@ -238,7 +238,7 @@ def _named(row: Row) -> str:
 
 
 def _solved_again(state: State, row: Row) -> NDArray[np.float64]:
-    """Return the solution for the present target that an old one leads to."""
+    """Return the solution for the present target that is found from an old one."""
     joints = state[Joints]
     start = np.where(joints.locked, joints.q, joints.arm.clip(row.q))
     result = ik.solve(joints.arm, target_pose(state), start, locked=joints.locked, searches=1, complete=False)

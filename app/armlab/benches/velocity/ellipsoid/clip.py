@@ -20,14 +20,14 @@ from armlab.session.parts.timeline import Clip
 from armlab.session.state import State
 
 SAME = 1e-4
-"""Stops closer than this, in ranges of the joint, are one."""
+"""Distance of two stops, in ranges of the joint, below which they are one stop."""
 
 HALVINGS = 40
-"""Of the interval in which a time is looked for."""
+"""Number of times that the interval is halved in which a time is looked for."""
 
 
 def at(state: State, time: float) -> State:
-    """Return the state with the joint where it is at a time; the first call notes where it began."""
+    """Return the state with the joint at its value at a time; the first call notes where the joint began."""
     sweep, joints = state[Sweep], state[Joints]
     if sweep.start is None:
         sweep = replace(sweep, start=free_start(joints, sweep.joint))
@@ -39,7 +39,7 @@ def at(state: State, time: float) -> State:
 
 
 def stops(state: State) -> tuple[float, ...]:
-    """Return when the joint is at its limits, in the middle, and at singularities, on the way from limit to limit."""
+    """Return the times when the joint is at its limits, in the middle, and at singularities between the limits."""
     begin, duration, low, high = legs(state)[1]
     values = [low, 0.5 * (low + high), high]
     for singular in state.derived(singularities).places:

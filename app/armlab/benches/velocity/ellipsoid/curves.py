@@ -1,4 +1,4 @@
-"""The ellipsoid over the distance of a planar 2R's tool, and along the planned motion."""
+"""The ellipsoid over the distance of the tool of a planar 2R from its first axis, and along the planned motion."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from armlab.session.state import State
 Array = NDArray[np.float64]
 
 POINTS = 301
-"""Of a curve over the distance."""
+"""Number of points of a curve over the distance."""
 
 MOST = 401
-"""Points along a motion."""
+"""Largest number of points along a motion."""
 
 
 class OverDistance(NamedTuple):
@@ -67,13 +67,13 @@ def over_distance(arm: Arm) -> OverDistance | None:
 
 
 def present_distance(state: State) -> float:
-    """Return how far the tool point is from the first joint axis, metres."""
+    """Return the distance of the tool point from the first joint axis, metres."""
     joints = state[Joints]
     return float(distance(joints.arm, joints.q))
 
 
 class AlongMotion(NamedTuple):
-    """The ellipsoid along a motion, each of shape (k,): seconds, w, and the shortest half axis."""
+    """The ellipsoid along a motion: times in seconds, w, and the shortest half axis, each of shape (k,)."""
 
     t: Array
     w: Array
@@ -81,7 +81,7 @@ class AlongMotion(NamedTuple):
 
 
 def along_motion(state: State) -> AlongMotion | None:
-    """Return the measures of the ellipsoid along the motion that is planned; None while there is none."""
+    """Return the measures of the ellipsoid along the planned motion, or None if none is planned."""
     planned = last_planned(state)
     return None if planned is None or planned.samples is None else _along(planned, state[Manipulability].block)
 

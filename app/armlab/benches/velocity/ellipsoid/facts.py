@@ -20,7 +20,7 @@ def _sigma(state: State) -> np.ndarray:
 
 
 def _condition(state: State) -> float | None:
-    """Return the longest half axis over the shortest; infinite where a direction is lost, None where all are."""
+    """Return the longest half axis over the shortest: infinite if a direction is lost, None if all are."""
     seen, sigma = _seen(state), _sigma(state)
     if not sigma[0] > 0.0:
         return None

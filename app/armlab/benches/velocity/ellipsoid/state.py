@@ -1,4 +1,4 @@
-"""Which velocities or forces of the tool are looked at, and the ellipsoid of those the present configuration allows."""
+"""The choice of the velocities or forces of the tool, and the ellipsoid of those that the configuration allows."""
 
 from __future__ import annotations
 
@@ -29,15 +29,16 @@ FORCE_UNIT: dict[Block, str] = {"translation": "N", "rotation": "N m"}
 KINDS: tuple[Kinds, ...] = ("velocity", "force", "both")
 
 SAMPLES = 64
-"""Random configurations from which the size of a typical ellipsoid is taken."""
+"""Number of random configurations from which the size of a typical ellipsoid is taken."""
 
 DRAWN, DRAWN_FORCE = 0.2, 0.15
-"""Longest half axis of a typical ellipsoid on screen, and middle one of a force ellipsoid, in reaches of the arm."""
+"""Size on screen, in reaches of the arm, of the longest half axis of a typical ellipsoid and of the middle one for
+forces."""
 
 
 @dataclass(frozen=True)
 class VelocityBlock:
-    """Rows of the geometric Jacobian that have one unit and that the arm's task controls.
+    """Rows of the geometric Jacobian that have one unit and that belong to the arm's task.
 
     Parameters
     ----------
@@ -67,14 +68,14 @@ class VelocityBlock:
 
     @cached_property
     def speeds(self) -> Array | None:
-        """Speed of each joint that counts as 1, shape (n,), rad/s or m/s; None where all turn or all slide.
+        """Speed of each joint that counts as 1, shape (n,), rad/s or m/s; None if all joints turn or all slide.
 
         Joints that slide and joints that turn have no common unit: each is measured by its limit.
         """
         return counted_speeds(self.arm)
 
     def axes(self, q: ArrayLike) -> Array:
-        """Return the unit vectors of the rows in the world, shape (..., 3, m): frame 0's, or the tool's x and y."""
+        """Return the unit vectors of the rows in the world, (..., 3, m): those of frame 0, or x and y of the tool."""
         task, base = self.arm.task, self.arm.base[:3, :3]
         if self.key == "rotation" and task.rotation == "approach":
             return np.asarray(self.arm.fk(q)[..., :3, :2], dtype=np.float64)
@@ -102,12 +103,12 @@ class VelocityBlock:
 
     @cached_property
     def typical(self) -> float:
-        """The median of the longest half axis over configurations inside the limits; 1 where that is 0."""
+        """The median of the longest half axis over configurations inside the limits; 1 if that is 0."""
         return float(np.median(self._sigma[:, 0])) or 1.0
 
     @cached_property
     def typical_force(self) -> float:
-        """The median of the geometric mean of the finite half axes of the force ellipsoid; 1 where there are none.
+        """The median of the geometric mean of the finite half axes of the force ellipsoid; 1 if there are none.
 
         Not of the longest of them, which is anything near a singularity.
         """
@@ -156,14 +157,14 @@ class PlacedEllipsoid:
 
     @cached_property
     def half_forces(self) -> Array:
-        """Half axes of the force ellipsoid, (3,), N or N m; infinite where no torque is needed, 0 beyond its rows."""
+        """Half axes of the force ellipsoid, (3,), N or N m: infinite if no torque is needed, 0 beyond its rows."""
         half = np.zeros(3)
         half[: len(self.ellipsoid.sigma)] = self.force.half_axes
         return half
 
     @property
     def lost(self) -> tuple[int, ...]:
-        """The axes, 0-based, along which there is no speed although the task controls them."""
+        """The axes, 0-based, along which there is no speed although they belong to the task."""
         return tuple(range(self.ellipsoid.rank, len(self.ellipsoid.sigma)))
 
 
@@ -178,7 +179,7 @@ def placed(block: VelocityBlock, q: Array) -> PlacedEllipsoid:
 
 
 def _completed(columns: Array) -> Array:
-    """Return a rotation whose first columns are given, or all of them with the last one reversed."""
+    """Return a rotation whose first columns are given; the last of three is reversed if needed."""
     m = columns.shape[1]
     if m == 1:
         z = columns[:, 0]
@@ -190,7 +191,7 @@ def _completed(columns: Array) -> Array:
 
 
 def blocks_of(arm: Arm) -> tuple[Block, ...]:
-    """Return what can be looked at: velocities that the arm's task controls."""
+    """Return the kinds of velocity that the arm's task controls."""
     found: list[Block] = []
     if arm.task.position:
         found.append("translation")
@@ -201,7 +202,7 @@ def blocks_of(arm: Arm) -> tuple[Block, ...]:
 
 @dataclass(frozen=True)
 class Manipulability(FieldPart):
-    """Of which velocities or forces the ellipsoid is.
+    """The choice of velocities or forces that the ellipsoid shows.
 
     Attributes
     ----------
@@ -217,17 +218,17 @@ class Manipulability(FieldPart):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return the velocities of translation, where the arm has one."""
+        """Return the velocities of translation if the arm's task has them, else those of rotation."""
         return cls(VelocityBlock(robot.arm, blocks_of(robot.arm)[0]))
 
     def for_robot(self, robot: Robot) -> Self:
-        """Keep the choice where the arm has it."""
+        """Keep the choice if the arm has it."""
         has = self.block.key in blocks_of(robot.arm)
         key = self.block.key if has else blocks_of(robot.arm)[0]
         return type(self)(VelocityBlock(robot.arm, key), self.shown)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep what another arm would keep."""
+        """Keep the choice as for another arm."""
         return self.for_robot(robot)
 
     @property

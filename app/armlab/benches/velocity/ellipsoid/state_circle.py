@@ -1,4 +1,4 @@
-"""A point on the circle of joint speeds of length 1, and where the Jacobian takes it."""
+"""A point on the circle of joint speeds of length 1, and its image under the Jacobian."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from armlab.session.state import Command, Json, PartType, State
 Array = NDArray[np.float64]
 
 POINTS = 73
-"""Of a circle that is drawn."""
+"""Number of points of a circle that is drawn."""
 
 
 @dataclass(frozen=True)
 class UnitCircle(FieldPart):
-    """Which joint speeds of length 1 are marked; they are not of an arm.
+    """The marked joint speeds of length 1, which do not depend on the arm.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class UnitCircle(FieldPart):
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; `InputError` when it is not finite."""
+        """Read the angle; `InputError` if it is not finite."""
         return cls().with_values({"angle": data})
 
 
@@ -72,7 +72,7 @@ class Mapped(NamedTuple):
 
 
 def mapped(state: State) -> Mapped | None:
-    """Return the circle of joint speeds and its image; None unless the arm has two joints and the block two rows."""
+    """Return the circle of joint speeds and its image, or None unless the arm has two joints and the block two rows."""
     block, joints = state[Manipulability].block, state[Joints]
     if joints.arm.n != 2 or block.m != 2:
         return None
@@ -90,7 +90,7 @@ def _circle() -> Array:
 
 @dataclass(frozen=True)
 class MarkSpeeds(Command):
-    """Mark the joint speeds of length 1 at an angle, radians: a slider in motion."""
+    """Mark the joint speeds of length 1 at an angle, radians; sent by a slider in motion."""
 
     angle: float
     snapshot: ClassVar[bool] = True
@@ -98,5 +98,5 @@ class MarkSpeeds(Command):
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the point there."""
+        """Return the state with the point at the angle."""
         return Set(UnitCircle, "angle", self.angle).apply(state)

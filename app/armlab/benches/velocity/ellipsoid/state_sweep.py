@@ -1,4 +1,4 @@
-"""Which joint sweeps through its range, and what the manipulability is on the way."""
+"""The joint that sweeps through its range, and the manipulability on the way."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ CLIP_KEY = "sweep"
 SECONDS = 8.0
 
 POINTS = 361
-"""Of a curve."""
+"""Number of points of a curve."""
 
 UNTOUCHED = 1e-9
-"""rad or m from where the sweep has put it, within which no hand has moved the joint."""
+"""Distance, rad or m, from the value of the sweep within which the student has not moved the joint."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +57,7 @@ class Sweep(FieldPart):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return the joint whose motion changes w: not the first, about which everything only turns."""
+        """Return the second joint: the first one turns the whole arm and does not change w."""
         return cls(robot.arm, min(1, robot.arm.n - 1))
 
     def check(self) -> None:
@@ -66,13 +66,13 @@ class Sweep(FieldPart):
             raise InputError(f"joint: expected 1 to {self.arm.n}, got {self.joint + 1}")
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep joint and start where the joint is still there."""
+        """Keep joint and start if the joint is still there."""
         if self.joint not in origin:
             return self.initial(robot)
         return replace(self, arm=robot.arm, joint=origin.index(self.joint))
 
     def after(self, before: State, now: State) -> Self:
-        """Forget the start when the clip is closed, and where the joint that turned now slides or the other way."""
+        """Forget the start when the clip is closed, or when the joint has changed between turning and sliding."""
         if self.start is None:
             return self
         was, is_now = (state[Joints].arm.revolute[state[Sweep].joint] for state in (before, now))
@@ -82,7 +82,7 @@ class Sweep(FieldPart):
 PART = PartType(Sweep, order=95)
 
 Leg = tuple[float, float, float, float]
-"""When it begins, how long it lasts, and the joint's value at either end."""
+"""One leg of the sweep: its beginning and duration in seconds, and the value of the joint at either end."""
 
 
 def legs(state: State) -> tuple[Leg, Leg, Leg]:
@@ -103,7 +103,7 @@ def value_at(way: tuple[Leg, ...], time: float) -> float:
 
 
 def put_back(state: State) -> State:
-    """Return the state with the joint where it stood before the sweep, unless a hand has moved it meanwhile."""
+    """Return the state with the joint at its value before the sweep, unless the student has moved it meanwhile."""
     sweep, joints = state[Sweep], state[Joints]
     if sweep.start is None or abs(joints.q[sweep.joint] - value_at(legs(state), state[Timeline].time)) > UNTOUCHED:
         return state
@@ -115,7 +115,7 @@ def put_back(state: State) -> State:
 
 @dataclass(frozen=True)
 class SweepJoint(Command):
-    """Choose the joint that sweeps; an open clip begins anew from there, and the joint before goes back."""
+    """Choose the joint that sweeps; an open clip begins anew with it, and the previous joint goes back."""
 
     joint: int
     undoable: ClassVar[bool] = False
@@ -133,7 +133,7 @@ class SweepJoint(Command):
 
 
 def free_start(joints: Joints, joint: int) -> float:
-    """Return where a joint stands.
+    """Return the present value of a joint that is not held, rad or m.
 
     Raises
     ------
@@ -147,7 +147,7 @@ def free_start(joints: Joints, joint: int) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Curves:
-    """Measures of manipulability over one joint's range, the others as they are.
+    """Measures of manipulability over the range of one joint, with the others held still.
 
     Attributes
     ----------
@@ -163,11 +163,11 @@ class Curves:
 
 
 Course = tuple[VelocityBlock, int, bytes]
-"""What the curves depend on: the block, the joint that sweeps, and where the others stand."""
+"""Arguments of the curves: the block, the joint that sweeps, and the values of the other joints."""
 
 
 def course(state: State) -> Course:
-    """Return what is swept; it does not depend on where the joint stands."""
+    """Return the arguments of the curves, which do not depend on the value of the joint that sweeps."""
     joints, joint = state[Joints], state[Sweep].joint
     others = np.array(joints.q)
     others[joint] = joints.arm.limits[joint, 0]
@@ -180,7 +180,7 @@ def curves(state: State) -> Curves:
 
 
 def singularities(state: State) -> SingularPlaces:
-    """Return at which values of the joint that sweeps speed is lost some way; cheap enough for every picture."""
+    """Return the values of the sweeping joint at which the rank drops; quick enough for every picture."""
     return _singularities(course(state))
 
 
@@ -201,7 +201,7 @@ def _singularities(swept: Course) -> SingularPlaces:
 
 
 def _fitted(swept: Course) -> Callable[[Array], Array]:
-    """Return `_scaled_rows` of one joint's values as a short sum, many times quicker and exact but for rounding.
+    """Return `_scaled_rows` of one joint's values as a short sum, much quicker, and exact up to rounding.
 
     Along a prismatic joint the entries are affine; along a revolute one they are linear in its cosine and sine, and
     quadratic in the axes of the tool.
@@ -223,7 +223,7 @@ def _fitted(swept: Course) -> Callable[[Array], Array]:
 
 
 def _scaled_rows(swept: Course, values: Array) -> Array:
-    """Return the block at values of the joint, each column in parts of the speed that counts as 1."""
+    """Return the block at values of the joint, with each column in multiples of the speed that counts as 1."""
     block, joint, others = swept
     batch = np.repeat(np.frombuffer(others)[None], len(values), axis=0)
     batch[:, joint] = values

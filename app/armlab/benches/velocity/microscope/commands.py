@@ -1,4 +1,4 @@
-"""What can be done with the singularity microscope."""
+"""Commands of the singularity microscope."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from armlab.session.state import Command, State
 
 @dataclass(frozen=True)
 class AimAlong(Command):
-    """Ask for a velocity along one component of the task (0-based), as large as before."""
+    """Ask for a velocity along one component of the task (0-based), with the same size as before."""
 
     component: int
     label: ClassVar[str] = "velocity of the tool"
@@ -35,7 +35,7 @@ class AimAlong(Command):
 
 @dataclass(frozen=True)
 class SetComponent(Command):
-    """Set one component (0-based) of the velocity, m/s or rad/s; the others stay as they are seen."""
+    """Set one component (0-based) of the velocity, m/s or rad/s; the others stay as they are shown."""
 
     component: int
     value: float
@@ -54,7 +54,7 @@ class SetComponent(Command):
 
 @dataclass(frozen=True)
 class SetSpeed(Command):
-    """Set how large the velocity is, scaled; its direction stays."""
+    """Set the scaled size of the velocity; its direction stays."""
 
     speed: float
     label: ClassVar[str] = "speed of the tool"
@@ -83,13 +83,13 @@ class SetDamping(Command):
 
 @dataclass(frozen=True)
 class BringNear(Command):
-    """Move the arm near to one of the singular configurations that are known of it (0-based)."""
+    """Move the arm near to one of its known singular configurations (0-based)."""
 
     place: int
     label: ClassVar[str] = "move near a singularity"
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm there, on the side on which the limits leave room."""
+        """Return the state with the arm near the singularity, on the side that the limits allow."""
         found, part, joints = known_places(state), state[Microscope], state[Joints]
         if not 0 <= self.place < len(found):
             raise InputError(f"singularity: expected 1 to {len(found)}, got {self.place + 1}")

@@ -1,4 +1,4 @@
-"""Examples of the singularity microscope: an arm beside or at a singularity, and a velocity. One entry each."""
+"""Examples of the singularity microscope: an arm beside or at a singularity, and a velocity."""
 
 from __future__ import annotations
 
@@ -96,18 +96,18 @@ EXAMPLES: Registry[Example] = Registry(
         ),
     ),
 )
-"""By key, in the order of the list."""
+"""Examples by key, in the order of the list."""
 
 
 @dataclass(frozen=True)
 class ChooseMicroscopeExample(Command):
-    """Put arm, configuration and velocity of an example in place."""
+    """Load the arm, the configuration and the velocity of an example."""
 
     key: str
     label: ClassVar[str] = "example of the microscope"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         example = EXAMPLES[self.key]
         state = on_arm(state, example.robot)
         q = state[RobotPart].robot.home.copy()

@@ -1,4 +1,4 @@
-"""Facts of the microscope that lessons can check: how near a singularity is, and what each method makes of a wish."""
+"""Facts of the microscope that lessons can check: the nearest singularity, and the answer of each method."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ def _look(state: State) -> Look:
 
 
 def _joint_speed(state: State) -> float | None:
-    """Return the size of the scaled joint speeds of the method that is watched; None where it has no answer."""
+    """Return the size of the scaled joint speeds of the watched method, or None if it has no answer."""
     look = _look(state)
     qdot = look.answer(look.part.method).qdot
     return None if qdot is None else float(np.linalg.norm(qdot))
 
 
 def _away(state: State) -> float | None:
-    """Return by how much the joint would have to move to the nearest singular configuration, rad or m."""
+    """Return the distance, rad or m, by which the joint would move to the nearest singular configuration."""
     found = state.derived(near)
     return None if found is None else abs(float(found.pose.away))
 

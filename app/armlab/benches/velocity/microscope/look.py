@@ -1,4 +1,4 @@
-"""What the microscope sees at a configuration: singular directions, the wanted velocity, and the methods' answers."""
+"""A configuration under the microscope: singular directions, the wanted velocity, and the methods' answers."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ from armlab.kin.velocity.singular import Singularity, singularities
 Array = NDArray[np.float64]
 
 EQUAL = 1e-9
-"""Components of a unit vector this close count as equal: the first of them then decides its sign."""
+"""Difference up to which components of a unit vector count as equal, so that the first of them decides its sign."""
 
 ALPHAS = (1e-6, 1e6)
-"""Smallest and largest step size of the transpose."""
+"""Smallest and largest step size of the transpose method."""
 
 MOST_PLACES = 8
-"""Singular configurations that are offered."""
+"""Largest number of singular configurations that are offered."""
 
 
 @dataclass(frozen=True, eq=False)
 class Look:
-    """One configuration under the microscope; everything scaled as `ScaledTask` says.
+    """One configuration under the microscope; all quantities are scaled as in `ScaledTask`.
 
     Attributes
     ----------
@@ -60,12 +60,12 @@ class Look:
 
     @property
     def inverse_condition(self) -> float:
-        """sigma_min over sigma_max: 0 at singularities."""
+        """Ratio of sigma_min to sigma_max: 0 at singularities."""
         return float(self.sigma[-1] / self.sigma[0]) if self.sigma[0] > 0.0 else 0.0
 
     @property
     def singular(self) -> bool:
-        """Whether a direction is lost, but for rounding."""
+        """Whether a direction is lost, up to rounding."""
         return self.inverse_condition <= SINGULAR
 
     @property
@@ -75,7 +75,7 @@ class Look:
 
     @property
     def options(self) -> Mapping[str, Mapping[str, Any]]:
-        """Options by key of the method.
+        """Options of each method, by the method's key.
 
         The step size of the transpose is 1/sigma_max^2, exact where the tool is fastest. The one that serves a wish
         best would be 1/sigma_min^2 for a wish along the lost direction, and so an inverse in disguise.
@@ -93,7 +93,7 @@ class Look:
 
     @cached_property
     def answers(self) -> tuple[Compared, ...]:
-        """What each method makes of it."""
+        """The answers of all methods to the wanted velocity."""
         return side_by_side(self.J, self.wish, self.options)
 
     def answer(self, method: str) -> RateStep:
@@ -101,16 +101,16 @@ class Look:
         return rate_step(method, self.J, self.wish, self.options.get(method))
 
     def natural(self, components: Array) -> Array:
-        """Return a task velocity in m/s and rad/s of a scaled one, (m,)."""
+        """Return the velocity in m/s and rad/s of a scaled task velocity (m,)."""
         return np.asarray(components / self.task.row_units)
 
     def twist(self, components: Array) -> Array:
-        """Return a scaled task velocity as a twist in world axes, (6,): where metres and radians meet, scaled."""
+        """Return a scaled task velocity as a twist in world axes, (6,), scaled if the task mixes metres and radians."""
         return np.asarray(self.rows.T @ components)
 
 
 def look_at(part: Microscope, q: Array) -> Look:
-    """Return what the microscope sees at a configuration."""
+    """Return the view of the microscope at a configuration."""
     task = part.task
     R = np.asarray(task.pose(q))[:3, :3]
     J = task.scaled(task.jacobian(q, R))
@@ -122,7 +122,7 @@ def look_at(part: Microscope, q: Array) -> Look:
 
 
 class Near(NamedTuple):
-    """The singular configuration that is nearest by one joint, and why it is one.
+    """The singular configuration that is nearest by moving one joint, and why it is singular.
 
     Attributes
     ----------
@@ -135,13 +135,13 @@ class Near(NamedTuple):
 
 
 def near_at(part: Microscope, q: Array) -> Near | None:
-    """Return the singularity that is near, or at which the arm stands; None where there is none."""
+    """Return the singularity near the configuration or at it, or None if there is none."""
     found = nearest_singular_pose(part.task, q)
     return None if found is None else Near(found, singularities(part.arm, found.q))
 
 
 class Place(NamedTuple):
-    """A singular configuration the arm can be brought near to.
+    """A singular configuration to which the arm can be brought near.
 
     Attributes
     ----------
@@ -158,7 +158,7 @@ class Place(NamedTuple):
 
 @lru_cache(maxsize=64)
 def places(arm: Arm, home: tuple[float, ...]) -> tuple[Place, ...]:
-    """Return singular configurations that one joint reaches from the home pose: of each kind the nearest."""
+    """Return the singular configurations that one joint reaches from the home pose: the nearest of each kind."""
     task, found = ScaledTask(arm), dict[tuple[str, bool, str, int], Place]()
     poses = sorted(singular_poses(task, np.array(home)), key=lambda pose: abs(pose.away / task.joint_units[pose.place]))
     for pose in poses:

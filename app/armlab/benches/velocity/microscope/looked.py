@@ -1,4 +1,4 @@
-"""What the microscope sees in a state."""
+"""The view of the microscope in a state."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from armlab.session.state import State
 
 
 def looked(state: State) -> Look:
-    """Return what the microscope sees at the present configuration."""
+    """Return the view of the microscope at the present configuration."""
     return look_at(state[Microscope], state[Joints].q)
 
 
 def near(state: State) -> Near | None:
-    """Return the singularity that is near, if any."""
+    """Return the singularity that is near, or None."""
     return near_at(state[Microscope], state[Joints].q)
 
 
 def known_places(state: State) -> tuple[Place, ...]:
-    """Return the singular configurations the arm can be brought near to."""
+    """Return the singular configurations to which the arm can be brought near."""
     robot = state[RobotPart].robot
     return places(robot.arm, tuple(float(value) for value in robot.home))

@@ -1,4 +1,4 @@
-"""The singularity microscope: which velocity the tool is asked for, and how the damped methods are damped."""
+"""The singularity microscope: the wanted velocity of the tool, and the damping of the damped methods."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ Damping = tuple[tuple[str, float], ...]
 AIMS: tuple[Aim, ...] = get_args(Aim)
 
 SPEED = 0.3
-"""Size of the wanted velocity: m/s or rad/s; where both meet, metres count in length scales."""
+"""Size of the wanted velocity, m/s or rad/s; if the task has both, metres count in length scales."""
 
 DISTANCE = math.radians(3.0)
-"""From a singularity: radians, or length scales of a sliding joint."""
+"""Distance from a singularity, radians, or length scales for a sliding joint."""
 
 ROUNDING = 1e-9
-"""By which the bounds of a size may be passed where it is computed of its components."""
+"""Relative rounding by which a size may pass its bounds when it is computed from its components."""
 
 SLOWEST, FASTEST = 1e-6 * (1.0 - ROUNDING), 100.0 * (1.0 + ROUNDING)
 """Bounds of the scaled size of the wanted velocity."""
@@ -42,7 +42,7 @@ FARTHEST = 0.6
 DAMPING: dict[str, tuple[str, Field]] = {
     field.key: (method, field) for method in ("dls_constant", "dls_variable") for field in rate_inverse(method).fields
 }
-"""What can be set of the damped methods: key of the option to its method and its description."""
+"""Options of the damped methods: the key of each, with its method and its description."""
 
 
 def _damping(data: Json) -> Damping:
@@ -53,7 +53,7 @@ def _damping(data: Json) -> Damping:
 
 @dataclass(frozen=True, eq=False)
 class Microscope(FieldPart):
-    """One velocity, and options.
+    """The wanted velocity and the options of the microscope.
 
     Attributes
     ----------
@@ -91,11 +91,11 @@ class Microscope(FieldPart):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return the wish to move along the direction that is lost first."""
+        """Return the wish to move along the direction that is nearest to being lost."""
         return cls(robot.arm, own=(SPEED, *[0.0] * (robot.arm.task.m - 1)))
 
     def for_robot(self, robot: Robot) -> Self:
-        """Keep all but a velocity that does not fit the other task."""
+        """Keep everything except a velocity that does not fit the new task."""
         kept = replace(self, arm=robot.arm, example="")
         size = kept.sized(self.own) if self.arm.task == robot.arm.task else 0.0
         if not SLOWEST <= size <= FASTEST:
@@ -105,16 +105,16 @@ class Microscope(FieldPart):
         return replace(kept, speed=size) if self.aim == "own" else kept
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep what another arm would keep."""
+        """Keep the same as for another arm."""
         return self.for_robot(robot)
 
     def check(self) -> None:
-        """Refuse a velocity of a size that nothing can be computed with."""
+        """Refuse a velocity whose size is out of bounds."""
         if not SLOWEST <= self.sized(self.own) <= FASTEST:
             raise InputError(f"velocity: expected another one than 0, and none larger than {FASTEST:g}")
 
     def after(self, before: State, now: State) -> Self:
-        """Be no example any more when the arm has been moved away from it."""
+        """Forget the example when the arm has been moved away from it."""
         moved = now[Joints].q is not before[Joints].q and self is before[Microscope]
         return replace(self, example="") if moved and self.example else self
 
@@ -125,7 +125,7 @@ class Microscope(FieldPart):
 
     @cached_property
     def options(self) -> Mapping[str, Mapping[str, Any]]:
-        """Options by key of the method."""
+        """Options of each method, by the method's key."""
         found: dict[str, dict[str, Any]] = {}
         for key, value in self.damping:
             found.setdefault(DAMPING[key][0], {})[key] = value

@@ -1,4 +1,4 @@
-"""The arm moves through its self-motion and back to where it was, or once around; its tool stays."""
+"""The arm moves through its self-motion and back, or once around; its tool stays still."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SECONDS = 8.0
 
 
 def at(state: State, time: float) -> State:
-    """Return the state with the arm where it is at a time; the first call notes where it began."""
+    """Return the state with the arm at its place at a time; the first call notes where the motion began."""
     if begun(state) is None:
         key = key_of(state)
         if way_of(key) is None:
@@ -30,7 +30,7 @@ def at(state: State, time: float) -> State:
 
 
 def part_at(state: State, time: float) -> float:
-    """Return how far along the curve the arm is at a time.
+    """Return the place of the arm along the curve at a time, as a part from 0 to 1.
 
     Around a closed one; else from where it began to one end, to the other, and back.
     """

@@ -1,4 +1,4 @@
-"""Examples of the bench that solves for joint speeds, each with a sentence on what to look at. One entry each."""
+"""Examples of the bench that solves for joint speeds, each with a sentence on what to look at."""
 
 from __future__ import annotations
 
@@ -128,18 +128,18 @@ EXAMPLES: Registry[Example] = Registry(
         ),
     ),
 )
-"""By key, in the order of the list."""
+"""Examples by key, in the order of the list."""
 
 
 @dataclass(frozen=True)
 class ChooseSolveExample(Command):
-    """Put the arm, the pose and the velocity of an example in place."""
+    """Load the arm, the pose and the velocity of an example."""
 
     key: str
     label: ClassVar[str] = "example of joint speeds"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         example = EXAMPLES[self.key]
         state = on_arm(state, example.robot)
         arm = state[RobotPart].robot.arm

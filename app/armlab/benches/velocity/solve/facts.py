@@ -1,4 +1,4 @@
-"""Facts of the equation for joint speeds that lessons can check: its rank, how many solutions, the shortest one."""
+"""Facts of the equation for joint speeds that lessons can check: its rank, its solutions, the shortest one."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def _found(state: State) -> Found:
 
 
 def _determinant(state: State) -> float | None:
-    """Return det J in metres and radians; None where J is not square."""
+    """Return det J in metres and radians, or None if J is not square."""
     J = _found(state).J
     return float(np.linalg.det(J)) if J.shape[0] == J.shape[1] else None
 

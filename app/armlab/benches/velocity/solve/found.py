@@ -1,4 +1,4 @@
-"""What follows from the wanted velocity: the answer, the subspaces, the tests of singularity."""
+"""Results for the wanted velocity: the answer, the subspaces, the tests of singularity."""
 
 from __future__ import annotations
 
@@ -47,17 +47,17 @@ class Found:
 
     @property
     def p(self) -> int:
-        """Number of rows that are of position."""
+        """Number of rows for the position."""
         return len(self.arm.task.position)
 
     @cached_property
     def axes(self) -> Array:
-        """What the rows are components along, in the world, (m, 3)."""
+        """Unit vectors of the world along which the rows are components, (m, 3)."""
         return task_axes(self.arm, self.q)
 
     @property
     def usual(self) -> int:
-        """The rank where the arm is not singular."""
+        """The rank of J in configurations that are not singular."""
         return usual_rank(self.arm)
 
     @property
@@ -67,7 +67,7 @@ class Found:
 
     @cached_property
     def reasons(self) -> tuple[Singularity, ...]:
-        """Why it is singular."""
+        """Reasons why the configuration is singular."""
         return singularities(self.arm, self.q) if self.singular else ()
 
     @cached_property
@@ -77,17 +77,17 @@ class Found:
 
     @property
     def formula(self) -> SymbolicDeterminant | None:
-        """The determinant in symbols, of small arms."""
+        """The determinant in symbols, for small arms."""
         return determinant(self.arm)
 
     @property
     def is_scaled(self) -> bool:
-        """Whether metres or joint speeds are scaled for rank, singular values and pseudo-inverse."""
+        """Whether metres or joint speeds are scaled for the rank, the singular values and the pseudo-inverse."""
         return bool((self.spaces.lengths != 1.0).any() or (self.spaces.speeds != 1.0).any())
 
     @property
     def scaled(self) -> Array:
-        """The scaled matrix, (m, n); J itself where nothing is scaled."""
+        """The scaled matrix, (m, n), which is J itself if nothing is scaled."""
         return np.asarray(self.J * self.spaces.speeds / self.spaces.lengths[:, None])
 
     @property
@@ -97,16 +97,16 @@ class Found:
 
     @cached_property
     def penrose(self) -> tuple[float, float, float, float]:
-        """The four Penrose conditions' largest differences, of the scaled matrix."""
+        """The largest differences in the four Penrose conditions of the scaled matrix."""
         return penrose(self.scaled, self.scaled_inverse)
 
     def vectors(self, values: Array) -> tuple[Array, Array]:
-        """Return a task velocity as vectors of the world: of the tool point, m/s, and of turning, rad/s."""
+        """Return a task velocity as two vectors of the world: of the tool point, m/s, and of rotation, rad/s."""
         return values[: self.p] @ self.axes[: self.p], values[self.p :] @ self.axes[self.p :]
 
 
 def found_at(arm: Arm, q: Array, twist: tuple[float, ...]) -> Found:
-    """Return the solution of one configuration; of a longer twist the first components."""
+    """Return the solution in one configuration; a longer twist is cut to the rows of the task."""
     J = task_matrix(arm, q)
     v = np.array(twist[: arm.task.m])
     spaces = subspaces(J, task_lengths(arm), joint_scale(arm))

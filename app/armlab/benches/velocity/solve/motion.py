@@ -1,4 +1,4 @@
-"""The self-motion of the arm for a slider and a film: the tool keeps what is asked of it."""
+"""The self-motion of the arm for a slider and a film: the tool keeps the components of the task."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from armlab.session.state import Command, State
 Array = NDArray[np.float64]
 
 Key = tuple[Arm, bytes, tuple[bool, ...]]
-"""What a self-motion depends on: the arm, where it began, the joints that are held."""
+"""Arguments of a self-motion: the arm, the configuration where it began, and the joints that are held."""
 
 
 def key_of(state: State) -> Key:
-    """Return the self-motion the arm is on: the one that was begun, or the one from here."""
+    """Return the arguments of the self-motion of the arm: the one that was begun, or the one from here."""
     part, joints = state[Solve], state[Joints]
     arm = arm_asked(state)
     if part.start is not None:
@@ -37,7 +37,7 @@ def key_of(state: State) -> Key:
 
 @lru_cache(maxsize=64)
 def way_of(key: Key) -> tuple[Question, Motion] | None:
-    """Return the self-motion through a configuration; None where nothing can move."""
+    """Return the self-motion through a configuration, or None if no joint can move."""
     arm, values, locked = key
     q = np.frombuffer(values)
     held = {i + 1: float(q[i]) for i, on in enumerate(locked) if on}
@@ -47,7 +47,7 @@ def way_of(key: Key) -> tuple[Question, Motion] | None:
 
 
 def begun(state: State) -> tuple[Question, Motion] | None:
-    """Return the self-motion that has been begun and that the arm is still on; cheap while there is none."""
+    """Return the self-motion that has begun, if the arm is still on it; this is quick while there is none."""
     part = state[Solve]
     if part.start is None:
         return None
@@ -56,19 +56,19 @@ def begun(state: State) -> tuple[Question, Motion] | None:
 
 
 def looked_for(state: State) -> bool:
-    """Return whether it is known if there is a self-motion from where the arm stands."""
+    """Return whether the self-motion from the present configuration has been looked for."""
     return state[Solve].start == tuple(state[Joints].q.tolist())
 
 
 def part_of(state: State) -> float | None:
-    """Return how far along its self-motion the arm is, 0 to 1; None where none has been begun."""
+    """Return the place of the arm along its self-motion, 0 to 1, or None if none has begun."""
     found = begun(state)
     return None if found is None else found[1].part(found[0].arm, state[Joints].q)
 
 
 @dataclass(frozen=True)
 class SlideAlong(Command):
-    """Move the arm along its self-motion: a slider in motion.
+    """Move the arm along its self-motion; sent by a slider in motion.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ class SlideAlong(Command):
     label: ClassVar[str] = "self-motion"
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm there."""
+        """Return the state with the arm at that part of the self-motion."""
         if not math.isfinite(self.part):
             raise InputError(f"self-motion: expected a number from 0 to 1, got {self.part}")
         return at_part(state, min(max(self.part, 0.0), 1.0))
@@ -117,12 +117,12 @@ def at_part(state: State, part: float) -> State:
 
 @dataclass(frozen=True)
 class BeginAlong(Command):
-    """Find out where on its self-motion the arm stands, for the slider; or that there is none here."""
+    """Find the place of the arm on its self-motion for the slider, or that there is no self-motion here."""
 
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the self-motion looked for here, unless the arm is on one."""
+        """Return the state with the self-motion searched from here, unless the arm is already on one."""
         if begun(state) is not None or looked_for(state):
             return state
         return state.replace(replace(state[Solve], start=tuple(state[Joints].q.tolist())))

@@ -1,4 +1,4 @@
-"""Two joints of a plane arm: two equations in two unknowns, their determinant over the square of joint values."""
+"""Two joints of a planar arm: two equations in two unknowns, their determinant over the square of joint values."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ from armlab.session.state import Command, State
 Array = NDArray[np.float64]
 
 CELLS = 72
-"""Of the square each way, in which the singular set is looked for."""
+"""Number of cells along each side of the square in which the singular set is looked for."""
 
 POINTS = 181
-"""Of the curve of joint speeds over the second joint."""
+"""Number of points of the curve of joint speeds over the second joint."""
 
 NEVER = 1e-9
-"""A determinant below this times the square of the length scale is zero."""
+"""Determinant, over the square of the length scale, below which it is zero."""
 
 
 @dataclass(frozen=True, eq=False)
 class Flat:
-    """Two equations J qdot = v in the speeds of two joints; the others stand still.
+    """Two equations J qdot = v in the speeds of two joints, with the others held still.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class Flat:
 
 
 def refusal(state: State) -> str:
-    """Return why the pictures cannot be drawn of this arm; empty where they can."""
+    """Return why the pictures cannot be drawn for this arm; empty if they can."""
     arm = state[Joints].arm
     if arm.n < 2:
         return "The pictures need two joints; this arm has one."
@@ -111,11 +111,11 @@ class Square:
 
 
 Key = tuple[Arm, tuple[int, int], bytes]
-"""The arm, the two joints, and where all joints stand, the two at zero."""
+"""Arguments of the square: the arm, the two joints, and the values of all joints, with the two at zero."""
 
 
 def key_of(state: State) -> Key:
-    """Return what the square depends on."""
+    """Return the arguments of the square in a state."""
     part, joints = state[Solve], state[Joints]
     others = np.array(joints.q)
     others[list(part.pair)] = 0.0
@@ -144,7 +144,7 @@ def _square(key: Key) -> Square:
 
 
 def _determinants(key: Key, values: Array) -> Array:
-    """Return det J where the two joints have these values (N, 2)."""
+    """Return det J for values (N, 2) of the two joints."""
     arm, pair, others = key
     q = np.repeat(np.frombuffer(others)[None], len(values), axis=0)
     q[:, list(pair)] = values
@@ -153,13 +153,13 @@ def _determinants(key: Key, values: Array) -> Array:
 
 
 def _rows(arm: Arm, q: Array) -> Array:
-    """Return the rows of the two coordinates of the plane, (N, 2, n), in axes of frame 0."""
+    """Return the rows of the two coordinates of the plane, (N, 2, n), in the axes of frame 0."""
     turned = arm.base[:3, :3].T @ np.asarray(arm.jacobian(q), dtype=np.float64)[:, :3]
     return np.asarray(turned[:, ["xyz".index(letter) for letter in letters_of(arm)]])
 
 
 def contour(x: Array, y: Array, values: Array) -> Array:
-    """Return the pieces (k, 2, 2) of the zero set of values (len(x), len(y)) on a grid, each cell by straight lines.
+    """Return the pieces (k, 2, 2) of the zero set of values (len(x), len(y)) on a grid, as straight lines in each cell.
 
     A cell whose corners change sign four times gets both pairs of neighbouring edges joined.
     """
@@ -180,7 +180,7 @@ def contour(x: Array, y: Array, values: Array) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class NormCurve:
-    """Size of the joint speeds against det J while the second joint goes through its range.
+    """Size of the joint speeds against det J for all values of the second joint.
 
     Attributes
     ----------
@@ -223,7 +223,7 @@ class StandAt(Command):
     label: ClassVar[str] = "move in the square"
 
     def apply(self, state: State) -> State:
-        """Return the state with the joints there, or at their limits."""
+        """Return the state with the joints at that place, or at their limits."""
         why = refusal(state)
         if why:
             raise InputError(why)
@@ -239,7 +239,7 @@ class StandAt(Command):
 
 @dataclass(frozen=True)
 class DragTo(StandAt):
-    """Drag the two joints through their square: one event of a drag.
+    """Drag the two joints through their square; this is one event of a drag.
 
     Parameters
     ----------
@@ -252,5 +252,5 @@ class DragTo(StandAt):
 
     @property
     def stroke(self) -> object:
-        """One drag is one step."""
+        """Make one step of history of one drag."""
         return DragTo, self.drag

@@ -1,4 +1,4 @@
-"""The bench that solves for joint speeds: which velocity of the tool is wanted, and of how much of the task."""
+"""The bench that solves for joint speeds: the wanted velocity of the tool, and the part of the task it concerns."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from armlab.session.state import Command, Json, PartType, State
 CLIP_KEY = "self_motion"
 
 ROWS = ("task", "position")
-"""What is asked of the tool: all of its task, or the velocity of its point alone."""
+"""Choices of what is asked of the tool: all of its task, or the velocity of its point alone."""
 
 FASTEST = 100.0
-"""m/s or rad/s; a faster tool is a slip of the pen."""
+"""Largest speed that can be asked for, m/s or rad/s."""
 
 USUAL = {"position": 0.25, "rotation": 0.0}
-"""Length scales a second, and rad/s, of the velocity a bench begins with, along its first coordinate."""
+"""Initial velocity along the first coordinate, in length scales a second or rad/s."""
 
 
 def _pair(data: Json) -> tuple[int, int]:
@@ -41,7 +41,7 @@ def _start(data: Json) -> tuple[float, ...] | None:
 
 @dataclass(frozen=True, eq=False)
 class Solve(FieldPart):
-    """What is asked for.
+    """The wanted velocity and the choices of the bench.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ class Solve(FieldPart):
     start : tuple of float or None
         Where the arm stood when its self-motion was looked for; None while it was not.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     """
 
     key: ClassVar[str] = "solve"
@@ -75,7 +75,7 @@ class Solve(FieldPart):
         return cls(arm, usual_twist(arm), pair=(0, min(1, arm.n - 1)))
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep the velocity where the task has stayed the same, and the joints of the pictures that are there."""
+        """Keep the velocity if the task is the same, and the joints of the pictures that are still there."""
         new = self.initial(robot)
         if robot.arm.task == self.arm.task:
             new = replace(new, twist=self.twist, rows=self.rows)
@@ -83,7 +83,7 @@ class Solve(FieldPart):
         return replace(new, pair=(kept[0], kept[1])) if len(set(kept)) == 2 else new
 
     def after(self, before: State, now: State) -> Self:
-        """Forget where a self-motion began when its clip is taken off, or what it leaves in place is another."""
+        """Forget the start of a self-motion when its clip is closed or the conditions on the tool have changed."""
         part = self
         if self.example and self is before[Solve] and now[Joints].q is not before[Joints].q:
             part = replace(part, example="")
@@ -92,7 +92,7 @@ class Solve(FieldPart):
         return replace(part, start=None) if (was or other) and not on and self.start is not None else part
 
     def check(self) -> None:
-        """Refuse what does not fit the arm."""
+        """Refuse values that do not fit the arm."""
         n, (first, second) = self.arm.n, self.pair
         if self.rows == "position" and not has_choice(self.arm):
             raise InputError(f"position alone: the task of this arm is its {self.arm.task.title}")
@@ -106,7 +106,7 @@ PART = PartType(Solve, order=96)
 
 
 def usual_twist(arm: Arm) -> tuple[float, ...]:
-    """Return the velocity a bench begins with."""
+    """Return the velocity with which a bench begins."""
     twist = [0.0] * arm.task.m
     if arm.task.position:
         twist[0] = float(f"{USUAL['position'] * arm.length_scale:.1g}")
@@ -117,18 +117,18 @@ def usual_twist(arm: Arm) -> tuple[float, ...]:
 
 @lru_cache(maxsize=64)
 def position_only(arm: Arm) -> Arm:
-    """Return the arm with the position of its tool point as its task; whatever else it could do is left free."""
+    """Return the arm with the position of its tool point as its only task."""
     return replace(arm, task=Task(arm.task.position, "none"))
 
 
 def arm_asked(state: State) -> Arm:
-    """Return the arm with what is asked of it as its task."""
+    """Return the arm with the chosen rows as its task."""
     part = state[Solve]
     return part.arm if part.rows == "task" else position_only(part.arm)
 
 
 def has_choice(arm: Arm) -> bool:
-    """Return whether position alone is less than the task."""
+    """Return whether the position alone is less than the task."""
     return bool(arm.task.position) and arm.task.rotation != "none"
 
 
@@ -152,14 +152,14 @@ class SetComponent(Command):
 
 @dataclass(frozen=True)
 class Aim(Command):
-    """Drag the arrow of the wanted velocity: the components of the position, m/s; only the newest counts."""
+    """Drag the arrow of the wanted velocity: the components of the position, m/s; only the newest event counts."""
 
     velocity: tuple[float, ...]
     snapshot: ClassVar[bool] = True
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the velocity; what turns stays."""
+        """Return the state with the velocity; its angular part stays."""
         part = state[Solve]
         p = len(part.arm.task.position)
         if len(self.velocity) != p:
@@ -169,11 +169,11 @@ class Aim(Command):
 
 @dataclass(frozen=True)
 class AskFor(Command):
-    """Ask for all of the task or for the position alone."""
+    """Ask for the whole task or for the position alone."""
 
     rows: str
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with that asked."""
+        """Return the state with that choice."""
         return setting(state, Solve, {"rows": self.rows, "start": None})

@@ -1,4 +1,4 @@
-"""The joints move with the speeds that are chosen, until the first of them is at a limit."""
+"""The joints move with the chosen speeds until the first of them is at a limit."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from armlab.session.parts.timeline import Clip
 from armlab.session.state import State
 
 LONGEST = 120.0
-"""Seconds; slow joints with wide limits are shown no longer."""
+"""Longest duration of the drive, seconds; slow joints with wide limits are shown no longer."""
 
 
 def duration(state: State) -> float:
-    """Return when the first joint is at a limit: as long as has been driven, and what is left from here."""
+    """Return the time at which the first joint is at a limit: the time driven so far, plus the time left."""
     return min((state[Velocity].reached or 0.0) + time_left(state), LONGEST)
 
 
 def at(state: State, time: float) -> State:
     """Return the state with the joints moved on by the time since the last picture.
 
-    So a hand that turns a joint, or changes a speed, is where it goes on from.
+    If the student moves a joint or changes a speed, the drive continues from there.
     """
     part, joints = state[Velocity], state[Joints]
     passed = 0.0 if part.reached is None else time - part.reached

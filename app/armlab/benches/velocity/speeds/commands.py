@@ -1,4 +1,4 @@
-"""What can be done on the bench of velocities."""
+"""Commands of the bench of velocities."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from armlab.session.state import Command, State
 
 @dataclass(frozen=True)
 class SetSpeed(Command):
-    """Set the speed of one joint: a slider in motion.
+    """Set the speed of one joint; sent by a slider in motion.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ class SetSpeed(Command):
 
     @property
     def channel(self) -> object:
-        """Sliders of different joints do not replace each other."""
+        """Keep the sliders of different joints from replacing each other."""
         return type(self), self.joint
 
     def apply(self, state: State) -> State:
@@ -46,7 +46,7 @@ class SetSpeed(Command):
 
 @dataclass(frozen=True)
 class MoveAlone(Command):
-    """Move one joint (0-based) alone, with the speed it has or, where it stands, its usual one."""
+    """Move one joint (0-based) alone, with its present speed or, if that is 0, its usual one."""
 
     joint: int
     undoable: ClassVar[bool] = False
@@ -80,7 +80,7 @@ class LookAtLink(Command):
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the link and its points."""
+        """Return the state with the link and two of its points."""
         part = state[Velocity]
         looking = part.with_values({"link": self.link})
         if looking.link == part.link:
@@ -90,14 +90,14 @@ class LookAtLink(Command):
 
 @dataclass(frozen=True)
 class SetLinkPoint(Command):
-    """Put one of the two points of the link (0 or 1) somewhere in the axes of its frame, metres."""
+    """Place one of the two points of the link (0 or 1) in the axes of its frame, metres."""
 
     which: int
     xyz: Xyz
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the point there."""
+        """Return the state with the point placed."""
         if self.which not in (0, 1):
             raise InputError(f"point of a link: expected 1 or 2, got {self.which + 1}")
         first, second = state[Velocity].points
@@ -106,7 +106,7 @@ class SetLinkPoint(Command):
 
 @dataclass(frozen=True)
 class DrawVelocities(Command):
-    """Draw, or leave out, one of `armlab.benches.velocity.speeds.state.MARKS`."""
+    """Draw or hide one of `armlab.benches.velocity.speeds.state.MARKS`."""
 
     name: str
     on: bool
@@ -119,7 +119,7 @@ class DrawVelocities(Command):
 
 @dataclass(frozen=True)
 class Unfold(Command):
-    """Unfold, or fold away, one of `armlab.benches.velocity.speeds.state.FOLDS`."""
+    """Unfold or fold one of `armlab.benches.velocity.speeds.state.FOLDS`."""
 
     name: str
     on: bool
@@ -136,7 +136,7 @@ def _check_joint(part: Velocity, joint: int) -> None:
 
 
 def _switched(state: State, field: str, known: Sequence[str], name: str, on: bool) -> State:
-    """Return the state with one of the names of a field on or off."""
+    """Return the state with one of the names of a field switched on or off."""
     known_name(field, name, known)
     chosen = getattr(state[Velocity], field)
     return setting(state, Velocity, {field: chosen | {name} if on else chosen - {name}})

@@ -1,4 +1,4 @@
-"""Examples of sections 1.2 and 5.1 of the notes: an arm, a pose and joint speeds. One entry each."""
+"""Examples of sections 1.2 and 5.1 of the notes: an arm, a pose and joint speeds."""
 
 from __future__ import annotations
 
@@ -111,18 +111,18 @@ EXAMPLES: Registry[Example] = Registry(
         ),
     ),
 )
-"""By key, in the order of the list."""
+"""Examples by key, in the order of the list."""
 
 
 @dataclass(frozen=True)
 class ChooseVelocityExample(Command):
-    """Put the arm, the pose and the joint speeds of an example in place."""
+    """Load the arm, the pose and the joint speeds of an example."""
 
     key: str
     label: ClassVar[str] = "example of velocities"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         example = EXAMPLES[self.key]
         state = on_arm(with_clip_closed(state), example.robot)
         robot = state[RobotPart].robot

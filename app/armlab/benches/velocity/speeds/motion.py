@@ -1,4 +1,4 @@
-"""What the chosen joint speeds do at a configuration: the parts of the twist, a link's points, the higher orders."""
+"""Effects of the chosen joint speeds at a configuration: the parts of the twist, a link's points, the higher orders."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from armlab.session.state import State
 Floats = NDArray[np.float64]
 
 INSTANT = 1e-4
-"""Seconds before and after, between which the tool's way is measured."""
+"""Time before and after, seconds, between which the way of the tool is measured."""
 
 
 @dataclass(frozen=True, eq=False)
 class Moving:
-    """The velocity of the tool and what each joint gives to it, in the world.
+    """The velocity of the tool and the contribution of each joint, in the world.
 
     Attributes
     ----------
@@ -50,23 +50,23 @@ class Moving:
 
     @property
     def parts(self) -> Floats:
-        """What each joint gives, (6, n): m/s and rad/s (notes 1.9-1.10)."""
+        """Contributions of the joints, (6, n): m/s and rad/s (notes 1.9-1.10)."""
         return np.asarray(self.J * self.speeds)
 
     @property
     def twist(self) -> Floats:
-        """Their sum (6,): ``(v; omega) = J qdot``."""
+        """Sum of the contributions, (6,): ``(v; omega) = J qdot``."""
         return np.asarray(self.J @ self.speeds)
 
     @property
     def matrix(self) -> Floats:
-        """J in the axes it is written in."""
+        """J in the chosen axes."""
         back = self.axes.T
         return np.concatenate([back @ self.J[:3], back @ self.J[3:]])
 
 
 def moving_at(arm: Arm, q: Floats, speeds: Floats, axes: str) -> Moving:
-    """Return what joint speeds do at a configuration."""
+    """Return the effects of joint speeds at a configuration."""
     frames = np.asarray(arm.frames(q), dtype=np.float64)
     tool = frames[-1] @ arm.tool
     on_axis = frames[:-1] if arm.convention == "standard" else frames[1:]
@@ -75,12 +75,12 @@ def moving_at(arm: Arm, q: Floats, speeds: Floats, axes: str) -> Moving:
 
 
 def speeds_of(state: State) -> Floats:
-    """Return the joint speeds (n,), rad/s and m/s: a held joint stands still."""
+    """Return the joint speeds (n,), rad/s and m/s, with 0 for a held joint."""
     return np.where(state[Joints].locked, 0.0, state[Velocity].qdot)
 
 
 def moving_of(state: State) -> Moving:
-    """Return what the chosen speeds do at the present configuration."""
+    """Return the effects of the chosen speeds at the present configuration."""
     joints = state[Joints]
     return moving_at(joints.arm, joints.q, state.derived(speeds_of), state[Velocity].axes)
 
@@ -104,22 +104,22 @@ class TwoPoints:
 
     @property
     def lever(self) -> Floats:
-        """r12, from the first to the second, metres."""
+        """Vector r12 from the first point to the second, metres."""
         return np.asarray(self.second - self.first)
 
     @property
     def across(self) -> Floats:
-        """``omega x r12``, m/s: always across r12."""
+        """Cross product ``omega x r12``, m/s, perpendicular to r12."""
         return np.asarray(np.cross(self.omega, self.lever))
 
     @property
     def v2(self) -> Floats:
-        """``v2 = v1 + omega x r12`` (notes 1.8)."""
+        """Velocity of the second point, ``v2 = v1 + omega x r12`` (notes 1.8)."""
         return point_velocity(self.v1, self.omega, self.lever)
 
 
 def two_points_at(arm: Arm, q: Floats, speeds: Floats, part: Velocity) -> TwoPoints:
-    """Return the two points of the link that is looked at."""
+    """Return the two points of the chosen link."""
     frame = np.asarray(arm.frames(q), dtype=np.float64)[part.link]
     first, second = (frame[:3, :3] @ point + frame[:3, 3] for point in part.points)
     twist = link_jacobian(arm, q, part.link, part.points[0]) @ speeds
@@ -133,20 +133,20 @@ def two_points_of(state: State) -> TwoPoints:
 
 
 def higher_of(state: State) -> ToolMotion:
-    """Return velocity, acceleration and jerk of the tool while the joint speeds stay what they are."""
+    """Return velocity, acceleration and jerk of the tool while the joint speeds stay constant."""
     joints = state[Joints]
     return tool_motion(joints.arm, joints.q, state.derived(speeds_of))
 
 
 def measured_velocity(state: State) -> Floats:
-    """Return the tool's way between `INSTANT` before and after, divided by the time: m/s, shape (3,)."""
+    """Return the way of the tool from `INSTANT` before to `INSTANT` after, divided by the time: m/s, shape (3,)."""
     joints, step = state[Joints], INSTANT * state.derived(speeds_of)
     way = joints.arm.position(joints.q + step) - joints.arm.position(joints.q - step)
     return np.asarray(way / (2.0 * INSTANT), dtype=np.float64)
 
 
 def time_left(state: State) -> float:
-    """Return the seconds until the first joint that moves is at a limit, maybe infinite; 0 when none moves."""
+    """Return the seconds until the first moving joint is at a limit, infinite if there is no limit; 0 if none moves."""
     joints, speeds = state[Joints], state.derived(speeds_of)
     on = speeds != 0.0
     if not on.any():
@@ -157,7 +157,7 @@ def time_left(state: State) -> float:
 
 
 def first_at_limit(state: State) -> int | None:
-    """Return the joint (0-based) that ends the drive; None when none moves."""
+    """Return the joint (0-based) that ends the drive, or None if none moves."""
     joints, speeds = state[Joints], state.derived(speeds_of)
     on = np.flatnonzero(speeds != 0.0)
     if len(on) == 0:

@@ -1,4 +1,4 @@
-"""The bench of velocities: the speed of each joint, in whose axes J is written, and two points of a link."""
+"""The bench of velocities: the speed of each joint, the axes of J, and two points of a link."""
 
 from __future__ import annotations
 
@@ -28,28 +28,29 @@ Xyz = tuple[float, float, float]
 CLIP_KEY = "speeds"
 
 MATRIX = "jacobian"
-"""Under which a selection in J is known to the scene."""
+"""Key by which the scene knows a selection in J."""
 
 MARKS = ("v", "omega", "points")
-"""What can be drawn: the parts of v with their sum, the parts of omega, and the two points of a link."""
+"""Marks that can be drawn: the parts of v with their sum, the parts of omega, and the two points of a link."""
 
 FOLDS = ("points", "higher")
 """Parts of the page that can be folded away."""
 
 FASTEST: dict[bool, float] = {True: math.pi, False: 1.0}
-"""rad/s of a joint that turns, m/s of one that slides, at most, where the arm says no limit."""
+"""Largest speed if the arm states no limit: rad/s of a joint that turns, m/s of one that slides."""
 
 USUAL: dict[bool, float] = {True: math.radians(30.0), False: 0.1}
-"""rad/s and m/s at which joints begin, where their limits allow it."""
+"""Initial speed if the limits allow it: rad/s of a joint that turns, m/s of one that slides."""
 
 FARTHEST = 100.0
-"""Metres; a point farther from its link is a slip of the pen."""
+"""Largest distance of a point from its link, metres."""
 
 APART = 0.2
-"""Of the length scale, between two points of a link that has no length."""
+"""Distance of the two points of a link without length, in length scales."""
 
 DRAWN, SAMPLES, SHARE = 0.45, 64, 0.9
-"""Reaches of the arm that the longest arrow has in so large a share of so many random configurations."""
+"""Length of the longest arrow in reaches of the arm, number of random configurations, and the share that keeps to
+it."""
 
 
 def _point(xyz: Sequence[float]) -> Xyz:
@@ -67,7 +68,7 @@ def _points(data: Json) -> tuple[Xyz, Xyz]:
 
 @dataclass(frozen=True, eq=False)
 class Velocity(FieldPart):
-    """What the bench shows.
+    """Choices of the bench.
 
     Attributes
     ----------
@@ -87,7 +88,7 @@ class Velocity(FieldPart):
     reached : float or None
         The second of the film to which the present joint values belong; None while it is not on.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     """
 
     key: ClassVar[str] = "velocity"
@@ -112,19 +113,19 @@ class Velocity(FieldPart):
         return cls(arm, tuple(usual_speed(arm, i) for i in range(arm.n)), "world", arm.n, ends_of(arm, arm.n))
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
-        """Return the part with some fields set, and speeds moved into what the joints can do."""
+        """Return the part with some fields set, and speeds clipped to the limits of the joints."""
         part = super().with_values(values)
         return replace(part, qdot=tuple(within(part.arm, i, value) for i, value in enumerate(part.qdot)))
 
     def check(self) -> None:
-        """Refuse a link that the arm does not have, and a time before the film begins."""
+        """Refuse a link that the arm does not have, and a negative time of the film."""
         if self.link > self.arm.n:
             raise InputError(f"link: expected 1 to {self.arm.n}, got {self.link}")
         if self.reached is not None and self.reached < 0.0:
             raise InputError(f"reached: expected at least 0 s, got {self.reached:g}")
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep the speeds of the joints that are still there and of their kind, and the link with typed points."""
+        """Keep the speeds of joints that are still there and of the same kind, and the link with typed points."""
         new, arm = self.for_robot(robot), robot.arm
         if self.link - 1 in origin:
             link = origin.index(self.link - 1) + 1
@@ -137,7 +138,7 @@ class Velocity(FieldPart):
         return replace(new, qdot=tuple(qdot), reached=self.reached)
 
     def after(self, before: State, now: State) -> Self:
-        """Forget where the film stood when it is taken off, and the example when a hand moves the arm away from it."""
+        """Forget the place of the film when it is closed, and the example when the student moves the arm."""
         part = self
         if self.example and self is before[Velocity] and now[Joints].q is not before[Joints].q:
             part = replace(part, example="")
@@ -154,18 +155,18 @@ def fastest(arm: Arm, joint: int) -> float:
 
 
 def usual_speed(arm: Arm, joint: int) -> float:
-    """Return the speed at which a joint (0-based) begins, rad/s or m/s."""
+    """Return the initial speed of a joint (0-based), rad/s or m/s."""
     return min(USUAL[bool(arm.revolute[joint])], fastest(arm, joint))
 
 
 def within(arm: Arm, joint: int, value: float) -> float:
-    """Return a speed of a joint (0-based), moved into what it can do."""
+    """Return a speed of a joint (0-based), clipped to its limits."""
     most = fastest(arm, joint)
     return min(max(value, -most), most)
 
 
 def ends_of(arm: Arm, link: int) -> tuple[Xyz, Xyz]:
-    """Return the two ends of a link in the axes of its frame: where it is carried, and what it carries.
+    """Return the two ends of a link in the axes of its frame: at its own joint and at the next one.
 
     Sliding joints stand at 0.
 
@@ -205,7 +206,7 @@ def drawn_scales(arm: Arm, speeds: tuple[float, ...]) -> tuple[float, float]:
 
 
 def _scale(arm: Arm, parts: Floats) -> float:
-    """Return what the sum, and the longest of the parts (N, 3, n), are drawn with."""
+    """Return the scale for drawing parts (N, 3, n) and their sum."""
     sums, longest = np.linalg.norm(parts.sum(axis=2), axis=1), np.linalg.norm(parts, axis=1).max(axis=1)
     usual = float(np.quantile(np.maximum(sums, longest), SHARE))
     if usual < 1e-9:

@@ -1,4 +1,4 @@
-"""Examples of the bench of statics, each with a sentence on what to look at. One entry each."""
+"""Examples of the bench of statics, each with a sentence on what to look at."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Example:
     axes: Axes = "world"
 
     def part(self) -> Statics:
-        """Return the bench with this example in place."""
+        """Return the bench with this example loaded."""
         part = Statics(self.force, self.moment, self.axes, example=self.key)
         return part.fitted()
 
@@ -132,18 +132,18 @@ EXAMPLES: Registry[Example] = Registry(
         ),
     ),
 )
-"""By key, in the order of the list."""
+"""Examples by key, in the order of the list."""
 
 
 @dataclass(frozen=True)
 class ChooseExample(Command):
-    """Put arm, configuration and wrench of an example in place."""
+    """Load the arm, the configuration and the wrench of an example."""
 
     key: str
     label: ClassVar[str] = "example of statics"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         example = EXAMPLES[self.key]
         state = on_arm(with_clip_closed(state), example.robot)
         q = example.q or state[RobotPart].robot.home

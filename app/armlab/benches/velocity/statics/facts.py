@@ -11,7 +11,7 @@ from armlab.session.state import State
 
 
 def _largest(state: State) -> float | None:
-    """Return the largest torque, N m; None for an arm with joints that slide, whose forces are no torques."""
+    """Return the largest torque, N m, or None for an arm with sliding joints, which need forces."""
     revolute = state[Joints].arm.revolute
     return float(np.abs(state.derived(balance).torques).max()) if revolute.all() else None
 

@@ -34,19 +34,19 @@ UNITS: dict[Kind, str] = {"force": "N", "moment": "N m"}
 ZERO: Triple = (0.0, 0.0, 0.0)
 
 MOST = 1e6
-"""N or N m; more is a slip of the pen."""
+"""Largest component of force or moment, N or N m."""
 
 USUAL = 20.0
-"""N of the force an arm opens with, and for which the arrow has its usual length when there is no force yet."""
+"""Initial force, N, which also sets the scale of the arrow while there is no force."""
 
 STEP = 0.01
-"""Size of a virtual displacement: radians of a joint that turns, length scales of the arm of one that slides."""
+"""Size of a virtual displacement: radians for a joint that turns, length scales of the arm for one that slides."""
 
 IN_PLANE = 1e-9
 """Sine of the angle within which an axis of the world lies in a plane."""
 
 NOTHING = 1e-9
-"""Torque that counts as none, in parts of what the wrench would need at the length of the whole arm."""
+"""Torque that counts as zero, as a share of the torque of the wrench at the length of the whole arm."""
 
 
 def _triple(kind: str, values: Json) -> Triple:
@@ -69,11 +69,11 @@ class Statics(FieldPart):
     axes : "world" or "tool"
         A wrench along the axes of the tool turns with it.
     full : (float, float)
-        N and N m that are drawn in full length: round numbers, the same while a hand pulls; 0 where there is nothing.
+        N and N m that are drawn in full length: round numbers, the same during a drag; 0 if there is nothing.
     draws : int
         How many virtual displacements were drawn; with 0 every joint moves a little forward.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     """
 
     key: ClassVar[str] = "statics"
@@ -100,7 +100,7 @@ class Statics(FieldPart):
         return replace(self, example="") if self.example and moved else self
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
-        """Return the part with some fields set, another wrench in a scale in which it is well seen."""
+        """Return the part with some fields set; another wrench also sets a scale that shows it well."""
         part = super().with_values(values)
         return part if "full" in values or not {*KINDS} & {*values} else part.fitted()
 
@@ -115,7 +115,7 @@ class Statics(FieldPart):
         return self.full[1]
 
     def fitted(self) -> Self:
-        """Return the part drawn in such a scale that the present wrench is well seen."""
+        """Return the part with a scale that shows the present wrench well."""
         return replace(self, full=tuple(round_above(math.hypot(*each)) for each in (self.force, self.moment)))
 
     def wrench(self, tool: Array) -> Array:
@@ -124,7 +124,7 @@ class Statics(FieldPart):
         return np.concatenate([turn @ self.force, turn @ self.moment])
 
     def full_torque(self, arm: Arm) -> float:
-        """Return the torque that is drawn in full size, N m: about what the full wrench can need at most."""
+        """Return the torque that is drawn in full size, N m: about the largest that the full wrench can need."""
         return round_above(self.full_force * 2.0 * arm.length_scale + self.full_moment)
 
 
@@ -153,7 +153,7 @@ class Balance(NamedTuple):
 
     @property
     def nothing(self) -> bool:
-        """Whether there is a wrench and no joint does anything for it."""
+        """Whether there is a wrench and no joint needs a torque for it."""
         return bool(self.wrench.any()) and bool(np.all(np.abs(self.torques) <= self.least))
 
 
@@ -174,7 +174,7 @@ def balance(state: State) -> Balance:
 
 
 def displacement(state: State) -> Array:
-    """Return the virtual displacement that is looked at, (n,), rad and m."""
+    """Return the chosen virtual displacement, (n,), rad and m."""
     arm, draws = state[Joints].arm, state[Statics].draws
     parts = np.random.default_rng(draws).uniform(-1.0, 1.0, arm.n) if draws else np.ones(arm.n)
     return STEP * parts * np.where(arm.revolute, 1.0, arm.length_scale)
@@ -242,7 +242,7 @@ class SetComponent(Command):
 
 @dataclass(frozen=True)
 class ReleaseWrench(Command):
-    """Exert nothing."""
+    """Remove the wrench."""
 
     label: ClassVar[str] = "wrench"
 
@@ -253,7 +253,7 @@ class ReleaseWrench(Command):
 
 @dataclass(frozen=True)
 class DragForce(Command):
-    """Pull at the tip of the force's arrow: one event of a drag.
+    """Drag the tip of the force's arrow; this is one event of a drag.
 
     Parameters
     ----------
@@ -270,11 +270,11 @@ class DragForce(Command):
 
     @property
     def stroke(self) -> object:
-        """One drag is one step."""
+        """Make one step of history of one drag."""
         return DragForce, self.drag
 
     def apply(self, state: State) -> State:
-        """Return the state with the force along the chosen axes; the scale of the picture stays."""
+        """Return the state with the force in the chosen axes; the scale of the picture stays."""
         part = state[Statics]
         given = np.array(_triple("force", self.force))
         turn = np.eye(3) if part.axes == "world" else state[Joints].tool_pose[:3, :3].T
@@ -290,7 +290,7 @@ class WriteAlong(Command):
     label: ClassVar[str] = "axes of the wrench"
 
     def apply(self, state: State) -> State:
-        """Return the state with other axes."""
+        """Return the state with the wrench written in those axes."""
         part = state[Statics]
         changed = part.with_values({"axes": self.axes})
         if changed == part:
@@ -304,17 +304,17 @@ class WriteAlong(Command):
 
 @dataclass(frozen=True)
 class DrawDisplacement(Command):
-    """Look at another virtual displacement; the same history gives the same."""
+    """Choose another virtual displacement; the same history gives the same one."""
 
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the next one."""
+        """Return the state with the next displacement."""
         return state.replace(replace(state[Statics], draws=state[Statics].draws + 1))
 
 
 def _clean(vector: Array) -> Triple:
-    """Return a turned vector without the rounding errors of the turn."""
+    """Return a rotated vector without the rounding errors of the rotation."""
     size = float(np.abs(vector).max())
     x, y, z = np.where(np.abs(vector) < 1e-14 * size, 0.0, vector).tolist()
     return x, y, z

@@ -9,7 +9,7 @@ from armlab.session.state import State
 
 
 def _stops(state: State) -> tuple[float, ...]:
-    """Return when omega changes."""
+    """Return the times at which omega changes."""
     return (1.0,) if state[Turning].shown == "laws" else ()
 
 

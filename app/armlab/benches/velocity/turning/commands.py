@@ -1,4 +1,4 @@
-"""What can be done on the page of turning."""
+"""Commands of the page of turning."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from armlab.session.state import Command, State
 
 @dataclass(frozen=True)
 class WriteAngles(Command):
-    """Write the same orientation, and where they exist the same omega, in the angles of another sequence."""
+    """Write the same orientation, and the same omega if possible, in the angles of another sequence."""
 
     axes: str | None = None
     fixed: bool | None = None
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the other angles and rates; rates that do not exist, or are too large, stay."""
+        """Return the state with the new angles and rates; rates that do not exist, or are too large, stay unchanged."""
         part = state[Turning]
         axes = part.axes if self.axes is None else self.axes
         fixed = part.fixed if self.fixed is None else self.fixed
@@ -54,7 +54,7 @@ class SetTurning(Command):
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the value, and the film at its beginning."""
+        """Return the state with the value, and the film at its start."""
         if self.what not in ("angles", "rates"):
             raise UnknownName("field", self.what, ("angles", "rates"))
         if not 0 <= self.index < 3:

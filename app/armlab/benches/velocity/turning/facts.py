@@ -1,4 +1,4 @@
-"""Facts of three angles and their rates that lessons can check, where the film begins."""
+"""Facts of three angles and their rates at the start of the film that lessons can check."""
 
 from __future__ import annotations
 

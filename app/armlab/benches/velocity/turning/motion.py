@@ -1,4 +1,4 @@
-"""What three angles and their rates make of a body, two time laws of omega, and how turns commute."""
+"""Rotation of a body by three angles and their rates, two time laws of omega, and the commutation of rotations."""
 
 from __future__ import annotations
 
@@ -29,16 +29,16 @@ LAWS: tuple[tuple[tuple[float, float, float], ...], ...] = (
     ((0.0, 0.0, QUARTER), (QUARTER, 0.0, 0.0)),
     ((QUARTER, 0.0, 0.0), (0.0, 0.0, QUARTER)),
 )
-"""Of notes 5.19: omega in the first and in the second second, rad/s."""
+"""Time laws of notes 5.19: omega in the first and in the second second, rad/s."""
 
 DURATION = {"angles": 4.0, "laws": 2.0}
-"""Seconds of the film."""
+"""Duration of the film, seconds."""
 
 INSTANT = 1e-5
-"""Seconds before and after, between which R is compared."""
+"""Time before and after, seconds, between which R is compared."""
 
 SIZES = (0.1, 0.01, 0.001)
-"""Radians of the turns whose order is changed."""
+"""Angles of the turns whose order is changed, radians."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,13 +71,13 @@ class Turned:
 
 
 def film_time(state: State) -> float:
-    """Return the second at which the film stands; 0 while it is not on."""
+    """Return the time of the film, seconds; 0 while it is closed."""
     timeline = state[Timeline]
     return timeline.time if timeline.clip == CLIP_KEY else 0.0
 
 
 def turned_of(state: State) -> Turned:
-    """Return the body where the film stands: the angles grow with their rates."""
+    """Return the body at the time of the film, with the angles growing with their rates."""
     part = state[Turning]
     rates = np.array(part.rates)
     angles = np.array(part.angles) + film_time(state) * rates
@@ -100,23 +100,23 @@ def _rotation(part: Turning, angles: Floats) -> Floats:
 
 
 def law_rotation(law: int, time: float) -> Floats:
-    """Return the orientation after so many seconds (0 to 2) of one of the `LAWS`, 0-based."""
+    """Return the orientation at a time (0 to 2 s) of one of the `LAWS`, 0-based."""
     return turned_by(LAWS[law], [min(time, 1.0), max(time - 1.0, 0.0)])
 
 
 def laws_time(state: State) -> float:
-    """Return the second at which the two laws are looked at: where their film stands, or their end."""
+    """Return the time at which the two laws are shown: that of their film, or its end."""
     return film_time(state) if state[Timeline].clip == CLIP_KEY else DURATION["laws"]
 
 
 def law_integral(time: float, law: int = 0) -> Floats:
-    """Return the integral of omega over so many seconds, radians."""
+    """Return the integral of omega up to a time, radians."""
     first, second = np.array(LAWS[law])
     return np.asarray(min(time, 1.0) * first + max(time - 1.0, 0.0) * second)
 
 
 def between(A: Floats, B: Floats) -> float:
-    """Return the angle of the one turn from one orientation to another, radians."""
+    """Return the angle of the single rotation from one orientation to another, radians."""
     return float(axis_angle(A.T @ B)[1])
 
 
@@ -141,7 +141,7 @@ class Commuting:
 
 @dataclass(frozen=True, eq=False)
 class ToolAngles:
-    """The angles of the tool in the chosen sequence, and how fast they change.
+    """The angles of the tool in the chosen sequence, and their rates.
 
     Attributes
     ----------
@@ -174,7 +174,7 @@ def tool_angles_of(state: State) -> ToolAngles:
 
 @cache
 def commuting() -> tuple[Commuting, ...]:
-    """Return how far the six orders are apart, for turns of each of `SIZES` (notes 5.22-5.27)."""
+    """Return the differences between the six orders, for turns of each of `SIZES` (notes 5.22-5.27)."""
     found = []
     for size in SIZES:
         turns = {axis: rotation_about(axis, size) for axis in "xyz"}

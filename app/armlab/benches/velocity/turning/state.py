@@ -16,17 +16,17 @@ Triple = tuple[float, float, float]
 CLIP_KEY = "turning"
 
 MATRIX = "rates"
-"""Under which a selection in T is known to the scene."""
+"""Key by which the scene knows a selection in T."""
 
 VIEWS = ("angles", "laws")
 
 MOST = 100.0
-"""rad or rad/s; more is a slip of the pen."""
+"""Largest angle or rate, rad or rad/s."""
 
 
 @dataclass(frozen=True)
 class Turning(FieldPart):
-    """What the page shows; it has nothing to do with the arm.
+    """Choices of the page, which do not depend on the arm.
 
     Attributes
     ----------
@@ -50,7 +50,7 @@ class Turning(FieldPart):
     shown: str = choice("view", "angles", VIEWS)
 
     def check(self) -> None:
-        """Refuse slips of the pen; `InputError` names the angle or the rate."""
+        """Refuse angles and rates that are too large; `InputError` names the one."""
         for name, values, unit in (("angle", self.angles, "rad"), ("rate", self.rates, "rad/s")):
             for k, value in enumerate(values):
                 if abs(value) > MOST:

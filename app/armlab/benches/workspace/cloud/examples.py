@@ -1,4 +1,4 @@
-"""Examples of sampled workspaces: an arm, what colours it, how it is cut. One entry each."""
+"""Examples of sampled workspaces: an arm, the measure that colours them, and the cut."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from armlab.session.state import Command, State
 
 @dataclass(frozen=True)
 class Example:
-    """One example; it is sampled at once.
+    """One example, which is sampled at once.
 
     Attributes
     ----------
@@ -98,12 +98,12 @@ EXAMPLES: Registry[Example] = Registry(
         ),
     ),
 )
-"""By key, in the order of the list."""
+"""Examples by key, in the order of the list."""
 
 
 @dataclass(frozen=True)
 class ChooseWorkspaceExample(Command):
-    """Put the arm of an example in place and sample its workspace."""
+    """Load the arm of an example and sample its workspace."""
 
     key: str
     label: ClassVar[str] = "example of a workspace"

@@ -1,4 +1,4 @@
-"""Facts of the sampled workspace that lessons can check; they are known once it has been sampled as it is set up."""
+"""Facts of the sampled workspace that lessons can check, known once it has been sampled with the present settings."""
 
 from __future__ import annotations
 

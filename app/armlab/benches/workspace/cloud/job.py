@@ -1,4 +1,4 @@
-"""Samples the workspace that was asked for, whether or not its page stays open."""
+"""The job that samples the requested workspace, whether or not its page stays open."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
 
 
 def delivered(state: State, question: Question, found: Sampled) -> State:
-    """Return the state with the samples so far; of what has been cancelled nothing is taken."""
+    """Return the state with the samples so far; those of a cancelled workspace are dropped."""
     part = state[Workspace]
     if part.asked != question:
         return state
@@ -32,7 +32,7 @@ def _cloud(question: Question) -> tuple[object, int]:
 
 
 def sampled(state: State) -> State:
-    """Return the state with the workspace that was asked for, whole: for tests and for those who can wait."""
+    """Return the state with the whole requested workspace, for tests and for callers that can wait."""
     question = state[Workspace].asked
     if question is None:
         return state

@@ -1,4 +1,4 @@
-"""Finds the boundary of a sampled workspace where it is drawn, or where only what is near it is."""
+"""The job that finds the boundary of a sampled workspace, if it or the points near it are drawn."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
 
 
 def run(arm: Arm) -> Iterator[Section | None]:
-    """Yield the section once it is finished."""
+    """Yield the section when it is finished."""
     for section in sections(arm):
         if not section.finished:
             yield None
@@ -36,7 +36,7 @@ def run(arm: Arm) -> Iterator[Section | None]:
 
 
 def delivered(state: State, arm: Arm, found: Section) -> State:
-    """Return the state with the section; that of another arm is let go."""
+    """Return the state with the section; a section of another arm is dropped."""
     part = state[Workspace]
     if state[Joints].arm is not arm or not asks_for_boundary(part, arm):
         return state
@@ -44,7 +44,7 @@ def delivered(state: State, arm: Arm, found: Section) -> State:
 
 
 def with_boundary(state: State) -> State:
-    """Return the state with the boundary it asks for: for tests and for those who can wait."""
+    """Return the state with the boundary it asks for, for tests and for callers that can wait."""
     arm = state[Joints].arm
     for found in run(arm) if asks_for_boundary(state[Workspace], arm) else ():
         state = state if found is None else delivered(state, arm, found)

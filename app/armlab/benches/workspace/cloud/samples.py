@@ -1,4 +1,4 @@
-"""What is asked of a sampled workspace, and what there is of it so far."""
+"""The request for a sampled workspace, and the samples so far."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ from armlab.kin.workspace.voxels import Voxels, voxels_for
 Floats = NDArray[np.float32]
 
 SHOWN = 26_000
-"""Points that are drawn, the first of the samples: more hide the arm and one another."""
+"""Number of points that are drawn, the first of the samples: more would hide the arm and one another."""
 
 VOXELS = 32
 """Voxels along a side of the cube that holds the workspace."""
 
 REMEMBERED = 6
-"""Workspaces that are kept for the next who asks the same."""
+"""Number of workspaces that are kept for the next request."""
 
 FOUND_OUT = 97
-"""Quantile, in percent, of the values at which the scale of colours ends: outliers would make all others alike."""
+"""Quantile of the values, in percent, at which the scale of colours ends, so that outliers do not compress it."""
 
 
 NOTHING = 0.02
-"""A scale that begins below this part of its end begins at 0."""
+"""Share of the end of a scale; if the scale would begin below it, it begins at 0."""
 
 
 @dataclass(frozen=True)
 class Question:
-    """All that a sampled workspace depends on; arms are compared by identity.
+    """All arguments of a sampled workspace; arms are compared by identity.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class Question:
 
 @dataclass(frozen=True, eq=False)
 class Sampled:
-    """A workspace as far as it is sampled.
+    """A workspace with the samples so far.
 
     Attributes
     ----------
@@ -92,12 +92,12 @@ class Sampled:
 
     @property
     def part(self) -> float:
-        """The part of the samples that has been taken, 0 to 1."""
+        """The share of the samples that has been taken, 0 to 1."""
         return self.done / self.question.count
 
 
 class _Memory:
-    """What has been found for a question, kept for the next who asks the same."""
+    """Results for a request, kept for the next one that is equal."""
 
     found: Sampled | None = None
 
@@ -108,7 +108,7 @@ def _memory(question: Question) -> _Memory:
 
 
 def sampling(question: Question) -> Iterator[Sampled | None]:
-    """Yield the workspace as it grows; at once and whole where it is remembered."""
+    """Yield the workspace as it grows, or at once the whole one if it is remembered."""
     memory = _memory(question)
     if memory.found is not None:
         yield memory.found
@@ -130,7 +130,7 @@ def sampling(question: Question) -> Iterator[Sampled | None]:
 
 
 def joined(before: Samples | None, piece: Samples) -> Samples:
-    """Return the samples that are drawn with more of them, `SHOWN` at most."""
+    """Return the drawn samples with more of them appended, `SHOWN` at most."""
     if before is None:
         return Samples(piece.q[:SHOWN], piece.points[:SHOWN], piece.values[:SHOWN])
     left = SHOWN - len(before.points)
@@ -142,7 +142,7 @@ def joined(before: Samples | None, piece: Samples) -> Samples:
 
 
 def scale_of(values: Floats) -> tuple[float, float]:
-    """Return where the scale of colours begins and ends."""
+    """Return the values at which the scale of colours begins and ends."""
     if not len(values):
         return 0.0, 1.0
     low, high = float(values.min()), float(np.percentile(values, FOUND_OUT))
@@ -152,6 +152,6 @@ def scale_of(values: Floats) -> tuple[float, float]:
 
 
 def whole(question: Question) -> Sampled:
-    """Return the workspace with all its samples: for tests and for those who can wait."""
+    """Return the workspace with all its samples, for tests and for callers that can wait."""
     found = [each for each in sampling(question) if each is not None]
     return replace(found[-1])

@@ -1,4 +1,4 @@
-"""The sampled workspace: what is asked, what there is of it, and how it is looked at."""
+"""The sampled workspace: the request, the samples so far, and how they are shown."""
 
 from __future__ import annotations
 
@@ -18,22 +18,22 @@ from armlab.session.parts.target import PlaceTarget, brought_to
 from armlab.session.state import Command, PartType, State
 
 COUNTS = (26_000, 100_000, 1_000_000, 10_000_000)
-"""Numbers of samples to choose from."""
+"""Numbers of samples that can be chosen."""
 
 DRAWINGS = {"cloud": "Points", "voxels": "Voxels", "surface": "Surface"}
 
 CUTS = {"none": "Whole", "front": "Half", "x": "x", "y": "y", "z": "z"}
-"""What is left away: nothing, the half in front of the arm, or all but a slice across an axis of frame 0."""
+"""Parts that are left out: nothing, the half in front of the arm, or all but a slice across an axis of frame 0."""
 
 FARTHEST = 100.0
-"""Metres; a slice farther away is a slip of the pen."""
+"""Largest distance of a slice from the origin, metres."""
 
 LARGEST_SEED = 2**31
 
 
 @dataclass(frozen=True, eq=False)
 class Workspace(FieldPart):
-    """The workspace that was asked for, and the picture of it.
+    """The requested workspace, and its picture.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class Workspace(FieldPart):
     chosen : int or None
         The sample the arm went to last.
     example : str
-        Key of the example that was put in place last.
+        Key of the example that was loaded last.
     """
 
     key: ClassVar[str] = "workspace"
@@ -81,7 +81,7 @@ class Workspace(FieldPart):
     example: str = ""
 
     def check(self) -> None:
-        """Refuse a number of samples that is not offered, and a slice far away."""
+        """Refuse a number of samples that is not offered, and a slice too far away."""
         if self.count not in COUNTS:
             raise UnknownName("samples", self.count, [str(count) for count in COUNTS])
         if not abs(self.offset) <= FARTHEST:
@@ -92,20 +92,20 @@ PART = PartType(Workspace, order=120)
 
 
 def question_of(state: State) -> Question:
-    """Return what is asked when the workspace is sampled."""
+    """Return the request for the workspace with the present settings."""
     part = state[Workspace]
     return Question(state[Joints].arm, part.measure, part.count, part.seed)
 
 
 def asks_for_boundary(part: Workspace, arm: Arm) -> bool:
-    """Return whether the boundary is to be drawn, or to be near, and is not known yet."""
+    """Return whether the boundary, or its distance, is to be drawn and is not known yet."""
     drawn = part.edge or part.draw == "surface"
     return drawn and part.found is not None and (part.section is None or part.section.joint.arm is not arm)
 
 
 @dataclass(frozen=True)
 class SampleWorkspace(Command):
-    """Sample the workspace with the present settings; what is under way is given up."""
+    """Sample the workspace with the present settings; a running job is given up."""
 
     undoable: ClassVar[bool] = False
 
@@ -116,7 +116,7 @@ class SampleWorkspace(Command):
 
 @dataclass(frozen=True)
 class CancelWorkspace(Command):
-    """Stop sampling; what there is stays."""
+    """Stop sampling; the samples so far stay."""
 
     undoable: ClassVar[bool] = False
 
@@ -139,7 +139,7 @@ class ClearWorkspace(Command):
 
 @dataclass(frozen=True)
 class LookAtWorkspace(Command):
-    """Change settings; None leaves one as it is. Another measure is computed at once where there are samples."""
+    """Change settings; None leaves one unchanged. Another measure is computed at once if there are samples."""
 
     measure: str | None = None
     count: int | None = None
@@ -152,7 +152,7 @@ class LookAtWorkspace(Command):
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the settings; `InputError` where one is none."""
+        """Return the state with the settings; `InputError` for an invalid one."""
         before = state[Workspace]
         given = {name: value for name, value in vars(self).items() if value is not None}
         part = before.with_values(given)
@@ -167,7 +167,7 @@ class LookAtWorkspace(Command):
 
 @dataclass(frozen=True)
 class GoToSample(Command):
-    """Move the arm to a sample of the workspace, which is reachable as it is; the target goes along.
+    """Move the arm to the configuration of a sample of the workspace; the target goes along.
 
     Parameters
     ----------
@@ -179,20 +179,20 @@ class GoToSample(Command):
     label: ClassVar[str] = "jump into the workspace"
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm there; `InputError` where there is no such sample."""
+        """Return the state with the arm there; `InputError` if there is no such sample."""
         q = _configuration(state, self.index)
         return brought_to(state.replace(replace(state[Workspace], chosen=self.index)), q)
 
 
 @dataclass(frozen=True)
 class AimAtSample(Command):
-    """Put the target where a sample has the tool, to see all ways to be there."""
+    """Place the target at the tool pose of a sample, to see all solutions there."""
 
     index: int
     label: ClassVar[str] = "target in the workspace"
 
     def apply(self, state: State) -> State:
-        """Return the state with the target there; `InputError` where there is no such sample."""
+        """Return the state with the target there; `InputError` if there is no such sample."""
         reached = GoToSample(self.index).apply(state)
         return PlaceTarget(np.array(reached[Joints].tool_pose, dtype=np.float64)).apply(reached)
 

@@ -1,4 +1,4 @@
-"""Which samples of a workspace are drawn, and which one a person points at."""
+"""The samples of a workspace that are drawn, and the one that is clicked."""
 
 from __future__ import annotations
 
@@ -18,28 +18,28 @@ Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 FRONT = math.radians(-50.0)
-"""Azimuth of the first look at an arm: the half that is cut away lies in front of it."""
+"""Azimuth of the first view of an arm, radians: the half that is cut away lies in front of it."""
 
 SLICE = 0.02
 """Half thickness of a slice, in reaches of the arm."""
 
 EDGE = 0.04
-"""How near to the boundary a point is near it, in reaches of the arm."""
+"""Largest distance of a point near the boundary, in reaches of the arm."""
 
 AXES = ("x", "y", "z")
 
 NEAR_RAY = 0.012
-"""How far from the line of sight a sample may be to be meant by a click, in reaches of the arm."""
+"""Largest distance of a clicked sample from the line of sight, in reaches of the arm."""
 
 
 def drawing(state: State) -> str:
-    """Return what is drawn, a key of `DRAWINGS`: a planar workspace has no surface."""
+    """Return the kind of drawing, a key of `DRAWINGS`: a planar workspace has no surface."""
     draw = state[Workspace].draw
     return "cloud" if draw == "surface" and first_joint(state[Joints].arm).planar else draw
 
 
 def kept(state: State) -> Mask:
-    """Return which of the drawn samples are left by the cut, shape (k,)."""
+    """Return which of the drawn samples remain after the cut, shape (k,)."""
     found = state[Workspace].found
     if found is None:
         return np.zeros(0, dtype=bool)
@@ -47,7 +47,7 @@ def kept(state: State) -> Mask:
 
 
 def left_of(state: State, points: ArrayLike) -> Mask:
-    """Return which points (k, 3) of the world the cut leaves, and the choice to see what is near the boundary alone.
+    """Return which points (k, 3) of the world remain after the cut, and after the choice of points near the boundary.
 
     While the boundary is being found, all are near it.
     """
@@ -61,7 +61,7 @@ def left_of(state: State, points: ArrayLike) -> Mask:
 
 
 def boundary(state: State) -> Surface | None:
-    """Return the surface of the workspace that the cut leaves; None while it is being found."""
+    """Return the surface of the workspace that remains after the cut, or None while it is not known."""
     part = state[Workspace]
     if part.found is None or part.section is None:
         return None
@@ -73,7 +73,7 @@ def boundary(state: State) -> Surface | None:
 
 
 def cut_of(part: Workspace, found: Sampled, points: ArrayLike) -> Mask:
-    """Return which points (k, 3) in the world are left by the cut, shape (k,)."""
+    """Return which points (k, 3) in the world remain after the cut, shape (k,)."""
     arm = found.question.arm
     local = (np.asarray(points, dtype=np.float64) - arm.base[:3, 3]) @ arm.base[:3, :3]
     if part.cut == "front" and not found.planar:
@@ -84,7 +84,7 @@ def cut_of(part: Workspace, found: Sampled, points: ArrayLike) -> Mask:
 
 
 def pointed_at(state: State, origin: ArrayLike, direction: ArrayLike) -> int | None:
-    """Return the sample a person clicks on: of those near the line of sight the first.
+    """Return the clicked sample: the first of those near the line of sight.
 
     Parameters
     ----------

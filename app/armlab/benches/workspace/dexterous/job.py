@@ -1,4 +1,4 @@
-"""Finds out which orientations are possible where, while somebody looks."""
+"""The job that finds which orientations are possible at which points, while the page is seen."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ PANEL = "dexterous"
 
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
-    """Return what to compute while the page is seen and nobody has stopped it."""
+    """Return the request while the page is seen and the student has not stopped it."""
     if PANEL not in panels:
         return None
     question, found = state.derived(question_of), state.derived(study_of)
@@ -24,7 +24,7 @@ def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
 
 
 def delivered(state: State, question: Question, found: Study) -> State:
-    """Return the state with what was found so far; what belongs to another arm, or was stopped, is let go."""
+    """Return the state with the results so far; those of another arm or of a stopped request are dropped."""
     part = state[Dexterous]
     if question.arm is not state[Joints].arm or question == part.stopped:
         return state
@@ -32,7 +32,7 @@ def delivered(state: State, question: Question, found: Study) -> State:
 
 
 def studied(state: State) -> State:
-    """Return the state with everything found, at once: for tests and for those who can wait."""
+    """Return the state with all results, at once, for tests and for callers that can wait."""
     question = question_of(state)
     if question is None:
         return state

@@ -1,4 +1,4 @@
-"""What the scene shows of a study: a slice of values on a plane, or a body of voxels; and the value at the tool."""
+"""Content of the scene for a study: a slice of values on a plane, or a body of voxels; and the value at the tool."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from armlab.session.state import State
 Floats = NDArray[np.float64]
 
 LEAST = 1.0 - ALL
-"""Fraction of the directions below which nothing is drawn: what the smearing of voxels leaves outside."""
+"""Share of the directions below which nothing is drawn, which removes the blur of the voxels."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +49,7 @@ class Slice:
     step: float
 
     def met(self, origin: Floats, direction: Floats) -> Floats | None:
-        """Return where a line of sight meets a cell with a value, (3,) in the world; None where it does not."""
+        """Return the point where a line of sight meets a cell with a value, (3,) in the world, or None."""
         normal = np.cross(self.right, self.up)
         slope = float(normal @ direction)
         if slope == 0.0:
@@ -63,14 +63,14 @@ class Slice:
 
 
 def slice_shown(state: State) -> Slice | None:
-    """Return the slice there is; None while nothing has been found."""
+    """Return the slice of the present study, or None while there is no result."""
     found = state.derived(study_of)
     return None if found is None else _slice(found, slice_of(state))
 
 
 @lru_cache(maxsize=8)
 def _slice(found: Study, s: float) -> Slice:
-    """Return the slice of a study; every event of a drag asks for it."""
+    """Return the slice of a study; every event of a drag calls this."""
     sheet = sheet_of(found.question.arm, s)
     if found.wrist is not None:
         return _through(sheet, found.wrist)
@@ -111,7 +111,7 @@ def body_shown(state: State) -> NDArray[np.bool_] | None:
 
 
 def largest_share(found: Coverage) -> float | None:
-    """Return the largest of `SHARES` that a voxel has; None where none has even the least."""
+    """Return the largest of `SHARES` that some voxel has, or None if none has even the least."""
     most = float(found.fraction.max())
     return max((share for share in SHARES if most > _threshold(share)), default=None)
 
@@ -122,7 +122,7 @@ def _threshold(share: float) -> float:
 
 @dataclass(frozen=True)
 class AtTool:
-    """What was found where the tool is.
+    """Result at the tool point.
 
     Attributes
     ----------
@@ -141,7 +141,7 @@ class AtTool:
 
 
 def at_tool(state: State) -> AtTool | None:
-    """Return what was found where the tool is; None while nothing has been found."""
+    """Return the result at the tool point, or None while there is none."""
     found, point = state.derived(study_of), np.array(state[Joints].tool_pose[:3, 3], dtype=np.float64)
     if found is None:
         return None
@@ -160,7 +160,7 @@ def at_tool(state: State) -> AtTool | None:
 
 
 def _beside(found: SheetMap, point: Floats, s: float) -> bool:
-    """Return whether a point is off the surface of a map; what joint 1 carries all the way round is on each of them."""
+    """Return whether a point is off the surface of a map, which cannot be if joint 1 turns fully."""
     joint = found.sheet.joint
     if joint.planar or joint.full:
         return False
@@ -169,4 +169,4 @@ def _beside(found: SheetMap, point: Floats, s: float) -> bool:
 
 
 _TRIED = 2048
-"""Directions that are tried at the tool of a spherical wrist."""
+"""Number of directions that are tried at the tool of a spherical wrist."""

@@ -1,4 +1,4 @@
-"""Where the tool of a planar arm is among its regions, and commands that bring it into one or into a singularity."""
+"""The region of a planar arm in which its tool is, and commands that bring it into one or into a singularity."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from armlab.session.parts.target import SAME, Target, target_pose
 from armlab.session.state import Command, State
 
 ON = 1e-4
-"""Of the reach: the tool this near to a circle is on it."""
+"""Distance, in reaches of the arm, within which the tool counts as on a circle."""
 
 
 @dataclass(frozen=True)
 class Standing:
-    """Where the tool of a planar arm is.
+    """The place of the tool of a planar arm.
 
     Attributes
     ----------
@@ -39,7 +39,7 @@ class Standing:
 
 
 def tool_standing(state: State) -> Standing | None:
-    """Return where the tool is; None where the arm is not planar."""
+    """Return the place of the tool, or None if the arm is not planar."""
     arm = state[Joints].arm
     lengths = lengths_of(arm)
     if lengths is None:
@@ -49,7 +49,7 @@ def tool_standing(state: State) -> Standing | None:
 
 
 def target_distance(state: State) -> float | None:
-    """Return how far the target of a planar arm is from the first axis, metres; None while it is on the tool."""
+    """Return the distance of a planar arm's target from the first axis, metres, or None while it is at the tool."""
     arm = state[Joints].arm
     if state[Target].pose is None or lengths_of(arm) is None:
         return None
@@ -57,13 +57,13 @@ def target_distance(state: State) -> float | None:
 
 
 def region_near(lengths: tuple[float, ...], r: float) -> Region | None:
-    """Return the region of a radius in metres; a circle nearby, where there is one."""
+    """Return the region of a radius in metres, or a circle near it if there is one."""
     near = [one for one in regions(lengths) if one.low == one.high and abs(one.low - r) <= ON * sum(lengths)]
     return near[0] if near else region_at(lengths, r)
 
 
 def outermost(state: State) -> NDArray[np.float64] | None:
-    """Return four points of the outer circle of a planar arm, (4, 3) in the world, metres; None for other arms."""
+    """Return four points of the outer circle of a planar arm, (4, 3) in the world, metres, or None for other arms."""
     arm = state[Joints].arm
     lengths = lengths_of(arm)
     if lengths is None:
@@ -74,7 +74,7 @@ def outermost(state: State) -> NDArray[np.float64] | None:
 
 @dataclass(frozen=True)
 class GoToRegion(Command):
-    """Bring the tool into the middle of a region, or onto its circle, along the line it is on.
+    """Bring the tool into the middle of a region, or onto its circle, along its present ray from the axis.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ class GoToRegion(Command):
     label: ClassVar[str] = "move into a region"
 
     def apply(self, state: State) -> State:
-        """Return the state with the tool there; `InputError` where the joint limits do not let it."""
+        """Return the state with the tool there; `InputError` if the joint limits forbid it."""
         arm, lengths = state[Joints].arm, _lengths(state)
         found = regions(lengths)
         if not 0 <= self.index < len(found):
@@ -122,7 +122,7 @@ class StandStretched(Command):
     label: ClassVar[str] = "singular configuration"
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm so; `InputError` where there is no such way or the limits forbid it."""
+        """Return the state with the arm in that configuration; `InputError` if there is none or limits forbid it."""
         arm, found = state[Joints].arm, regions(_lengths(state))
         ways = found[self.index].ways if 0 <= self.index < len(found) else ()
         if not 0 <= self.way < len(ways):
@@ -166,7 +166,7 @@ def _lengths(state: State) -> tuple[float, ...]:
 
 
 def _nearest_angle(lengths: tuple[float, ...], r: float, psi: float) -> float:
-    """Return the possible angle nearest to one, a little inside the ends of a range."""
+    """Return the possible angle nearest to a given one, a little inside the ends of a range."""
     low, high = (float(value) for value in tool_angles(lengths, r))
     inset = 0.05 * (high - low)
     low, high = low if low <= 0.0 else low + inset, high if high >= np.pi else high - inset

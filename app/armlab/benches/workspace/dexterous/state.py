@@ -1,4 +1,4 @@
-"""Where the tool can have which orientations: how this is looked at, and what has been found."""
+"""The study of orientations: its settings, and the results."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ from armlab.session.parts.target import PlaceTarget, brought_to
 from armlab.session.state import Command, Json, PartType, State
 
 COUNTS = (400_000, 2_000_000, 10_000_000)
-"""Numbers of samples to choose from."""
+"""Numbers of samples that can be chosen."""
 
 SHARES = (0.25, 0.5, 0.75, 0.95, 1.0)
-"""Of the directions: bodies of points that have at least so many; the last is WS2."""
+"""Shares of the directions that a body of points can be drawn for; the last is WS2."""
 
 PLACE = "place of the slice"
 
@@ -40,7 +40,7 @@ def _read_turned(data: Json) -> tuple[float, ...]:
 
 @dataclass(frozen=True, eq=False)
 class Dexterous(FieldPart):
-    """How orientations are looked at.
+    """The settings of the study of orientations, and its results.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class Dexterous(FieldPart):
     share : float
         Of the directions that the points of a body have at least.
     stopped : Question or None
-        What a person has stopped.
+        The request that the student has stopped.
     found : mapping of str to Study
         By method; not saved.
     """
@@ -78,11 +78,11 @@ class Dexterous(FieldPart):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return the first look."""
+        """Return the initial settings."""
         return cls(robot.arm)
 
     def check(self) -> None:
-        """Refuse a method that the arm has not, and a plane beyond its reach."""
+        """Refuse a method that the arm does not have, and a plane beyond its reach."""
         # Which methods there are is worth knowing only to one who has chosen one: it takes a look at the structure.
         if self.method and self.method not in (known := methods(self.arm)):
             raise UnknownName("method", self.method, known)
@@ -91,11 +91,11 @@ class Dexterous(FieldPart):
             raise InputError(f"{PLACE}: expected at most {most:.3f} m from the base, got {self.s:g} m")
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
-        """Return the part with some fields set; what was stopped is wanted again."""
+        """Return the part with some fields set; a stopped request is made again."""
         return replace(super().with_values(values), stopped=None)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep what is looked at, if the arm still has it; an angle is no distance."""
+        """Keep the settings if the arm still has them; the place of the slice is dropped if it changes its unit."""
         kept = super().for_edited(robot, origin)
         return kept if robot.arm.revolute[0] == self.arm.revolute[0] else replace(kept, s=None)
 
@@ -110,7 +110,7 @@ def method_of(state: State) -> Method:
 
 
 def slice_of(state: State) -> float:
-    """Return which half plane is looked at: rad in (-pi, pi], or m."""
+    """Return the place of the slice: rad in (-pi, pi], or m."""
     s = state[Dexterous].s
     robot = state[RobotPart].robot
     if s is None:
@@ -126,12 +126,12 @@ def orientation_of(state: State) -> tuple[float, ...]:
 
 
 def rings_alone(state: State) -> bool:
-    """Return whether the closed form of a planar arm says all: no joint limit takes anything away."""
+    """Return whether the closed form of a planar arm is the whole answer: no joint limit takes anything away."""
     return method_of(state) == "rings" and turns_fully(state[Joints].arm)
 
 
 def question_of(state: State) -> Question | None:
-    """Return what is to be computed; None where the closed form says all."""
+    """Return the request, or None if the closed form is the whole answer."""
     arm, method, part = state[Joints].arm, method_of(state), state[Dexterous]
     if method == "rings" and state.derived(rings_alone):
         return None
@@ -146,7 +146,7 @@ def question_of(state: State) -> Question | None:
 
 
 def study_of(state: State) -> Study | None:
-    """Return what has been found of what is looked at; what was found for other settings is none."""
+    """Return the results for the present settings, or None if they were found for others."""
     question = state.derived(question_of)
     found = None if question is None else state[Dexterous].found.get(question.method)
     return found if found is not None and found.question == question else None
@@ -157,7 +157,7 @@ def study_of(state: State) -> Study | None:
 
 @dataclass(frozen=True)
 class LookThroughTool(Command):
-    """Put the slice through the tool point, and count solutions with the tool as it is turned."""
+    """Put the slice through the tool point, and count solutions with the tool's present orientation."""
 
     undoable: ClassVar[bool] = False
 
@@ -171,7 +171,7 @@ class LookThroughTool(Command):
 
 @dataclass(frozen=True)
 class StopDexterous(Command):
-    """Stop computing; what there is stays."""
+    """Stop computing; the results so far stay."""
 
     undoable: ClassVar[bool] = False
 
@@ -182,18 +182,18 @@ class StopDexterous(Command):
 
 @dataclass(frozen=True)
 class ResumeDexterous(Command):
-    """Compute what was stopped, from its beginning."""
+    """Restart what was stopped, from its beginning."""
 
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state in which it is wanted."""
+        """Return the state in which it is requested again."""
         return state.replace(replace(state[Dexterous], stopped=None))
 
 
 @dataclass(frozen=True)
 class GoToSlice(Command):
-    """Bring the tool to a point of the slice: as a sample had it there, else by inverse kinematics.
+    """Bring the tool to a point of the slice: by a sample that was there, else by inverse kinematics.
 
     Parameters
     ----------
@@ -205,7 +205,7 @@ class GoToSlice(Command):
     label: ClassVar[str] = "jump into the slice"
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm there, or as near as it comes."""
+        """Return the state with the arm there, or as near as possible."""
         joints, found = state[Joints], state.derived(study_of)
         point = np.array(self.point)
         if found is not None and found.map is not None and found.question.method == "sampled":

@@ -1,4 +1,4 @@
-"""What a look at orientations asks and finds: coverage by a spherical wrist, by samples, or numbers of solutions."""
+"""Requests and results of the study: coverage by a spherical wrist, by samples, or numbers of solutions."""
 
 from __future__ import annotations
 
@@ -20,21 +20,21 @@ from armlab.kin.wrist import wrist_centre
 Method = Literal["rings", "wrist", "sampled", "count"]
 
 CELLS = {"sampled": 48, "count": 64}
-"""Along the longer side of a map: orientations need many samples a cell."""
+"""Number of cells along the longer side of a map; orientations need many samples in each cell."""
 
 SEED = 0
 
 TRIED, SMALL = 32, 1e-6
-"""Random configurations that tell how far the tool turns in place; rates below so much, metres of half the reach, are
-none."""
+"""Number of random configurations that tell how far the tool turns in place, and the rate, in half reaches, that counts
+as 0."""
 
 STRIDE = 0.08
-"""Of the whole work: how much is done from one picture to the next."""
+"""Share of the whole work that is done from one picture to the next."""
 
 
 @dataclass(frozen=True)
 class Question:
-    """What is computed.
+    """Request of a study.
 
     Attributes
     ----------
@@ -57,7 +57,7 @@ class Question:
 
 @dataclass(frozen=True, eq=False)
 class Study:
-    """What has been found so far.
+    """Results of a study so far.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ class Study:
 
     @property
     def done(self) -> float:
-        """How much is done, 0 to 1."""
+        """The share of the work that is done, 0 to 1."""
         if self.finished:
             return 1.0
         return self.map.done if self.map is not None else 0.2 if self.wrist is not None else 0.0
@@ -84,7 +84,7 @@ class Study:
 
 @lru_cache(maxsize=64)
 def methods(arm: Arm) -> tuple[Method, ...]:
-    """Return what can be asked about an arm, the most telling first (arms are compared by identity)."""
+    """Return the methods for an arm, the most informative first (arms are compared by identity)."""
     found: list[Method] = []
     if lengths_of(arm) is not None:
         found.append("rings")
@@ -97,7 +97,7 @@ def methods(arm: Arm) -> tuple[Method, ...]:
 
 
 def why_sampled_alone(arm: Arm) -> str:
-    """Return one sentence why an arm has neither of the methods "wrist" and "count"."""
+    """Return one sentence that says why an arm has neither of the methods "wrist" and "count"."""
     if arm.n <= 3:
         wrist = "no joint is in front of three that could be a wrist"
     else:
@@ -109,13 +109,13 @@ def why_sampled_alone(arm: Arm) -> str:
 
 
 def never_turns(arm: Arm) -> bool:
-    """Return whether no joint turns the tool: it has one orientation."""
+    """Return whether no joint turns the tool, so that it has one orientation."""
     return not bool(np.any(arm.revolute & (np.ptp(arm.limits, axis=1) > 0.0)))
 
 
 @lru_cache(maxsize=64)
 def turns_in_place(arm: Arm) -> int:
-    """Return in how many independent ways the tool turns while its point stays, 0 to 3, where the arm is not singular.
+    """Return in how many independent ways the tool turns about its point, 0 to 3, where the arm is not singular.
 
     The rank of the angular velocities of joint velocities that do not move the tool point.
     """
@@ -132,12 +132,12 @@ def turns_in_place(arm: Arm) -> int:
 
 
 def misses_orientations(arm: Arm) -> bool:
-    """Return whether the joints are too few for all orientations at a point, wherever the arm is not singular."""
+    """Return whether the joints are too few for all orientations at any point where the arm is not singular."""
     return turns_in_place(arm) < (1 if keeps_upright(arm) else 3)
 
 
 def studying(question: Question) -> Iterator[Study | None]:
-    """Yield what is found, again and again; None where there is nothing new."""
+    """Yield the results, again and again; None if there is nothing new."""
     if question.method == "wrist":
         for coverage in coverages(question.arm):
             yield None if coverage is None else Study(question, coverage, finished=coverage.finished)

@@ -1,4 +1,4 @@
-"""Facts of the section of the workspace that lessons can check; they are known once it has been found."""
+"""Facts of the section of the workspace that lessons can check, known once the section has been found."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The section of a workspace as it is found for the page: cells, size, reach, and what colours them."""
+"""The section of a workspace as found for the page: cells, size, reach, and the values that colour them."""
 
 from __future__ import annotations
 
@@ -24,27 +24,27 @@ Floats = NDArray[np.float64]
 T = TypeVar("T")
 
 REACH = "reach"
-"""Key of the colour that only tells what is reached."""
+"""Key of the colour that shows only the reached region."""
 
 USUAL = 160
-"""Pieces of work of most arms: what the progress is a part of."""
+"""Number of pieces of work for most arms, which the progress is measured by."""
 
 SHOWN, SELDOM = 8, 32
-"""Pieces between two pictures at first, and later."""
+"""Number of pieces of work between two pictures at first, and later."""
 
 SAMPLES, PIECE = 393_216, 8_192
-"""Random configurations over which a measure is averaged, and of them in a piece of work."""
+"""Number of random configurations over which a measure is averaged, and of those in one piece of work."""
 
 TOGETHER = 1 << 18
-"""Cells whose means are taken in a piece of work."""
+"""Number of cells whose means are taken in one piece of work."""
 
 QUANTILES = (0.01, 0.99)
-"""Of the values of a measure: the ends of its scale of colours."""
+"""Quantiles of the values of a measure at which its scale of colours begins and ends."""
 
 
 @dataclass(frozen=True, eq=False)
 class Question:
-    """What is to be found.
+    """Request for a section.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class Question:
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """What there is.
+    """Results for a section so far.
 
     Attributes
     ----------
@@ -101,7 +101,7 @@ class Found:
 
 
 def once_each(follows: Callable[[Found], T]) -> Callable[[Found], T]:
-    """Return a function that works out what follows from what was found once, and keeps it as long as that is kept.
+    """Return a function that computes a result of what was found once, and keeps it as long as the latter.
 
     A whole class looks at sections at the same time, each with findings of their own.
     """
@@ -117,7 +117,7 @@ def once_each(follows: Callable[[Found], T]) -> Callable[[Found], T]:
 
 
 def finding(question: Question) -> Iterator[Found | None]:
-    """Yield what was found so far, None where there is nothing new; pieces of work of some 30 ms."""
+    """Yield the results so far, None if there is nothing new, in pieces of work of some 30 ms."""
     found = question.known
     if found is None or not found.finished:
         for found in _sought(question.arm):
@@ -184,7 +184,7 @@ def _random(section: Section) -> Iterator[Floats]:
 
 
 def _with_means(found: Found, colour: str, total: Floats, count: Floats) -> Work[Found]:
-    """Return, after pieces of work, what was found with the mean of a measure in and beside each cell."""
+    """Return, after pieces of work, the results with the mean of a measure in and beside each cell."""
     filled = found.section.filled
     values, height = np.empty(filled.shape), max(TOGETHER // filled.shape[1], 1)
     for first in range(0, len(filled), height):
@@ -198,6 +198,6 @@ def _with_means(found: Found, colour: str, total: Floats, count: Floats) -> Work
 
 
 def _summed(wide: Floats) -> Floats:
-    """Return the sums over each cell and its neighbours, without the cells at the edge; rows before columns."""
+    """Return the sums over each cell and its neighbours, without the cells at the edge."""
     rows = wide[:-2] + wide[1:-1] + wide[2:]
     return np.asarray(rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:])

@@ -1,4 +1,4 @@
-"""Finds the section of the workspace while its page is seen."""
+"""The job that finds the section of the workspace while its page is seen."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ PANEL = "section"
 
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
-    """Return what is still to be found while somebody looks."""
+    """Return the request for missing results while the page is seen."""
     question = question_of(state) if PANEL in panels else None
     return None if question is None else Wanted((question.arm, question.colour), question)
 
 
 def delivered(state: State, question: Question, found: Found) -> State:
-    """Return the state with what was found so far; what is of another arm is let go."""
+    """Return the state with the results so far; those of another arm are dropped."""
     part = state[SectionView]
     if question.arm is not state[Joints].arm:
         return state
@@ -28,7 +28,7 @@ def delivered(state: State, question: Question, found: Found) -> State:
 
 
 def found_section(state: State) -> State:
-    """Return the state with everything found, at once: for tests and for those who can wait."""
+    """Return the state with all results, at once, for tests and for callers that can wait."""
     question = question_of(state)
     for found in finding(question) if question is not None else ():
         if found is not None and question is not None:

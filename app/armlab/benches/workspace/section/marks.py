@@ -1,4 +1,4 @@
-"""What the page of the section tells of tool and target: where they are in it, and how far from the boundary."""
+"""Tool and target on the page of the section: their places in it, and their distances from the boundary."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from armlab.session.state import State
 Floats = NDArray[np.float64]
 
 APART = 1e-6
-"""Metres; a target nearer to the tool is where the tool is."""
+"""Distance, metres, below which the target counts as being at the tool."""
 
 
 class Measured(NamedTuple):
@@ -29,12 +29,12 @@ class Measured(NamedTuple):
 
 
 def tool_measured(state: State) -> Measured | None:
-    """Return how far the tool is from the boundary; None until that is known."""
+    """Return the tool point with its way to the boundary, or None until that is known."""
     return _measured(state, np.asarray(state[Joints].tool_pose[:3, 3], dtype=np.float64))
 
 
 def target_measured(state: State) -> Measured | None:
-    """Return how far the target is from the boundary; None until that is known, or where the tool is there."""
+    """Return the target with its way to the boundary, or None until that is known, or if it is at the tool."""
     pose = state[Target].pose
     if pose is None or float(np.linalg.norm(pose[:3, 3] - state[Joints].tool_pose[:3, 3])) < APART:
         return None
@@ -52,8 +52,9 @@ def _measured(state: State, point: Floats) -> Measured | None:
 def silhouette(found: Found, q: NDArray[np.float64]) -> Floats:
     """Return the arm in a configuration seen from the side, a polyline of shape (k, 2) in metres.
 
-    Along the direction outward to the tool and along the axis of joint 1; where joint 1 slides, across it. Of a planar
-    arm in its plane. It follows the links of the table: along the axis of a joint, then along the common normal.
+    The coordinates are outward towards the tool and along the axis of joint 1, or across it if joint 1 slides; those of
+    a planar arm lie in its plane. The line follows the links of the table: along the axis of a joint, then along the
+    common normal.
     """
     arm, joint = found.arm, found.section.joint
     frames = np.asarray(arm.frames(q), dtype=np.float64)

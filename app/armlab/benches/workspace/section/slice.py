@@ -1,4 +1,4 @@
-"""A slice of the workspace as a picture: which points of a plane are reached, and their values."""
+"""A slice of the workspace as a picture: the reached points of a plane, and their values."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 PIXELS = 200
-"""Along the longer side of a picture."""
+"""Number of pixels along the longer side of a picture."""
 
 FINER = 2
-"""Pixels along a side of a cell."""
+"""Number of pixels along a side of a cell."""
 
 AXES = ("x", "y", "z")
 ROUND = 64
-"""Values of s by which the extent of a workspace is found."""
+"""Number of values of s by which the extent of a workspace is found."""
 
 
 class Plane(NamedTuple):
@@ -50,12 +50,12 @@ class Plane(NamedTuple):
 
     @property
     def middle(self) -> Floats:
-        """Its centre."""
+        """Centre of the rectangle."""
         return np.asarray(self.corner + 0.5 * (self.width * self.right + self.height * self.up))
 
 
 class Slice(NamedTuple):
-    """A picture: rows from below, columns from the left.
+    """A picture with its rows from below and its columns from the left.
 
     Attributes
     ----------
@@ -70,7 +70,7 @@ class Slice(NamedTuple):
 
 
 def slice_of(state: State) -> Slice | None:
-    """Return the slice that is to be drawn in the scene; None for none."""
+    """Return the slice to draw in the scene, or None."""
     found, part = found_of(state), state[SectionView]
     if found is None or part.slice == "none" or not found.section.filled.any():
         return None
@@ -81,26 +81,26 @@ def slice_of(state: State) -> Slice | None:
 
 @once_each
 def in_own_plane(found: Found) -> Slice | None:
-    """Return what a planar arm reaches in its plane; None of another arm, and of one of which nothing is known yet."""
+    """Return the region that a planar arm reaches in its plane, or None for other arms and before it is known."""
     if not found.section.grid.flat or not found.section.filled.any():
         return None
     return picture(found, own_plane(found.section))
 
 
 def plane_of(state: State, found: Found) -> Plane:
-    """Return the plane across an axis that was chosen, as large as the workspace."""
+    """Return the chosen plane across an axis, as large as the workspace."""
     part = state[SectionView]
     return _across_axis(found, AXES.index(part.slice), part.offset)
 
 
 def slice_at(state: State, found: Found) -> float:
-    """Return where the slice through (or across) the axis of joint 1 stands, rad or m."""
+    """Return the place of the slice through (or across) the axis of joint 1, rad or m."""
     turn = state[SectionView].turn
     return float(found.section.joint.split(state[Joints].tool_pose[:3, 3])[2]) if turn is None else turn
 
 
 def picture(found: Found, plane: Plane) -> Slice:
-    """Return what is reached of a plane."""
+    """Return the reached part of a plane."""
     step = max(plane.width, plane.height) / PIXELS
     columns, rows = (max(round(side / step), 1) for side in (plane.width, plane.height))
     x = (np.arange(columns) + 0.5) * (plane.width / columns)
@@ -117,7 +117,7 @@ def picture(found: Found, plane: Plane) -> Slice:
 
 
 def own_plane(section: Section) -> Plane:
-    """Return the plane of a planar arm, as large as what it reaches."""
+    """Return the plane of a planar arm, as large as its reached region."""
     joint = section.joint
     right, up = (joint.axes[:, 0], joint.axes[:, 1]) if joint.revolute else (joint.axes[:, 0], joint.axes[:, 2])
     local = (hull(section) - joint.origin) @ np.column_stack([right, up])
@@ -126,7 +126,7 @@ def own_plane(section: Section) -> Plane:
 
 
 def _smoothly(section: Section, uv: Floats) -> Bools:
-    """Return whether places (..., 2) of the section are reached: more than half, between the centres of four cells."""
+    """Return whether places (..., 2) of the section are reached, by interpolation between the centres of four cells."""
     rows, columns = section.filled.shape
     filled = _shown(section).astype(np.float64)
     x = (uv[..., 0] - section.grid.low[0]) / section.step - 0.5
@@ -146,7 +146,7 @@ def _smoothly(section: Section, uv: Floats) -> Bools:
 
 
 def _of_section(found: Found, s: float) -> Slice:
-    """Return the section itself, carried to s by joint 1."""
+    """Return the section itself, moved to s by joint 1."""
     section = found.section
     fine = _finely(found)
     reached = fine.reached
@@ -158,13 +158,13 @@ def _of_section(found: Found, s: float) -> Slice:
 
 
 def looks(found: Found, s: float) -> bytes:
-    """Return what is the same for all s at which the section looks the same."""
+    """Return a key that is the same for all s at which the section looks the same."""
     covered = _covered(found.section, s)
     return b"" if covered is None else covered.tobytes()
 
 
 def _covered(section: Section, s: float) -> Bools | None:
-    """Return in which coarse cells joint 1 comes to s, shape (C,); None where it comes everywhere."""
+    """Return the coarse cells for which joint 1 reaches s, shape (C,), or None if it reaches every s."""
     if section.arcs is None:
         return None
     cells = np.arange(len(section.arcs.covered))
@@ -172,7 +172,7 @@ def _covered(section: Section, s: float) -> Bools | None:
 
 
 def plane_at(found: Found, s: float) -> Plane:
-    """Return where joint 1 carries the section: through its axis, or across it."""
+    """Return the plane to which joint 1 moves the section: through its axis, or across it."""
     section, joint = found.section, found.section.joint
     if joint.revolute:
         right = joint.axes[:, 0] * math.cos(s) + joint.axes[:, 1] * math.sin(s)
@@ -185,7 +185,7 @@ def plane_at(found: Found, s: float) -> Plane:
 
 @once_each
 def _finely(found: Found) -> Slice:
-    """Return the section with an edge smoother than its cells, wherever joint 1 has carried it."""
+    """Return the section with an edge smoother than its cells, for any value of joint 1."""
     section = found.section
     inside = _shown(section)
     reached = np.repeat(np.repeat(inside.T, FINER, 0), FINER, 1) if section.grid.flat else _twice_as_fine(inside.T)
@@ -197,7 +197,7 @@ def _finely(found: Found) -> Slice:
 
 
 def _twice_as_fine(inside: Bools) -> Bools:
-    """Return what `_smoothly` says at four places of each cell of some (rows, columns): (2 rows, 2 columns).
+    """Return the result of `_smoothly` at four places of each cell of some (rows, columns): (2 rows, 2 columns).
 
     They are a quarter of a cell from the centre, so the centres round them count 9, 3, 3 and 1 of 16.
     """
@@ -211,13 +211,13 @@ def _twice_as_fine(inside: Bools) -> Bools:
 
 
 def _shown(section: Section) -> Bools:
-    """Return which cells are reached, to be drawn. A line or a surface passes no centre of a cell."""
+    """Return the cells to draw as reached. A line or a surface passes through no centre of a cell."""
     inside = section.outline.inside
     return inside if inside.any() else section.filled
 
 
 def section_picture(found: Found) -> Slice:
-    """Return what is reached in the section; its plane means nothing."""
+    """Return the reached region of the section; its plane has no meaning."""
     return _finely(found)
 
 
@@ -237,7 +237,7 @@ def _rectangle(origin: Floats, right: Floats, up: Floats, local: Floats) -> Plan
 
 
 def hull(section: Section) -> Floats:
-    """Return points of the world (k, 3) round all that is reached."""
+    """Return points of the world (k, 3) around the whole reached region."""
     i, j = np.nonzero(section.filled)
     u, v = section.u[i], section.v[j]
     half = 0.5 * section.step

@@ -1,4 +1,4 @@
-"""The section of the workspace: what colours it, which slice is drawn in the scene, and what was found."""
+"""The section of the workspace: the measure that colours it, the slice drawn in the scene, and the results."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from armlab.session.state import Command, PartType, State
 COLOURS: dict[str, str] = {REACH: "reach", **{key: measure.title for key, measure in MEASURES.items()}}
 
 SLICES = ("none", "axis", "x", "y", "z")
-"""No slice; the half plane through the axis of joint 1, or the plane across it where it slides; across an axis of
-frame 0."""
+"""Kinds of slice: none; the half plane through the axis of joint 1, or the plane across it if it slides; planes across
+the axes of frame 0."""
 
 PLACE = "place of the slice"
 
 FARTHEST = 100.0
-"""Metres or radians; a slice farther away is a slip of the pen."""
+"""Largest place of a slice, metres or radians."""
 
 
 @dataclass(frozen=True, eq=False)
 class SectionView(FieldPart):
-    """How the section is looked at, and what was found.
+    """The settings of the section, and its results.
 
     Attributes
     ----------
@@ -60,13 +60,13 @@ PART = PartType(SectionView, order=121)
 
 
 def found_of(state: State) -> Found | None:
-    """Return what was found of the present arm."""
+    """Return the results for the present arm."""
     found = state[SectionView].found
     return found if found is not None and found.arm is state[Joints].arm else None
 
 
 def question_of(state: State) -> Question | None:
-    """Return what is still to be found; None for nothing."""
+    """Return the request for the missing results, or None."""
     part, found = state[SectionView], found_of(state)
     if found is not None and found.coloured and found.colour == part.colour:
         return None
@@ -76,7 +76,7 @@ def question_of(state: State) -> Question | None:
 
 @dataclass(frozen=True)
 class PlaceSlice(Command):
-    """Put the slice somewhere: a hand on its handle, or a typed number; only the newest counts.
+    """Place the slice, by a drag of its handle or a typed number; only the newest event counts.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ class PlaceSlice(Command):
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the slice there; `InputError` where that is far away."""
+        """Return the state with the slice there; `InputError` if that is too far away."""
         part = state[SectionView]
         turned = part.slice == "axis"
         unit = "rad" if turned and state[Joints].arm.revolute[0] else "m"
@@ -101,7 +101,7 @@ class PlaceSlice(Command):
 
 @dataclass(frozen=True)
 class GoInSection(Command):
-    """Bring the tool to a place of the section, or as near as it can come; joint 1 moves as little as that allows.
+    """Bring the tool to a place of the section, or as near as possible; joint 1 moves as little as that allows.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ class GoInSection(Command):
     label: ClassVar[str] = "move in the section"
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm there; `InputError` while nothing is known of the workspace."""
+        """Return the state with the arm there; `InputError` while the workspace is not known."""
         found = _finished(state)
         joint, section = found.section.joint, found.section
         s = float(joint.split(state[Joints].tool_pose[:3, 3])[2])
@@ -130,13 +130,13 @@ class GoInSection(Command):
 
 @dataclass(frozen=True)
 class GoToPoint(Command):
-    """Bring the tool to a point of the world, metres, or as near as it can come."""
+    """Bring the tool to a point of the world, metres, or as near as possible."""
 
     point: tuple[float, float, float]
     label: ClassVar[str] = "move in the workspace"
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm there; `InputError` while nothing is known of the workspace."""
+        """Return the state with the arm there; `InputError` while the workspace is not known."""
         return _gone(state, _finished(state).section.nearest(self.point))
 
 
@@ -148,7 +148,7 @@ def _finished(state: State) -> Found:
 
 
 def _gone(state: State, q: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> State:
-    """Return the state with the arm at a configuration; joints that do not move the point stay, held ones as well."""
+    """Return the state with the arm at a configuration; held joints, and those that do not move the point, stay."""
     joints = state[Joints]
     moving = {0, *_finished(state).section.joint.moving}
     wanted = np.array([q[i] if i in moving else joints.q[i] for i in range(joints.arm.n)])

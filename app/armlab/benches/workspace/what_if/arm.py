@@ -1,4 +1,4 @@
-"""Another arm in thought: numbers of the table, of the limits or of the tool changed, nothing put in place yet."""
+"""A supposed arm: numbers of the table, of the limits or of the tool changed, without editing the real one."""
 
 from __future__ import annotations
 
@@ -28,15 +28,15 @@ NAMED = {
     "high": "upper limit",
     **{axis: f"tool along {axis} of frame n" for axis in TOOL},
 }
-"""What the fields are called in words."""
+"""Names of the fields in words."""
 
 SHORT = 0.05
-"""Of the reach: a length below this may as well be thought of the other way."""
+"""Length, in reaches of the arm, below which its slider may also go to negative values."""
 
 
 @dataclass(frozen=True)
 class Change:
-    """One number that is another one.
+    """One number with another value.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ class Change:
 
 
 def fields_of(arm: Arm, row: int) -> tuple[str, ...]:
-    """Return what can be changed in thought of a row (0-based), or of the tool (n): what the joint does not vary.
+    """Return the fields of a row (0-based), or of the tool (n), that can be changed: those that no joint varies.
 
     Raises
     ------
@@ -91,7 +91,7 @@ def turns(arm: Arm, row: int, field: str) -> bool:
 
 
 def altered(arm: Arm, changes: Iterable[Change]) -> Arm:
-    """Return the arm with some numbers changed; the task is that of the table as edited (`session.edits`).
+    """Return the arm with some numbers changed; its task is that of the edited table (`session.edits`).
 
     Raises
     ------
@@ -122,12 +122,12 @@ def altered(arm: Arm, changes: Iterable[Change]) -> Arm:
 
 @lru_cache(maxsize=64)
 def _task_is_given(arm: Arm) -> bool:
-    """Return whether the task is not the one that follows from the geometry (arms are compared by identity)."""
+    """Return whether the task differs from the one that follows from the geometry (arms are compared by identity)."""
     return arm.task != default_task(arm.rows, arm.convention, arm.tool)
 
 
 def span_of(arm: Arm, other: Arm, row: int, field: str) -> tuple[float, float]:
-    """Return between which values a slider moves a number: from nothing to twice what it is, or half a reach each way.
+    """Return the range of the slider of a number: from nothing to twice its value, or half a reach each way.
 
     Parameters
     ----------

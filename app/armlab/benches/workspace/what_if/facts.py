@@ -1,4 +1,4 @@
-"""Facts of an arm as it is thought to be that lessons can check; sizes are known once both workspaces are found."""
+"""Facts of a supposed arm that lessons can check; sizes are known once both workspaces are found."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from armlab.session.state import State
 
 
 def _figures(which: int, value: Callable[[Figures], float | None]) -> Callable[[State], float | None]:
-    """Return what is known of the arm before (0) or after (1) the changes, at the end of the work."""
+    """Return a figure of the arm before (0) or after (1) the changes, at the end of the work."""
 
     def known(state: State) -> float | None:
         part = state[WhatIf]

@@ -1,4 +1,4 @@
-"""The workspaces of an arm as it is and as it is thought to be, side by side."""
+"""The workspaces of an arm as it is and of the supposed arm, side by side."""
 
 from __future__ import annotations
 
@@ -19,29 +19,29 @@ from armlab.kin.workspace.sections import sections
 Mask = NDArray[np.bool_]
 
 POINTS = 24_576
-"""Samples of each arm that are drawn."""
+"""Number of samples of each arm that are drawn."""
 
 PIECE = 20_480
-"""Of them come at a time after the first few, some milliseconds of work."""
+"""Number of samples that come at a time after the first few, some milliseconds of work."""
 
 RESOLUTION, SECTION_SAMPLES = 96, 32_768
-"""Cells along the section, and the samples it begins with: enough to compare two arms, in about a second."""
+"""Number of cells along the section, and of its first samples: enough to compare two arms, in about a second."""
 
 WANTED = 0.05
-"""Of a size: as an error enough to compare two arms; a thin workspace takes a little longer for it."""
+"""Relative error of a size that is small enough to compare two arms; a thin workspace takes a little longer."""
 
 ROUGH = 8
-"""Pieces of work after which a section is known well enough for a first figure, about a tenth of a second."""
+"""Number of pieces of work after which a section gives a first figure, about a tenth of a second."""
 
 REMEMBERED = 4
-"""Arms whose workspace is kept: with every change the one before the change is asked for again."""
+"""Number of arms whose workspace is kept: every change asks again for the one before it."""
 
 SEED = 0
 
 
 @dataclass(frozen=True, eq=False)
 class Question:
-    """Two arms; arms are compared by identity.
+    """Two arms, compared by identity.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class Question:
 
 @dataclass(frozen=True)
 class Figures:
-    """What is known of one workspace.
+    """Size and reach of one workspace, as far as they are known.
 
     Attributes
     ----------
@@ -104,13 +104,13 @@ class Compared:
 
     @property
     def finished(self) -> bool:
-        """Whether nothing more is to come."""
+        """Whether the work is done."""
         return self.lost is not None
 
 
 @dataclass(eq=False)
 class _Known:
-    """What is known of the workspace of one arm, kept for the next who asks."""
+    """Results for the workspace of one arm, kept for the next request."""
 
     points: Samples | None = None
     rough: Figures | None = None
@@ -124,7 +124,7 @@ def _known(arm: Arm) -> _Known:
 
 
 def comparing(question: Question) -> Iterator[Compared | None]:
-    """Yield both workspaces, better and better; None where there is nothing new. At once where they are remembered."""
+    """Yield both workspaces, refined step by step; None if there is nothing new. Remembered ones come at once."""
     before, after = question.before, question.after
     old, new = _known(before), _known(after)
     for _ in _sampling(before, old):
@@ -158,7 +158,7 @@ def comparing(question: Question) -> Iterator[Compared | None]:
 
 
 def _sampling(arm: Arm, known: _Known) -> Iterator[Samples]:
-    """Yield the points so far, at last all of them; at once where they are known."""
+    """Yield the points so far, at last all of them; known ones come at once."""
     so_far: list[Samples] = []
     if known.points is None:
         for piece in samples(arm, POINTS, SEED, chunk=PIECE):
@@ -173,14 +173,14 @@ def _joined(pieces: list[Samples]) -> Samples:
 
 
 def _of_samples(arm: Arm, found: Samples) -> Figures:
-    """Return the figures of samples, which fall a little short of the boundary."""
+    """Return the figures from samples, which fall a little short of the boundary."""
     u, v, _ = first_joint(arm).split(found.points).T
     ends = u.min(), u.max(), v.min(), v.max(), np.hypot(u, v).max()
     return Figures(Reach(*map(float, ends)), None, False)
 
 
 def _looking(arm: Arm, known: _Known) -> Iterator[None]:
-    """Work until there are rough figures, and on until they are refined."""
+    """Work until there are rough figures, and then until they are refined."""
     if known.refined is not None:
         return
     # The formulas of an arm are made when they are first used.

@@ -1,4 +1,4 @@
-"""Compares the workspace of the arm with that of the arm as it is thought to be, while the page is open."""
+"""The job that compares the workspace of the arm with that of the supposed arm, while the page is open."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from armlab.session.state import State
 
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
-    """Return the two arms, until all is known of them."""
+    """Return the two arms until the comparison is complete."""
     part = state[WhatIf]
     done = part.found is not None and part.found.finished and is_present(state)
     if PAGE not in panels or done:
@@ -20,7 +20,7 @@ def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
 
 
 def delivered(state: State, question: Question, found: Compared) -> State:
-    """Return the state with what is known; of arms that are not thought of any more nothing is taken."""
+    """Return the state with the results; those of other arms are dropped."""
     part = state[WhatIf]
     if part.arm is not question.before or part.other is not question.after:
         return state
@@ -28,7 +28,7 @@ def delivered(state: State, question: Question, found: Compared) -> State:
 
 
 def compared(state: State) -> State:
-    """Return the state with all that can be known: for tests and for those who can wait."""
+    """Return the state with the complete comparison, for tests and for callers that can wait."""
     job = wanted(state, frozenset({PAGE}))
     if job is None:
         return state

@@ -1,4 +1,4 @@
-"""What if a number of the arm were another one: the changes in thought, and what they would do to the workspace."""
+"""The page What if: supposed changes of the arm, and their effect on the workspace."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ from armlab.session.sizes import LENGTHS
 from armlab.session.state import Command, Json, Part, PartType, State
 
 SAME = 1e-12
-"""Metres or radians: a change by less is none."""
+"""Difference, metres or radians, below which a change is none."""
 
 
 @dataclass(frozen=True, eq=False)
 class WhatIf(Part):
-    """Changes in thought.
+    """Supposed changes of the arm.
 
     Attributes
     ----------
     arm, other : Arm
         As it is, and with the changes; the same object without any.
     row, field : int, str
-        The quantity at hand; see `Change`.
+        The selected number; see `Change`.
     changes : tuple of Change
         In the order in which they were made, one for each quantity.
     found : Compared or None
@@ -51,14 +51,14 @@ class WhatIf(Part):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return no changes; at hand is the longest link length, of an arm without any the longest offset."""
+        """Return no changes, with the longest link length selected, or the longest offset of an arm without lengths."""
         arm = robot.arm
         lengths = [(f == "a", abs(value_of(arm, i, f)), -i, f) for i in range(arm.n) for f in _lengths(arm, i)]
         _, _, i, field = max([each for each in lengths if each[1] > 0.0] or lengths)
         return cls(arm, arm, -i, field)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep the quantity at hand where it is still there; of the arm before `TakeOver` also the changes."""
+        """Keep the selected number if it is still there, and the changes if the arm is that before `TakeOver`."""
         row = robot.arm.n if self.row == self.arm.n else origin.index(self.row) if self.row in origin else -1
         there = row >= 0 and self.field in fields_of(robot.arm, row)
         if not there:
@@ -67,19 +67,19 @@ class WhatIf(Part):
         return part.changed(self.taken[1]) if self.taken is not None and self.taken[0] is robot.arm else part
 
     def to_json(self) -> Json:
-        """Write the changes and the quantity at hand."""
+        """Write the changes and the selected number."""
         return {"row": self.row, "field": self.field, "changes": [[c.row, c.field, c.value] for c in self.changes]}
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read them back; raises when they are not usable with this arm."""
+        """Read them back; raises if they cannot be used with this arm."""
         row, field = int(data["row"]), str(data["field"])
         value_of(robot.arm, row, field)
         part = cls(robot.arm, robot.arm, row, field)
         return part.changed(tuple(Change(int(i), str(name), float(value)) for i, name, value in data["changes"]))
 
     def changed(self, changes: tuple[Change, ...]) -> Self:
-        """Return the part with these changes; `InputError` where an arm cannot be like that."""
+        """Return the part with these changes; `InputError` if an arm cannot have them."""
         real = tuple(c for c in changes if not abs(c.value - value_of(self.arm, c.row, c.field)) <= SAME)
         if real == self.changes:
             return self
@@ -91,14 +91,14 @@ PART = PartType(WhatIf, order=121)
 
 @dataclass(frozen=True)
 class ChooseQuantity(Command):
-    """Take another number at hand; of another joint the same kind of number, if it has one."""
+    """Select another number; for another joint the same kind of number, if it has one."""
 
     row: int
     field: str = ""
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the quantity at hand."""
+        """Return the state with the number selected."""
         part = state[WhatIf]
         known = fields_of(part.arm, self.row)
         field = self.field or (part.field if part.field in known else known[0])
@@ -108,7 +108,7 @@ class ChooseQuantity(Command):
 
 @dataclass(frozen=True)
 class Suppose(Command):
-    """Change a number in thought, in metres or radians: a slider in motion. Its own value takes the change back."""
+    """Suppose another value of a number, metres or radians, by a slider; its real value removes the change."""
 
     row: int
     field: str
@@ -118,7 +118,7 @@ class Suppose(Command):
 
     @property
     def channel(self) -> object:
-        """Sliders of different quantities do not replace each other."""
+        """Keep the sliders of different numbers from replacing each other."""
         return type(self), self.row, self.field
 
     def apply(self, state: State) -> State:
@@ -137,7 +137,7 @@ class Suppose(Command):
 
 @dataclass(frozen=True)
 class ForgetChanges(Command):
-    """Think of the arm as it is again."""
+    """Remove all supposed changes."""
 
     undoable: ClassVar[bool] = False
 
@@ -149,12 +149,12 @@ class ForgetChanges(Command):
 
 @dataclass(frozen=True)
 class TakeOver(Command):
-    """Make the changes real: the table, the limits and the tool are edited as by hand, in one step."""
+    """Make the changes real: the table, the limits and the tool are edited in one step."""
 
     label: ClassVar[str] = "what if"
 
     def apply(self, state: State) -> State:
-        """Return the state with the edited arm; `InputError` where nothing was changed."""
+        """Return the state with the edited arm; `InputError` if nothing was changed."""
         part = state[WhatIf]
         if not part.changes:
             raise InputError("nothing has been changed: move the slider first")
@@ -164,7 +164,7 @@ class TakeOver(Command):
 
 
 def edits_of(part: WhatIf) -> tuple[Command, ...]:
-    """Return the commands that edit the arm as it was thought to be."""
+    """Return the commands that edit the arm into the supposed one."""
     cells = [SetCell(c.row, c.field, c.value) for c in part.changes if c.field not in LIMITS + TOOL]
     rows = sorted({c.row for c in part.changes if c.field in LIMITS})
     limits = [SetLimits(i, *part.other.limits[i].tolist()) for i in rows]
@@ -173,7 +173,7 @@ def edits_of(part: WhatIf) -> tuple[Command, ...]:
 
 
 def is_present(state: State) -> bool:
-    """Return whether what was found is about the arm as it is and the changes as they are."""
+    """Return whether the results belong to the present arm and the present changes."""
     part = state[WhatIf]
     found = part.found
     return found is not None and found.before is part.arm and found.after is part.other

@@ -1,4 +1,4 @@
-"""Which points of two workspaces are drawn, and as what: kept, gained or lost."""
+"""The drawn points of two workspaces in three groups: kept, gained and lost."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Parts(NamedTuple):
 
 
 def parts_of(state: State) -> Parts:
-    """Return what is drawn; of an arm in space the half in front is left away, which would hide the arm."""
+    """Return the drawn points; of an arm in space without the half in front, which would hide the arm."""
     found, nothing = state[WhatIf].found, np.zeros((0, 3), np.float32)
     if found is None:
         return Parts(nothing, nothing, nothing, nothing)
@@ -59,7 +59,7 @@ def _behind(arm: Arm, points: Points) -> NDArray[np.bool_]:
 
 
 def thought_pose(state: State) -> NDArray[np.float64] | None:
-    """Return the joint values (n,) at which the arm is drawn as it is thought to be; None without changes.
+    """Return the joint values (n,) at which the supposed arm is drawn, or None without changes.
 
     They are the present ones, moved inside the limits it would have.
     """

@@ -1,1 +1,1 @@
-"""What is seen of the page e^At: its panel, and its part of the scene."""
+"""The panel of the page e^At, and its part of the scene."""

@@ -41,7 +41,7 @@ DECIMALS, WIDEST = 4, 1e4
 """Decimals of an entry, and the size from which it is written with a power of ten."""
 
 FLOOR, LOWEST = 1e-17, -17.5
-"""Smaller errors are drawn as the first, because 0 has no logarithm; the plot ends at the second, a logarithm."""
+"""Smallest error that is drawn as it is, because 0 has no logarithm, and the logarithm at which the plot ends."""
 
 FEWEST = 12
 """Least number of terms in the plot."""
@@ -50,13 +50,13 @@ STEPS = 500
 """Number of steps of the slider of t."""
 
 SEEN = 5e-4
-"""A difference of the printed formula below this is shown as none."""
+"""Difference of the printed formula below which none is shown."""
 
 KINDS = {"good": "ok", "poor": "warn", "none": "no"}
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make matrix, sliders, picture, the three results and the plot of the errors."""
+    """Build the matrix, the sliders, the picture, the three results and the plot of the errors."""
     head = gui.form(post)
     end = state[Exponential].end
     time = gui.slider("t, s", 0.0, end, end / STEPS, 0.0, lambda t: post(MoveTime(t)), None)
@@ -135,7 +135,7 @@ def head_markup(form: Form, part: Exponential) -> Markup:
 
 
 def results_markup(part: Exponential) -> Markup:
-    """Return the three results below each other, with how far they are from SciPy's."""
+    """Return the three results below each other, each with its difference from SciPy's."""
     found = part.found
     count = f"{part.terms} term{'' if part.terms == 1 else 's'} of ", mathml(SERIES)
     series = float(found.errors[part.terms - 1])

@@ -1,4 +1,4 @@
-"""The picture of xdot = A x in the plane: the curve from the start, the place at t, and real eigenvectors."""
+"""The picture of xdot = A x in the plane: the curve from the start, the point at t, and real eigenvectors."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from armlab.ui.html import Inside, Markup
 WIDTH, HEIGHT = 320, 200
 LEFT, BOTTOM = 30, 16
 NAME = 18.0
-"""Pixels at the top that belong to the name of the ordinate."""
+"""Room at the left and at the bottom for numbers, and at the top for the name of the ordinate, pixels."""
 
 LEAST = 1e-9
-"""Units of x in a pixel, of a curve that stands still."""
+"""Units of x in a pixel, for a curve that stands still."""
 
 MARGIN = 0.08
-"""Room on each side of the curve, as a part of what it spans."""
+"""Room on each side of the curve, as a share of its extent."""
 
 EIGEN = (ORANGE, GREY)
 """Colours of the lines along the first and the second eigenvector."""
@@ -32,7 +32,7 @@ Array = NDArray[np.float64]
 
 
 def _chart(points: Array) -> Chart:
-    """Return the part of the plane that is drawn, with the same scale both ways."""
+    """Return the part of the plane that is drawn, with the same scale in both directions."""
     low, high = points.min(axis=0), points.max(axis=0)
     middle, room = 0.5 * (low + high), (1.0 + 2.0 * MARGIN) * (high - low)
     box = np.array([WIDTH - LEFT, HEIGHT - BOTTOM])
@@ -61,7 +61,7 @@ def plane(part: Exponential) -> Markup:
 
 
 def _eigenvectors(part: Exponential, chart: Chart) -> list[Markup]:
-    """Return the lines on which x(t) stays, where there are such lines."""
+    """Return the lines on which x(t) stays, if there are any."""
     basis = part.found.basis
     if not basis.real:
         return []

@@ -1,1 +1,1 @@
-"""What is seen of the page Runs: its panel, and its part of the scene."""
+"""The panel of the page Runs, and its part of the scene."""

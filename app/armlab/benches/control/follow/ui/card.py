@@ -1,4 +1,4 @@
-"""The list of runs, and the table of what they have given."""
+"""The list of runs, and the table of their results."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
 
 SMALL = 5e-3
-"""In the unit on screen: smaller numbers are written with a power of ten."""
+"""Number, in the unit on screen, below which a power of ten is written."""
 
 ROUNDING = 1e-9
-"""In m or rad, also per second: smaller numbers come from rounding, not from the law."""
+"""Error or speed, in m or rad, also per second, below which it comes from rounding, not from the law."""
 
 ZERO = tag("span.zero", "0")
 
@@ -53,7 +53,7 @@ def _run(form: Form, part: Control, i: int, run: Setup) -> Markup:
 
 
 def card_markup(state: State) -> Markup:
-    """Return the results side by side, and what there is to say about runs that did not come to their end."""
+    """Return the results side by side, and the reasons of runs that stopped early."""
     part, units = state[Control], units_of(state)
     found = [_current(state, i) for i in range(len(part.runs))]
     heads = [(dot(css(RUN_COLOURS[run.colour])), str(i + 1)) for i, run in enumerate(part.runs)]
@@ -64,7 +64,7 @@ def card_markup(state: State) -> Markup:
 
 
 def _current(state: State, i: int) -> Outcome | None:
-    """Return what a run has given; None while it is being made."""
+    """Return the result of a run, or None while it is being made."""
     part = state[Control]
     outcome = part.outcomes.get(part.runs[i].colour)
     return outcome if outcome is not None and outcome.question == state.derived(questions)[i] else None
@@ -85,7 +85,7 @@ def _said(i: int, outcome: Outcome | None, units: Units) -> Inside:
 
 
 def _left(i: int, outcome: Outcome, joint: int, time: float, units: Units) -> Markup:
-    """Return that a joint leaves its range: a run does not keep joint limits."""
+    """Return a sentence that a joint leaves its range: a run does not keep joint limits."""
     arm = outcome.question.arm
     turns = bool(arm.revolute[joint])
     low, high = (units.text(float(limit), turns) for limit in arm.limits[joint])
@@ -152,7 +152,7 @@ def _sigma(peak: Peak) -> Inside:
 
 
 def small(value: float, revolute: bool, units: Units) -> Inside:
-    """Return an error or a speed, not negative, without its unit; a power of ten where it is very small."""
+    """Return an error or a speed, not negative, without its unit, as a power of ten if it is very small."""
     if value < ROUNDING:
         return ZERO
     shown = value / units.factor(revolute)

@@ -1,4 +1,4 @@
-"""The form of a run of kinematic control: what to follow, from where, by which law, on which plant."""
+"""The form of a run of kinematic control: the reference, the start, the law and the plant."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def law_markup(form: Form, state: State) -> Markup:
 
 
 def plant_markup(form: Form, state: State) -> Markup:
-    """Return the fields for what is not ideal about the arm."""
+    """Return the fields for the deviations of the arm from an ideal one."""
     run, units, arm = state[Control].run, units_of(state), state[Joints].arm
     motors = tuple(
         each for each in MOTORS if each.key == "saturation" or bool((arm.revolute == (each.key == "limit")).any())
@@ -100,7 +100,7 @@ def plant_markup(form: Form, state: State) -> Markup:
 
 
 def plant_words(run: Setup) -> str:
-    """Return in a few words what is not ideal."""
+    """Return in a few words the deviations of the arm from an ideal one."""
     found = []
     if run.saturation != "none":
         found.append("speeds limited")
@@ -122,14 +122,14 @@ def _values(form: Form, run: Setup, group: Sequence[Field], units: Units) -> Mar
 
 
 def _options(form: Form, of: str, kinds: Sequence[Field], given: dict[str, Any], sigma: str) -> Markup | None:
-    """Return the options of a law or an inverse, with the units of singular values as they are for this arm."""
+    """Return the options of a law or an inverse, with the units of singular values for this arm."""
     texts = {"sigma": sigma or "1", "sigma²": f"{sigma}²" if sigma else "1", "1/sigma²": f"{sigma}⁻²" if sigma else "1"}
     shown = [replace(each, unit=texts.get(each.unit, each.unit)) for each in kinds]
     return _group(option_form(form, f"{of}-", shown, given, partial(SetOption, of)))
 
 
 def _gains(kinds: Sequence[Field], arm: Arm) -> list[Field]:
-    """Return the options of a law without gains of errors that the arm's task does not have."""
+    """Return the options of a law without gains for errors that the arm's task does not have."""
     without = {"Kp"} if not arm.task.position else {"Ko"} if arm.task.rotation == "none" else set()
     return [each for each in kinds if each.key not in without]
 

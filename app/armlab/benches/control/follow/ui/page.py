@@ -1,4 +1,4 @@
-"""Runs of kinematic control: experiment, law, method, gains and plant; their results in numbers and over time."""
+"""Runs of kinematic control: experiment, law, method, gains and plant, with their results in numbers and over time."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from armlab.ui.widgets import Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make example, runs, form, results and plots."""
+    """Build the example, the runs, the form, the results and the plots."""
     head, clock, runs, card = gui.form(post), gui.form(post), gui.form(post), gui.html()
     chooser, plots = gui.form(post), Plots(gui, state)
     form, law, plant = gui.form(post), gui.form(post), gui.form(post)
@@ -80,7 +80,7 @@ def _play(form: Form, state: State) -> Markup:
 
 
 def _push(form: Form, part: Control, units: Units) -> Inside:
-    """Return the button that pushes, how far, and the button that takes all pushes away."""
+    """Return the button that pushes, the field for the distance, and the button that removes all pushes."""
     hint = "Push the tool aside at the present time, and run it again"
     push = form.button("push", "Push", PushNow(), "chip", hint, off=part.outcome is None)
 
@@ -108,7 +108,7 @@ def _named(form: Form, state: State) -> Markup:
 
 
 def _around(state: State) -> Points:
-    """Return the ways of the runs, which belong in the picture."""
+    """Return the paths of the runs, which must be inside the picture."""
     outcome = state[Control].outcome
     if outcome is None or outcome.run is None or not fresh(state):
         return reference_points(state[Joints].arm, state[Control].run)
@@ -117,7 +117,7 @@ def _around(state: State) -> Points:
 
 
 def _in_the_way(state: State) -> tuple[str, ...]:
-    """Return the layers a run hides: the handle sits on the tool while the run moves the arm."""
+    """Return the layers that a run hides: the handle would cover the tool while the run moves the arm."""
     on = state[Timeline].clip == CLIP_KEY
     return ("gizmo", "gap") if on and state[Control].run.reference != "target" else ("gap",) if on else ()
 

@@ -1,4 +1,4 @@
-"""The plots of the runs: errors, joint speeds, joints, nearness to singularities; the cursor follows the timeline."""
+"""The plots of the runs: errors, joint speeds, joints, nearness to singularities, with a cursor at the time."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from armlab.ui.widgets import Gui
 VIEWS = {"error": "Errors", "speed": "Speeds", "joint": "Joints", "sigma": "σ, λ"}
 
 POINTS = 601
-"""Of a curve that shares its abscissa with those of other runs."""
+"""Number of points of a curve that shares its abscissa with those of other runs."""
 
 HEIGHT = 118
 
@@ -35,7 +35,7 @@ Array = NDArray[np.float64]
 
 
 class JointPlot(Plot):
-    """One quantity of the selected run, a curve for each joint of one kind."""
+    """One quantity of the selected run, with a curve for each joint of one kind."""
 
     def __init__(self, gui: Gui, arm: Arm, units: Units, turns: bool, quantity: tuple[Inside, str, str]) -> None:
         name, suffix, file = quantity
@@ -49,7 +49,7 @@ class JointPlot(Plot):
         super().__init__(gui, title, "t, s", curves, file, limits=2, height=HEIGHT)
 
     def show_joints(self, run: Run, values: Array, limit: float | None = None) -> None:
-        """Show values (k, n) of a run, between plus and minus a limit where there is one."""
+        """Show values (k, n) of a run, between plus and minus a limit if there is one."""
         curves = [values[:, i] / self._unit_size for i in self.joints]
         lines = () if limit is None else (limit / self._unit_size, -limit / self._unit_size)
         # The page cannot choose a range where a limit is left out.
@@ -63,7 +63,7 @@ class JointPlot(Plot):
 
 
 class Plots:
-    """All plots; those of one view are visible."""
+    """All plots, of which those of one view are visible."""
 
     def __init__(self, gui: Gui, state: State) -> None:
         arm, units = state[Joints].arm, units_of(state)
@@ -184,7 +184,7 @@ def _of(values: Callable[[Run], Array]) -> Callable[[Any], Array]:
 
 
 def _on(grid: Array, run: Run, values: Callable[[Any], Array | None]) -> Array | None:
-    """Return a curve of a run on the shared abscissa; nothing where the run has ended."""
+    """Return a curve of a run on the shared abscissa, NaN after the end of the run."""
     curve = values(run)
     if curve is None:
         return None

@@ -1,4 +1,4 @@
-"""The runs of kinematic control in the scene: path wanted and paths driven, arms at some instants, present error."""
+"""The runs of kinematic control in the scene: wanted and driven paths, the arm at some instants, the present error."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ from armlab.ui.scene._strokes import Segments, polyline
 from armlab.ui.units import units_of
 
 WANTED, DRIVEN, STROBE, ERROR = 0.0035, 0.006, 0.0022, 0.005
-"""Thickness of path wanted, paths driven, arms at some instants, and the error, in sizes of the arm."""
+"""Thickness of the wanted path, driven paths, the arm at some instants, and the error, in sizes of the arm."""
 
 AIM, PUSHED = 0.018, 0.016
 """Diameters of the wanted point and of the places of pushes, in sizes of the arm."""
 
 FLASHES = 9
-"""Instants at which the arm of the selected run is drawn."""
+"""Number of instants at which the arm of the selected run is drawn."""
 
 LEAST = 0.01
 """Shortest error that is drawn, in sizes of the arm."""
@@ -96,7 +96,7 @@ class _Runs:
         return polyline(points[simplified(points, ROUGHNESS * self._size)])
 
     def _show_present(self, state: State) -> None:
-        """Show where the other runs are at the present time, and the error of the selected one."""
+        """Show the points of the other runs at the present time, and the error of the selected one."""
         part, on, time = state[Control], state[Timeline].clip == CLIP_KEY, time_of(state)
         current = state.derived(questions)
         there = {run.colour: part.outcomes.get(run.colour) for run in part.runs}
@@ -124,14 +124,14 @@ class _Runs:
         self._error.show(polyline(np.array([tool, wanted])) if shown else None)
 
     def _stands(self, q: Floats) -> bool:
-        """Return whether the arm can stand in a configuration, so that it shows the run itself."""
+        """Return whether the arm can take a configuration, so that it shows the run itself."""
         apart = standing(self._arm, q) - q
         turned = np.where(self._arm.revolute, np.abs(2.0 * np.sin(0.5 * apart)), np.abs(apart))
         return bool(turned.max() <= 1e-6)
 
 
 def _run_of(outcome: Outcome | None, arm: Arm) -> Run | None:
-    """Return the run of an outcome that is of this arm."""
+    """Return the run of an outcome if it belongs to this arm."""
     return None if outcome is None or outcome.question.arm is not arm else outcome.run
 
 
@@ -140,7 +140,7 @@ def _corners(arm: Arm, run: Run, times: Floats) -> Floats:
 
 
 def _wanted_at(run: Run, time: float) -> Floats:
-    """Return the wanted point at a time, (3,): between two instants on the straight line."""
+    """Return the wanted point at a time, (3,), by linear interpolation."""
     return np.array([np.interp(time, run.t, run.p_wanted[:, axis]) for axis in range(3)])
 
 

@@ -1,1 +1,1 @@
-"""What is seen of the page Loop: its panel, and its part of the scene."""
+"""The panel of the page Loop, and its part of the scene."""

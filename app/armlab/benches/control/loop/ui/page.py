@@ -35,11 +35,11 @@ GAIN, PHASE, ERROR_GAIN = r"|W(j\omega)|", r"W(j\omega)", r"|1-W(j\omega)|"
 
 
 FOLLOWS, FAILS = 0.05, 0.5
-"""Lasting error over the wish: small below the first; from the second on the loop does not follow."""
+"""Ratio of lasting error to wish below which it is small, and from which on the loop does not follow."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make example, diagram, numbers, plots and the frequency response."""
+    """Build the example, the diagram, the numbers, the plots and the frequency response."""
     units = units_of(state)
     head, drawn, form, timing = gui.form(post), gui.html(), gui.form(post), gui.form(post)
     plots, verdict = _Plots(gui), gui.html()
@@ -106,7 +106,7 @@ def form_markup(form: Form, part: Loop) -> Markup:
 
 
 def _verdict(part: Loop, units: Units) -> Markup:
-    """Return what stays of the error, and why."""
+    """Return the verdict on the lasting error, and its reason."""
     if part.kind == "step":
         loop = part.loop
         left = math.exp(-loop.cutoff * part.end)

@@ -20,7 +20,7 @@ WISH, REACHED, ERROR, FORCE = BLUE, GREEN, VERMILLION, ORANGE
 
 WIDTH = 320
 LINE, BACK = 44, 80
-"""Heights of the forward and of the feedback line of the diagram, pixels."""
+"""Width of the pictures, and heights of the forward and of the feedback line of the diagram, pixels."""
 
 LEFT, RIGHT = 36, 8
 """Room for numbers on both sides of the frequency response, pixels."""
@@ -29,11 +29,12 @@ GAIN_TOP, GAIN_HIGH, PHASE_TOP, PHASE_HIGH = 8, 84, 112, 62
 BODE_HIGH = 192
 
 DECIMALS = 3
-"""Of the numbers in the diagram."""
+"""Number of decimals in the diagram."""
 
 POINTS = 81
 AROUND = 1.0
-"""Decades shown below the lower and above the higher of cutoff and frequency, at least."""
+"""Number of points of the curves, and least range in decades below the lower and above the higher of cutoff and
+frequency."""
 
 
 def diagram(part: Loop, t: float) -> Markup:
@@ -80,7 +81,7 @@ def _arrow(start: int, end: int) -> Inside:
 
 
 def bode(part: Loop, units: Units) -> Markup:
-    """Return gain and phase over the frequency, with cutoff and, of a sine, its frequency marked."""
+    """Return gain and phase over the frequency, with the cutoff and the frequency of a sine marked."""
     scale = _Scale(part)
     omega = np.logspace(scale.low, scale.high, POINTS)
     gains = 20.0 * np.log10(part.loop.closed_gain(omega))
@@ -99,7 +100,7 @@ def bode(part: Loop, units: Units) -> Markup:
 
 
 class _Scale:
-    """Where frequencies, decibels and degrees are drawn."""
+    """The scales for frequencies, decibels and degrees."""
 
     def __init__(self, part: Loop) -> None:
         cutoff = math.log10(part.loop.cutoff)
@@ -172,7 +173,7 @@ def _curve(
 
 
 def _mark(part: Loop, scale: _Scale) -> Markup:
-    """Return the frequency of the sine on both curves."""
+    """Return the mark of the sine's frequency on both curves."""
     x = scale.x(part.omega)
     gain = scale.gain_y(20.0 * math.log10(float(part.loop.closed_gain(part.omega))))
     phase = scale.phase_y(math.degrees(float(part.loop.phase(part.omega))))

@@ -1,1 +1,1 @@
-"""What is seen of the page Help: its panel, and its part of the scene."""
+"""The panel of the page Help, and its part of the scene."""

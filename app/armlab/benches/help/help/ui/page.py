@@ -1,4 +1,4 @@
-"""How to use the lab."""
+"""Instructions for the lab."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ PAGE_KEYS = (
     ("Page ↑ ↓", "the step before or after, in a lesson"),
     ("space , .", "play, step back, step on"),
 )
-"""Keys that the page itself answers to."""
+"""Keys that are handled by the page itself."""
 
 MOUSE = (
     ("drag an arrow", "move the target; the arm follows"),
@@ -45,7 +45,7 @@ WORDS = (
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the text."""
+    """Build the text."""
     gui.html(tag("h3", "Keys"), _table([*((s.shown, s.label) for s in shortcuts() if s.key), *PAGE_KEYS]))
     gui.html(tag("p.dim", UNDO))
     gui.html(tag("h3", "Mouse and touch"), _table(MOUSE))

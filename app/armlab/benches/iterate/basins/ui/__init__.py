@@ -1,1 +1,1 @@
-"""What is seen of the page Basins: its panel, and its part of the scene."""
+"""The panel of the page Basins, and its part of the scene."""

@@ -26,14 +26,14 @@ from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units
 
 TICKS = 4
-"""Parts of an axis."""
+"""Number of intervals of an axis."""
 
 MOST_NAMED = 16
-"""Rows of the legend."""
+"""Largest number of rows of the legend."""
 
 
 def map_markup(form: Form, found: Map, units: Units, begin: Picked) -> Markup:
-    """Return the picture with axes, the solutions marked, and the marks that `places` moves."""
+    """Return the picture with axes, marks of the solutions, and the marks that `places` moves."""
     question = found.question
     across, up = (_axis(found, side, units) for side in (0, 1))
     picture = png(pixels(found.found))
@@ -69,7 +69,7 @@ def _tick(value: float, revolute: bool, units: Units) -> str:
 
 
 def _solutions(found: Map) -> list[Markup]:
-    """Return a numbered mark for each solution that lies in the map."""
+    """Return a numbered mark for each solution inside the map."""
     marks = []
     for k, q in enumerate(found.found.solutions):
         x, y = (found.part(side, float(q[joint])) for side, joint in enumerate(found.question.joints))
@@ -80,7 +80,7 @@ def _solutions(found: Map) -> list[Markup]:
 
 
 def legend(found: Map, units: Units) -> Inside:
-    """Return which colour is which solution, and the share of each and of failures among the starts tried."""
+    """Return the solution of each colour, and the share of each and of failures among the starts tried."""
     index = found.found.index[: found.found.rows]
     if not index.size:
         return None
@@ -116,7 +116,7 @@ def _scale(found: Map) -> Markup | None:
 
 
 def _about(found: Map, units: Units) -> Markup:
-    """Return of what the map is: target, method and the start values of the joints that do not vary."""
+    """Return the arguments of the map: target, method and the start values of the joints that do not vary."""
     asked = found.question
     target = np.frombuffer(asked.target).reshape(4, 4)
     others = [
@@ -138,14 +138,14 @@ def _about(found: Map, units: Units) -> Markup:
 
 
 def target_text(arm: Arm, target: NDArray[np.floating], units: Units) -> str:
-    """Return the place of a target in the world; of an arm that moves in a plane of the world, without the third."""
+    """Return the place of a target in the world; an arm that moves in a plane of the world has two coordinates."""
     upright = np.array_equal(arm.base[:3, :3], np.eye(3)) and arm.task.position
     seen = target[arm.task.coordinates, 3] if upright else target[:3, 3]
     return f"({', '.join(units.text(float(value), False) for value in seen)}) {units.length_unit}"
 
 
 def standing(state: State) -> Inside:
-    """Return what is said over the picture: that it is of another target, and how far it came."""
+    """Return the notes over the picture: that it belongs to another target, and its progress."""
     found, drawing = state[Basins].map, state[Basins].drawing
     if found is None:
         return None
@@ -160,7 +160,7 @@ def standing(state: State) -> Inside:
 
 
 def places(state: State) -> Markup | None:
-    """Return where the arm and the start of the film are in the map, for the style sheet."""
+    """Return the places of the arm and of the film's start in the map, as style."""
     found = state[Basins].map
     if found is None:
         return None
@@ -176,7 +176,7 @@ def places(state: State) -> Markup | None:
 
 
 def here(state: State) -> str:
-    """Return where the film of the present start ends, by the map."""
+    """Return the end of the film from the present start, read from the map."""
     found, start = state[Basins].map, state[Iterations].start
     if found is None:
         return ""
@@ -190,7 +190,7 @@ def here(state: State) -> str:
 
 
 def save_link(found: Map, robot: str) -> Markup:
-    """Return what saves the picture without axes as a PNG file."""
+    """Return the link that saves the picture without axes as a PNG file."""
     name = f"basins_{file_name(robot)}_{found.question.run.method}.png"
     picture = as_address(png(enlarged(pixels(found.found))))
     return tag("a.chip", "Save as PNG", download=name, href=picture)

@@ -1,4 +1,4 @@
-"""Basins of attraction: which solution a method reaches from where, as a map whose every point begins a film."""
+"""Basins of attraction: the solution that a method reaches from each start, as a map; a click begins a film."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class BasinsPage:
         self._drawn: tuple[Map | None, bool] | None = None
 
     def show(self, state: State) -> None:
-        """Show a state; the picture is sent only when it is another one."""
+        """Show a state; the picture is sent only when it has changed."""
         self._state = state
         self._choices.show(choices_markup(self._choices, state, self._units))
         found = state[Basins].map
@@ -84,7 +84,7 @@ class BasinsPage:
         self._below.show(legend(found, self._units), save)
 
     def _begin(self, x: float, y: float, _drag: int) -> StartInMap:
-        """Begin the film where the map was clicked; a refusal is said here, and the page of the film not opened."""
+        """Begin the film at the clicked place; a refusal is shown here, and the film's page stays closed."""
         place = min(max(x, 0.0), 1.0), min(max(1.0 - y, 0.0), 1.0)
         start_in_map(self._state, *place)
         self._gui.open_panel("iterations")
@@ -95,7 +95,7 @@ class BasinsPage:
 
 
 def choices_markup(form: Form, state: State, units: Units) -> Inside:
-    """Return all that can be chosen, and the button that draws or cancels."""
+    """Return all choices, and the button that draws or cancels."""
     part = state[Basins]
     titles = {key: capitalised(method.title) for key, method in iteration_methods().items()}
     method = form.select("method", "Method", titles, part.run.method, MapMethod)
@@ -135,7 +135,7 @@ def _parameter(run: Run, key: str, text: str) -> MapMethod:
 
 
 def _task(form: Form, state: State, units: Units) -> list[Markup]:
-    """Return target and task vector, which are those of the film."""
+    """Return target and task vector, the same as those of the film."""
     arm, part = state[Joints].arm, state[Iterations]
     vector, found = vector_of(state), choices(arm)
     place = target_text(arm, part.target, units)
@@ -217,7 +217,7 @@ def _action(form: Form, state: State) -> Inside:
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the choices and the map."""
+    """Build the choices and the map."""
     return BasinsPage(gui, state, post).show
 
 

@@ -1,4 +1,4 @@
-"""The map of basins as a picture: one pixel a start, its colour the solution reached, darker after more steps."""
+"""The map of basins as a picture: one pixel for each start, in the colour of its solution, darker after more steps."""
 
 from __future__ import annotations
 
@@ -11,23 +11,23 @@ from armlab.ui.colours import GREY, JOINTS, Rgb
 from armlab.ui.png import indexed_png
 
 FULL = len(JOINTS)
-"""Solutions with a colour of their own; those after them are grey."""
+"""Number of solutions with a colour of their own; further ones are grey."""
 
 LEVELS = 24
-"""Of brightness."""
+"""Number of levels of brightness."""
 
 DARKEST = 0.32
 """Brightness of the slowest starts; the quickest have the full colour."""
 
 SPREAD = (0.02, 0.98)
-"""Quantiles of the numbers of steps that are the ends of the scale."""
+"""Quantiles of the numbers of steps at which the scale begins and ends."""
 
 LEAST_SIDE = 512
-"""Pixels of a side of the picture that is saved, at least."""
+"""Least number of pixels along a side of the picture that is saved."""
 
 
 _EMPTY, _WHITE, _FIRST = 0, 1, 2
-"""Entries of the palette: still to come (see-through), failed, and the first of the colours."""
+"""Entries of the palette: not yet computed (transparent), failed, and the first of the colours."""
 
 
 def solution_colour(number: int) -> Rgb:
@@ -36,7 +36,7 @@ def solution_colour(number: int) -> Rgb:
 
 
 def scale_of(found: Basins) -> tuple[int, int]:
-    """Return the numbers of steps at the bright and at the dark end; (0, 0) where nothing is reached."""
+    """Return the numbers of steps at the bright and at the dark end; (0, 0) if nothing is reached."""
     counts = np.cumsum(np.bincount(found.iterations[found.index >= 0]))
     if not len(counts):
         return 0, 0
@@ -60,7 +60,7 @@ def pixels(found: Basins) -> NDArray[np.uint8]:
 
 
 def palette() -> NDArray[np.uint8]:
-    """Return the colours (k, 3)."""
+    """Return the colours of the palette, (k, 3)."""
     brightness = np.linspace(1.0, DARKEST, LEVELS)
     colours = np.array([*JOINTS, GREY], dtype=float)
     shades = (colours[:, None, :] * brightness[None, :, None]).reshape(-1, 3)
@@ -68,7 +68,7 @@ def palette() -> NDArray[np.uint8]:
 
 
 def png(entries: NDArray[np.uint8]) -> bytes:
-    """Return a picture of entries of the palette as a PNG file; its first entry is clear."""
+    """Return a picture of entries of the palette as a PNG file; its first entry is transparent."""
     return indexed_png(entries, palette())
 
 

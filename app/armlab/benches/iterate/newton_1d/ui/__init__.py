@@ -1,1 +1,1 @@
-"""What is seen of the page One variable: its panel, and its part of the scene."""
+"""The panel of the page One variable, and its part of the scene."""

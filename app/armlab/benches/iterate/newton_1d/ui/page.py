@@ -26,16 +26,16 @@ _K = tag("sub", "k")
 HEADS = tag("tr", [tag("th", head) for head in ("k", ("x", _K), ("f(x", _K, ")"), ("f′(x", _K, ")"))])
 
 ROWS = 8
-"""Of the table at once."""
+"""Number of rows of the table that are shown at once."""
 
 DIGITS = 10
-"""Decimals of x: enough to see the correct ones double."""
+"""Number of decimals of x, enough to see the correct ones double."""
 
 KINDS = {"converged": "ok", "most": "warn"}
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make equation, picture and table."""
+    """Build the equation, the picture and the table."""
     problem, drawn, numbers = gui.form(post), gui.html(), gui.form(post)
 
     def show(state: State) -> None:
@@ -83,7 +83,7 @@ def _table(form: Form, found: Solved, place: Place, on: bool) -> Markup:
 
 
 def _plain(value: float, decimals: int) -> str:
-    """Return a number with fixed decimals, or with a power of ten where these would show nothing or too much."""
+    """Return a number with fixed decimals, or with a power of ten if it is too small or too large for them."""
     if value == 0.0:
         return "0"
     return number(value, decimals) if 10.0 ** (1 - decimals) <= abs(value) < 1e4 else scientific(value, 3)

@@ -1,1 +1,1 @@
-"""What is seen of the page Steps: its panel, and its part of the scene."""
+"""The panel of the page Steps, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""What is drawn of one run: the way of its tool with a point at each iterate, and its arm as a thin line."""
+"""Drawings of one run: the path of its tool with a point at each iterate, and its arm as a thin line."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from armlab.ui.scene._nodes import put, seen
 from armlab.ui.scene._strokes import add_head, add_line, polyline
 
 WAY, SHAFT = 0.0035, 0.005
-"""Thickness of the way, and of the arrow of the error, in sizes of the arm."""
+"""Thickness of the path, and of the arrow of the error, in sizes of the arm."""
 
 POINT, HEAD = 0.008, 0.03
-"""Size of a point and of a head, in sizes of the arm."""
+"""Diameter of a point and length of an arrow's head, in sizes of the arm."""
 
 LEAST = 0.02
 """Shortest error drawn as an arrow, in sizes of the arm."""
@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 
 
 class Way:
-    """Where the tool of a run has been."""
+    """The path of the tool in a run."""
 
     def __init__(self, canvas: LayerCanvas, name: str, colour: Rgb) -> None:
         self._canvas, self._path, self._colour = canvas, canvas.path(name), colour
@@ -35,7 +35,7 @@ class Way:
         self._film: Film | None = None
 
     def show(self, film: Film | None) -> None:
-        """Show the way of a film; None hides it."""
+        """Show the path of a film; None hides it."""
         if film is not None and film is not self._film:
             self._film = film
             self._draw(film.way)
@@ -73,7 +73,7 @@ class ErrorArrow:
         self._head = add_head(scene, f"{path}/head", np.zeros(3), (0.0, 0.0, 1.0), colour, HEAD * size)
 
     def show(self, tool: Floats | None, target: Floats) -> None:
-        """Show it; no tool hides it."""
+        """Show the arrow; None instead of a tool point hides it."""
         way = np.zeros(3) if tool is None else target - tool
         length = float(np.linalg.norm(way))
         drawn = tool is not None and length > LEAST * self._size

@@ -31,7 +31,7 @@ LIMITS = {"clamp": "Kept", "none": "Not kept"}
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the fields of the problem, the runs, the table and the plots."""
+    """Build the fields of the problem, the runs, the table and the plots."""
     problem, runs = gui.form(post), gui.form(post)
     table, plots = Table(gui.form(post)), Plots(gui, state)
 
@@ -94,7 +94,7 @@ def _most(text: str) -> Command:
 
 
 def _present(state: State) -> str:
-    """Return where the film stands."""
+    """Return the present place in the film."""
     film = state[Iterations].film
     if film is None:
         return "…"
@@ -153,7 +153,7 @@ def _task_markup(form: Form, state: State) -> Inside:
 
 
 def _in_the_way(state: State) -> tuple[str, ...]:
-    """Return the layers the film hides: the handle sits on the tool while the film moves the arm."""
+    """Return the layers that the film hides: the handle would cover the tool while the film moves the arm."""
     return ("gizmo", "gap") if state[Timeline].clip == CLIP_KEY else ()
 
 

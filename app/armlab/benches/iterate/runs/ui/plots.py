@@ -1,4 +1,4 @@
-"""The plots of the runs: over the steps, or over the time of continuous ones; the cursor is the present iterate."""
+"""The plots of the runs over the steps, or over time for continuous ones, with a cursor at the present iterate."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
 FLOOR = 1e-16
-"""Errors that are smaller are drawn here: the logarithm of 0 is not a number."""
+"""Smallest error that is drawn as it is, because 0 has no logarithm."""
 
 POINTS = 201
-"""Of a curve over time."""
+"""Number of points of a curve over time."""
 
 
 class Plots:
-    """All plots; those that have something to show are seen."""
+    """All plots, of which those with curves are visible."""
 
     def __init__(self, gui: Gui, state: State) -> None:
         self._plots = _plots(gui, state)
         self._shown: object = None
 
     def show(self, state: State) -> None:
-        """Show the curves of a state when they are others, and where the film stands."""
+        """Show the curves of a state if they have changed, and the place in the film."""
         part = state[Iterations]
         film = part.film
         films = [part.films.get(run.colour) for run in part.runs]
@@ -79,7 +79,7 @@ class Plots:
 
 
 def _by_colour(films: Sequence[Film | None], state: State) -> list[Film | None]:
-    """Return films by their colours, in which their curves are drawn."""
+    """Return films at the places of their colours, in which their curves are drawn."""
     found: list[Film | None] = [None] * MOST_RUNS
     for run, film in zip(state[Iterations].runs, films, strict=True):
         found[run.colour] = film
@@ -87,7 +87,7 @@ def _by_colour(films: Sequence[Film | None], state: State) -> list[Film | None]:
 
 
 def _grid(films: Sequence[Film | None], flow: bool) -> Array:
-    """Return the abscissa all runs share: iterates from 0 on, or times."""
+    """Return the abscissa that all runs share: iterates from 0 on, or times."""
     there = [film for film in films if film is not None]
     if flow:
         end = max((float(film.t[-1]) for film in there if film.t is not None), default=0.0)
@@ -96,7 +96,7 @@ def _grid(films: Sequence[Film | None], flow: bool) -> Array:
 
 
 def _on(grid: Array, film: Film, values: Values) -> Array | None:
-    """Return a curve of a run on the shared abscissa; nothing where the run has ended."""
+    """Return a curve of a run on the shared abscissa, NaN after the end of the run."""
     curve = values(film)
     if curve is None:
         return None
@@ -111,7 +111,7 @@ LYAPUNOV, ITS_RATE, SIGMA = r"V=\frac12e^TKe", r"\dot V=-|J^TKe|^2", r"\sigma_{m
 
 
 UNITS = {"sigma": "m", "damping": "m²"}
-"""Of plots where the task vector is a position in metres; elsewhere it is made of pure numbers."""
+"""Units of plots if the task vector is a position in metres; for others it is without unit."""
 
 
 def _plots(gui: Gui, state: State) -> dict[str, RunPlot]:
@@ -134,7 +134,7 @@ def _plots(gui: Gui, state: State) -> dict[str, RunPlot]:
 
 
 def _steps_plot(gui: Gui, turns: bool, units: Units) -> RunPlot:
-    """Return the plot of the steps of turning or of sliding joints: their lengths are never one number."""
+    """Return the plot of the steps of revolute or of prismatic joints, whose lengths have no common unit."""
 
     def lengths(film: Film) -> Array:
         return film.step_lengths[0 if turns else 1] / units.factor(turns)

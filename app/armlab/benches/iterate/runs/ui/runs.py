@@ -1,4 +1,4 @@
-"""The list of runs: method, parameters, and how each has ended."""
+"""The list of runs: method, parameters, and the end of each."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from armlab.ui.units import plain_number, units_of
 
 
 def runs_markup(form: Form, state: State) -> Markup:
-    """Return all runs, and a button for one more."""
+    """Return all runs, and a button that adds one."""
     part = state[Iterations]
     runs = [_run(form, state, i, run) for i, run in enumerate(part.runs)]
     full = len(part.runs) == MOST_RUNS

@@ -1,4 +1,4 @@
-"""The runs of the iterations in the scene: ways of the tool, arms of the other runs, target, present error."""
+"""The runs of the iterations in the scene: paths of the tool, arms of the other runs, target, present error."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ from armlab.ui.scene._strokes import add_name
 from armlab.ui.units import units_of
 
 MOST_ARMS = 4
-"""Solutions of a task vector with joints in it that are drawn."""
+"""Largest number of drawn solutions of a task vector with joints in it."""
 
 OUTSIDE = 1e-6
-"""rad or m by which an iterate is beyond a limit when the arm cannot stand there."""
+"""Distance of an iterate beyond a limit, rad or m, from which on the arm cannot take it."""
 
 PALE = 0.0045
-"""Thickness of the arms that only stand by, in sizes of the arm."""
+"""Thickness of the arms at the solutions, in sizes of the arm."""
 
 Floats = NDArray[np.float64]
 
@@ -65,7 +65,7 @@ class _Runs:
         self._show_present(state, part.film if on else None)
 
     def _show_arms(self, state: State, there: dict[int, Film | None]) -> None:
-        """Show the arms of the runs that the arm itself does not play, or cannot because of its limits."""
+        """Show the arms of runs that the arm itself does not show, or cannot because of its limits."""
         part, place = state[Iterations], place_of(state)
         played = part.film
         for colour in range(MOST_RUNS):
@@ -78,13 +78,13 @@ class _Runs:
             self._sticks[colour].show(q)
 
     def _stands(self, q: Floats) -> bool:
-        """Return whether the arm can stand in a configuration."""
+        """Return whether the arm can take a configuration."""
         apart = standing(self._arm, q) - q
         turned = np.where(self._arm.revolute, np.abs(2.0 * np.sin(0.5 * apart)), np.abs(apart))
         return bool(turned.max() <= OUTSIDE)
 
     def _show_present(self, state: State, film: Film | None) -> None:
-        """Show which iterate it is, and its error."""
+        """Show the number of the iterate, and its error."""
         seen(self._count, film is not None)
         if film is None:
             self._error.show(None, np.zeros(3))

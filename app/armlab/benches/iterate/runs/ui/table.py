@@ -17,21 +17,21 @@ from armlab.ui.small_numbers import HUGE, NO_BREAK, small
 from armlab.ui.units import Units, units_of
 
 ROWS = 7
-"""Shown at once, the present one in the middle where it can be."""
+"""Number of rows shown at once, with the present one in the middle if possible."""
 
 IN_LINE = 2
-"""So many joints have their values in the row itself; those of others stand in a line below."""
+"""Largest number of joints with their values in the row itself; others have them in a line below."""
 
 
 class Numbers(NamedTuple):
-    """What stands in the row of an iterate after its name, and in the line below, which may be empty."""
+    """Markup in the row of an iterate after its name, and in the line below, which may be empty."""
 
     cells: tuple[str, ...]
     below: str
 
 
 class Table:
-    """The table of one panel; the numbers of a row are written once for a film, in which they do not change."""
+    """The table of one panel; the numbers of a row are written once for each film, in which they do not change."""
 
     def __init__(self, form: Form) -> None:
         self._form = form

@@ -19,28 +19,29 @@ from armlab.ui.html import Inside, Markup, tag
 
 WIDTH, HEIGHT = 320, 220
 LEFT, BOTTOM = 34, 18
-"""Of the picture and of what the numbers take at its edges, in pixels."""
+"""Size of the picture, and room for numbers at its left and bottom edges, pixels."""
 
 POINTS = 241
 
 MARGIN = 0.12
-"""Beside the iterates, in parts of what they span."""
+"""Margin beside the iterates, relative to their extent."""
 
 PALE = 0.4
 """Opacity of the tangent that has led to the present iterate."""
 
 NARROW = 1e-6
-"""Span of iterates, relative to their size, that is not made to fill the picture."""
+"""Extent of iterates, relative to their size, that is not enlarged to fill the picture."""
 
 WIDE = 12.0
-"""So many times what the first three iterates span, all of them are shown at once; of more, those up to the next."""
+"""Extent, in multiples of that of the first three iterates, up to which all are shown; beyond it those up to the
+next."""
 
 Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class View:
-    """The part of the plane that is drawn, and the curve in it.
+    """The visible part of the plane, and the curve in it.
 
     Attributes
     ----------
@@ -71,7 +72,7 @@ class View:
 
 
 def _heights(solved: Solved, x: Range, curve: Floats) -> Range:
-    """Return the ordinates that are seen."""
+    """Return the visible range of ordinates."""
     finite = curve[np.isfinite(curve)]
     # The heights of the iterates in sight, and the axis; a pole beside them must not flatten the rest.
     heights = [0.0, *(each.f for each in solved.iterates if x[0] <= each.x <= x[1])]
@@ -107,7 +108,7 @@ def picture(solved: Solved, place: Place) -> Markup:
 
 
 def _tangent(chart: Chart, solved: Solved, place: Place, opacity: float) -> Inside:
-    """Return the tangent, growing from the point of the curve to both sides."""
+    """Return the tangent, which grows from the point of the curve to both sides."""
     here = solved.iterates[place.k]
     slope = here.tangent.slope
     reach = 1.5 * (chart.x[1] - chart.x[0]) * place.tangent
@@ -120,7 +121,7 @@ def _tangent(chart: Chart, solved: Solved, place: Place, opacity: float) -> Insi
 
 
 def _iterates(chart: Chart, solved: Solved, k: int) -> list[Inside]:
-    """Return the iterates so far on the axis; the names of those that others would cover are left out."""
+    """Return the iterates so far on the axis; a name that others would cover is left out."""
     marks, taken = list[Inside](), list[float]()
     for i in range(k, -1, -1):
         x = chart.px(solved.iterates[i].x)
@@ -137,7 +138,7 @@ def _iterates(chart: Chart, solved: Solved, k: int) -> list[Inside]:
 
 
 def _path(view: View) -> Markup:
-    """Return the curve; where f has no value, and beside poles, it breaks."""
+    """Return the curve, interrupted where f has no value, and beside poles."""
     pieces, pen = [], False
     high = 4.0 * HEIGHT
     for x, y in zip(view.at.tolist(), view.curve.tolist(), strict=True):

@@ -1,4 +1,4 @@
-"""What the pages of iterations say: small numbers, outcomes, task vectors, units of parameters."""
+"""The pages of iterations in words: small numbers, outcomes, task vectors, units of parameters."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units
 
 GOING = ("most", "going", "limit", "jumped")
-"""Statuses of runs that have not failed for good: more steps, or others, might do."""
+"""Statuses of runs that more steps, or other ones, might bring to the target."""
 
 OWN, POSITION = "own", "position"
 EULER = ("zyx", "zyz", "xyz")
@@ -25,7 +25,7 @@ EULER = ("zyx", "zyz", "xyz")
 
 
 def errors(film: Film, i: int, units: Units) -> str:
-    """Return the errors of an iterate with their units: position, orientation, and joints that are components."""
+    """Return the errors of an iterate with their units: position, orientation, and joints of the task vector."""
     vector = film.question.task or TaskVector(film.question.arm.task)
     said = []
     if vector.task.position:
@@ -45,7 +45,7 @@ def kind_of(film: Film) -> str:
 
 
 def outcome(film: Film, units: Units) -> Markup:
-    """Return how a run has ended, with a sign and a sentence."""
+    """Return the end of a run, with a sign and a sentence."""
     kind = kind_of(film)
     said = capitalised(film.reason).rstrip(".") + "."
     if not film.success and film.status != "refused":
@@ -54,7 +54,7 @@ def outcome(film: Film, units: Units) -> Markup:
 
 
 def sigma_unit(state: State) -> str:
-    """Return the unit of singular values: ``"m"`` for the position of an arm that turns only, else a pure number."""
+    """Return the unit of singular values: ``"m"`` for the position of an arm with revolute joints, else no unit."""
     joints = state[Joints]
     turns = all(row.revolute for row, held in zip(joints.arm.rows, joints.locked, strict=True) if not held)
     return "m" if turns and set(vector_of(state).kinds(joints.arm)) == {"m"} else ""
@@ -78,7 +78,7 @@ def vector_text(vector: TaskVector) -> Markup:
 
 
 def choices(arm: Arm) -> dict[str, str]:
-    """Return the task vectors one can choose for an arm: key to text."""
+    """Return the task vectors that can be chosen for an arm: key to text."""
     own = arm.task
     found = {OWN: f"The arm's own: {', '.join(TaskVector(own).names)}"}
     if not own.position:
@@ -96,7 +96,7 @@ def choices(arm: Arm) -> dict[str, str]:
 
 
 def chosen(arm: Arm, vector: TaskVector | None) -> str:
-    """Return the key of a task vector among the choices; the arm's own stands for one that is not among them."""
+    """Return the key of a task vector among the choices; one that is not among them has the key of the arm's own."""
     if vector is None:
         return OWN
     if vector.euler:
@@ -107,7 +107,7 @@ def chosen(arm: Arm, vector: TaskVector | None) -> str:
 
 
 def made(arm: Arm, key: str, wanted: float) -> TaskVector | None:
-    """Return the task vector of a key; ``wanted`` is the value of a joint that is a component, rad or m."""
+    """Return the task vector of a key; ``wanted`` is the value of a joint in it, rad or m."""
     if key == OWN:
         return None
     if key in EULER:

@@ -1,1 +1,1 @@
-"""What is seen of the page Joints: its panel, and its part of the scene."""
+"""The panel of the page Joints, and its part of the scene."""

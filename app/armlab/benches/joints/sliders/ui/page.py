@@ -1,4 +1,4 @@
-"""Joint variables: sliders, locks, poses, and where the tool is."""
+"""Joint variables: sliders, locks, poses, and the pose of the tool."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from armlab.ui.widgets import Control, Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make a slider for each joint and the read-out of the tool."""
+    """Build a slider for each joint and the read-out of the tool."""
     joints, units = state[Joints], units_of(state)
     gui.heading("Joint variables")
     sliders = [_slider(gui, joints, i, post, units) for i in range(joints.arm.n)]
@@ -83,7 +83,7 @@ def _colours(sliders: list[Control]) -> Markup:
 
 
 def _lock(form: Form, joints: Joints, i: int, units: Units) -> Markup:
-    """Return the chip that holds a joint; its hint also says what the joint does, and between which limits."""
+    """Return the chip that holds a joint; its hint describes the joint and its limits."""
     revolute, on = joints.arm.rows[i].revolute, joints.locked[i]
     axis = subscript("z", i if joints.arm.convention == "standard" else i + 1)
     low, high = (units.text(float(value), revolute) for value in joints.arm.limits[i])
@@ -118,7 +118,7 @@ def _readout(joints: Joints, units: Units) -> Inside:
 
 
 def _controlled(arm: Arm) -> str:
-    """Return in a few words what the task is made of."""
+    """Return in a few words the components of the task."""
     turns_too = arm.task.rotation != "none"
     if not arm.task.position:
         return "orientation"

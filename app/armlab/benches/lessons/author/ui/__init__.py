@@ -1,1 +1,1 @@
-"""What is seen of the page For teachers: its panel, and its part of the scene."""
+"""The panel of the page For teachers, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""For teachers: the present state saved as a lesson whose goal it is, and the files of lessons that are broken."""
+"""The page for teachers: the present state saved as the goal of a lesson, and the broken files of lessons."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ HOW = (
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the field of the title and the button."""
+    """Build the field of the title and the button."""
     title, present = "My lesson", state
 
     def named(text: str) -> None:
@@ -79,7 +79,7 @@ def _form(form: Form, title: str, named: Typed, save: Pressed) -> Inside:
 
 
 def written(title: str, state: State, gui: Gui) -> str:
-    """Return the lesson of a state: its arm, pose, target, overlays, benches, and the eye's place."""
+    """Return the lesson of a state: its arm, pose, target, overlays, benches, and view."""
     on = state[Display].switches
     overlays = [layer.switch.name for layer in layers().values() if layer.switch and on.get(layer.switch.name)]
     robot, q, eye = state[RobotPart].robot, state[Joints].q, gui.camera.as_view()

@@ -1,1 +1,1 @@
-"""What is seen of the page Lessons: its panel, and its part of the scene."""
+"""The panel of the page Lessons, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""Find and choose a lesson: by chapter, or by an equation, a section or a word of the notes."""
+"""The choice of a lesson: by chapter, or by an equation, a section or a word of the notes."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ LESSON, BENCH = "lesson:", "bench:"
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the field of the index and the list of lessons."""
+    """Build the field of the index and the list of lessons."""
     query = ""
 
     def asked(text: str) -> None:
@@ -47,7 +47,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def _all(form: Form, state: State) -> Inside:
-    """Return the lessons by chapter, each with its arm and how far the student has come."""
+    """Return the lessons by chapter, each with its arm and the student's progress."""
     part = state[LessonPart]
     chapters = groupby(lessons().lessons.values(), lambda lesson: lesson.chapter)
     listed = [(tag("h3", chapter), [_lesson(form, lesson, part) for lesson in found]) for chapter, found in chapters]
@@ -71,7 +71,7 @@ def _benches() -> tuple[Bench, ...]:
 
 
 def _found(form: Form, query: str, state: State, turn_to: Callable[[str], None]) -> Inside:
-    """Return what the index finds: lessons and benches to go to, rows of the course, functions of the core.
+    """Return the finds of the index: lessons and benches to open, rows of the course, functions of the core.
 
     ``turn_to`` gets the key of a bench.
     """

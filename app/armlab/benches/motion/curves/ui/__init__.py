@@ -1,1 +1,1 @@
-"""What is seen of the page Curves: its panel."""
+"""The panel of the page Curves."""

@@ -1,4 +1,4 @@
-"""What is measured on the curves: a table, the limits in words, and the fastest intervals."""
+"""Measures of the curves: a table, the limits in words, and the fastest intervals."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from armlab.ui.symbols import with_indices
 from armlab.ui.tables import head_line, line
 
 MOST_SPANS = 3
-"""Stretches of time of one violation that are told."""
+"""Largest number of intervals of one violation that are listed."""
 
 
 def facts(part: Curves) -> Markup | None:
-    """Return the table of facts, a column for each curve there is."""
+    """Return the table of facts, with a column for each computed curve."""
     every = [(i, made) for i, made in enumerate(part.outcomes) if isinstance(made, Made)]
     if not every:
         return None
@@ -50,7 +50,7 @@ def facts(part: Curves) -> Markup | None:
 
 
 def _peak(made: Made, order: int) -> str:
-    """Return the largest value of a derivative; between the first and the last knot."""
+    """Return the largest value of a derivative between the first and the last knot."""
     jumps = made.trajectory.continuity < order - 1
     return "∞" if jumps else figures(made.peaks[order - 1])
 
@@ -64,7 +64,7 @@ def _bending(made: Made) -> str:
 
 
 def verdicts(part: Curves) -> Markup | None:
-    """Return in words which limits are exceeded, when and by how much."""
+    """Return in words which limits are exceeded, when, and by how much."""
     if part.v_max is None and part.a_max is None:
         return None
     lines = []
@@ -97,7 +97,7 @@ def _span(start: float, end: float) -> str:
 
 
 def fastest_markup(form: Form, part: Curves) -> Markup:
-    """Return the button that looks for the fastest intervals, and what was found."""
+    """Return the button that looks for the fastest intervals, and the result."""
     ends = {"clamped": "from rest to rest", "natural": "with natural ends", "both": "with two virtual knots"}[part.ends]
     find = form.button("fastest", "Fastest intervals", FindFastest(), "main", "Times of the knots that make T smallest")
     said = tag("span.dim", "searching …") if part.asked is not None else None

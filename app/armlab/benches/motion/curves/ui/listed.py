@@ -1,4 +1,4 @@
-"""Knots and curves as they are typed and chosen."""
+"""The lists of knots and curves, with their fields and choices."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ from armlab.ui.units import plain_number
 
 
 def knots_markup(form: Form, part: Curves, as_text: bool, turn: Callable[[], None]) -> Markup:
-    """Return the table of knots, or the same as text; ``turn`` changes between both."""
+    """Return the table of knots, or the same as text; ``turn`` switches between both."""
     names = {name: name for name in UNITS}
     hint = "Unit of the coordinate; the numbers stay"
     units = form.chips("unit", names, part.unit, hint, partial(Set, Curves, "unit"))
@@ -74,14 +74,14 @@ def _cell(form: Form, part: Curves, k: int, name: str, value: float, label: str)
 
 
 def _text(form: Form, part: Curves) -> Markup:
-    """Return the knots in a field of several lines, where a table can be pasted."""
+    """Return the knots in a field of several lines, into which a table can be pasted."""
     own = "\n".join(f"{t:.10g} {q:.10g}" for t, q in part.knots)
     typed = form.area("rows", own, "Knots: t and q in each line", 6, lambda text: SetKnots(read_rows(text)))
     return joined(tag("div.cu-text", typed), tag("p.dim", f"t in s and q in {part.unit}, one knot a line."))
 
 
 def curves_markup(form: Form, part: Curves) -> Markup:
-    """Return all curves, and a button for one more."""
+    """Return all curves, and a button that adds one."""
     full = len(part.curves) == MOST_CURVES
     hint = f"At most {MOST_CURVES}" if full else "One more through the same knots"
     more = form.button("add-curve", "+ Curve", AddCurve(), "chip", hint, off=full)
@@ -104,7 +104,7 @@ def _curve(form: Form, part: Curves, i: int) -> Markup:
 
 
 def _options(form: Form, part: Curves, i: int) -> Markup:
-    """Return the options of a curve, and the law that runs through it."""
+    """Return the options of a curve, and its timing law."""
     drawn, scales = part.curves[i], (Scale(part.unit),)
     fields = free_options(kinds()[drawn.path.key])
     typed = option_form(form, f"path{i} ", fields, drawn.path.options, partial(SetOption, i, "path"), scales)
@@ -118,7 +118,7 @@ def _options(form: Form, part: Curves, i: int) -> Markup:
 
 
 def _summary(drawn: Drawn, scale: Scale) -> Markup | None:
-    """Return the options of a curve that are not as they come, in a line."""
+    """Return the options of a curve that are not at their defaults, in a line."""
     law = free_law_types()[drawn.law.key]
     said = _given(free_options(kinds()[drawn.path.key]), drawn.path, scale)
     if drawn.law.key != "constant":
@@ -146,7 +146,7 @@ def _numbers(value: Value) -> str:
 
 
 def _kinds(part: Curves, drawn: Drawn) -> list[Markup]:
-    """Return the kinds to choose from; those that do not take the knots are off, with the reason."""
+    """Return the kinds to choose from; those that cannot go through the knots are disabled, with the reason."""
     found = []
     for key, kind in kinds().items():
         why = why_not(kind, part.knots)
@@ -156,13 +156,13 @@ def _kinds(part: Curves, drawn: Drawn) -> list[Markup]:
 
 
 def _dropped(drawn: Drawn) -> Markup | None:
-    """Return what was changed so that the curve goes through other knots."""
+    """Return a note on options that were removed so that the curve goes through other knots."""
     text = "◐ Its virtual times lay outside the first and last interval, and were left out."
     return tag("p.warn", text) if drawn.dropped else None
 
 
 def _said(outcome: Made | InputError, of: str) -> Markup | None:
-    """Return why there is no curve, or what it does with the knots."""
+    """Return why there is no curve, or how near it comes to the knots."""
     if isinstance(outcome, InputError):
         return tag("p.no", f"✕ Not drawn: {outcome}")
     missed = outcome.missed()
@@ -174,7 +174,7 @@ def _said(outcome: Made | InputError, of: str) -> Markup | None:
 
 
 def limits_markup(form: Form, part: Curves) -> Markup:
-    """Return the two limits."""
+    """Return the fields of both limits."""
     v = _limit(form, part, "v_max", 1, "Largest rate")
     a = _limit(form, part, "a_max", 2, "Largest acceleration")
     return joined(tag("h3", "Limits"), tag("div.options", v, a))

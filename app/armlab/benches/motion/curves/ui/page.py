@@ -1,4 +1,4 @@
-"""Curves of one coordinate through typed knots: drawn together, measured, and what is solved for them."""
+"""Curves of one coordinate through typed knots: drawn together, measured, and with the equations behind them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from armlab.ui.widgets import Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make knots, curves, plots and tables."""
+    """Build the knots, the curves, the plots and the tables."""
     as_text = False
 
     def turn() -> None:

@@ -1,4 +1,4 @@
-"""The plots of the curves: position, rate, acceleration and jerk, with knots, limits and what is beyond them."""
+"""The plots of the curves: position, rate, acceleration and jerk, with knots, limits and violations."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ from armlab.ui.widgets import Gui
 HEIGHT = 124
 
 ROOM = 0.08
-"""Above and below the curves, in parts of what they span."""
+"""Room above and below the curves, relative to their extent."""
 
 IN_SIGHT = 2.5
-"""A limit is drawn while it is below so many times the largest value; else it would flatten the curves."""
+"""Ratio to the largest value up to which a limit is drawn; a higher one would flatten the curves."""
 
 QUANTITIES = (None, "velocity", "acceleration", None)
 FILES = ("q", "q_dot", "q_ddot", "q_dddot")
@@ -33,7 +33,7 @@ Array = NDArray[np.float64]
 
 
 class CurvePlot(Plot):
-    """The plot of one derivative: curves, red where they are beyond a limit, and knots as dots."""
+    """The plot of one derivative: curves, red where they exceed a limit, and knots as dots."""
 
     def __init__(self, gui: Gui, order: int, of: str) -> None:
         self.order = order
@@ -56,7 +56,7 @@ class CurvePlot(Plot):
         return f"{SYMBOLS[self.order]}, {unit(self.order, of)}"
 
     def show_curves(self, part: Curves, t: Array, every: Sequence[tuple[Made, Array, Sequence[Violation]]]) -> None:
-        """Show the curves there are.
+        """Show the computed curves.
 
         Parameters
         ----------
@@ -82,7 +82,7 @@ class CurvePlot(Plot):
         self.show(t, shown, limits)
 
     def _scale(self, t: Array, shown: Sequence[Array], limits: Sequence[float]) -> None:
-        """Choose the ranges: the page cannot, where curves have gaps."""
+        """Choose the ranges, which the page cannot do for curves with gaps."""
         values = np.concatenate(shown)
         values = values[np.isfinite(values)]
         low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 1.0)
@@ -96,7 +96,7 @@ class CurvePlot(Plot):
             self._handle.scales = scales
 
     def csv(self) -> str:
-        """Return the curves there are, with their names."""
+        """Return the computed curves, with their names."""
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow([self._x, *self._titles])
@@ -115,7 +115,7 @@ class Plots:
         self._shown: object = None
 
     def show(self, part: Curves) -> None:
-        """Show the curves when they are others."""
+        """Show the curves if they have changed."""
         drawn = (part.knots, part.curves, part.v_max, part.a_max, part.unit)
         if drawn == self._shown:
             return
@@ -127,7 +127,7 @@ class Plots:
 
 
 def _within(t: Array, values: Array, inside: Sequence[tuple[float, float]]) -> Array:
-    """Return values inside of intervals, nothing elsewhere."""
+    """Return values inside intervals, and NaN elsewhere."""
     found = np.full(len(t), np.nan)
     step = float(t[-1] - t[0]) / len(t)
     for start, end in inside:

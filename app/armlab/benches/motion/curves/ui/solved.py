@@ -1,4 +1,4 @@
-"""What is solved for the selected curve, and the rules of normalised coefficients."""
+"""The equations and coefficients of the selected curve, and the rules of normalised coefficients."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from armlab.ui.tables import head_line, line
 Floats = NDArray[np.float64]
 
 MOST_ROWS = 12
-"""Of a matrix on screen; a larger one can be copied."""
+"""Largest number of rows of a matrix on screen; a larger one can be copied."""
 
 LETTERS = "abcdefghijklmnop"
 
@@ -76,13 +76,13 @@ def solved_markup(part: Curves) -> Markup:
 
 
 def _indices(text: str) -> Markup:
-    """Return a text with ``h_k+1``, ``a_(kj)`` and the like set as indices."""
+    """Return a text with ``h_k+1``, ``a_(kj)`` and similar names set as indices."""
     parts = _INDEX.split(text)  # texts, and the indices between them
     return joined(tag("sub", part.strip("()")) if i % 2 else part for i, part in enumerate(parts))
 
 
 def _matrix(title: str, values: Floats, rule: int | None = None) -> Markup:
-    """Return a matrix that can be copied, and seen where it is not too large."""
+    """Return a matrix that can be copied, and is shown if it is not too large."""
     head = tag("h3", title, tag("span.copies", copy_buttons(values)))
     if len(values) > MOST_ROWS + 2:
         return joined(head, tag("p.dim", f"{len(values)} rows: too many to be read here; copy them."))
@@ -169,7 +169,7 @@ def _one(found: OnePolynomial, of: str) -> Inside:
 
 
 def _rules_of(found: OnePolynomial, degree: int) -> Markup:
-    """Return the rules where they are meant: for rest at both ends."""
+    """Return the rules if they apply: for rest at both ends."""
     if not found.rules.low_zero:
         return tag("p.dim", "With derivatives given at the ends the rules below need not hold.")
     return _rules(found.rules, found.normalised, degree)

@@ -1,4 +1,4 @@
-"""Numbers, symbols and units of the laboratory of curves."""
+"""Numbers, symbols and units of the page of curves."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from armlab.ui.format import MINUS, number, scientific
 from armlab.ui.units import plain_number
 
 COLOURS: tuple[Rgb, ...] = JOINTS[:3]
-"""Of the curves."""
+"""Colours of the curves."""
 
 SYMBOLS = ("q", "q̇", "q̈", "q⃛")
 _POWERS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def figures(value: float, digits: int = 4) -> str:
-    """Return a number with so many figures, or with a power of ten where it is very large or small.
+    """Return a number with ``digits`` significant digits, or with a power of ten if it is very large or small.
 
     >>> figures(2.4), figures(-0.16667, 3), figures(1234.56), figures(4e-7)
     ('2.4', '−0.167', '1235', '4.0·10⁻⁷')
@@ -31,12 +31,12 @@ def figures(value: float, digits: int = 4) -> str:
 
 
 def typed_number(value: float) -> str:
-    """Return a number as it stands in a field; what is kept has all its figures until it is typed anew."""
+    """Return a number for a field; the stored one keeps all its digits until it is typed again."""
     return f"{value:.7g}".replace("-", MINUS)
 
 
 def read_rows(text: str) -> tuple[tuple[float, ...], ...]:
-    """Return typed knots, ``t q`` in each line or between semicolons; `InputError` names the knot."""
+    """Return the typed knots, ``t q`` in each line or between semicolons; `InputError` names the knot."""
     rows = [row for row in text.replace(";", "\n").splitlines() if row.strip()]
     return tuple(
         tuple(plain_number(cell, f"knot {k}") for cell in row.replace(", ", " ").replace("\t", " ").split())
@@ -63,7 +63,7 @@ def power(letter: str, exponent: int) -> str:
 
 
 def polynomial(coefficients: tuple[float, ...], letter: str) -> str:
-    """Return a polynomial, highest power first, without its zeros.
+    """Return a polynomial with the highest power first, without zero terms.
 
     >>> polynomial((6, -15, 10, 0, 0, 0), "τ")
     '6τ⁵ − 15τ⁴ + 10τ³'

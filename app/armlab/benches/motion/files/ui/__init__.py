@@ -1,1 +1,1 @@
-"""What is seen of the page Files: its panel."""
+"""The panel of the page Files."""

@@ -1,4 +1,4 @@
-"""What the page of the files of a motion says."""
+"""Markup of the page for the files of a motion."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ HINTS = {
 
 @dataclass(frozen=True)
 class Shown:
-    """What stands on the page besides the state.
+    """Values on the page that are not in the state.
 
     Attributes
     ----------
@@ -54,25 +54,25 @@ class Shown:
     refused_at: str = ""
 
     def but(self, **changes: Any) -> Self:
-        """Return the same with changes."""
+        """Return the values with changes."""
         return replace(self, **changes)
 
 
 class Page(Protocol):
-    """What the controls do."""
+    """Actions of the controls."""
 
     def set_rate(self, text: str) -> None:
-        """Take samples a second."""
+        """Set the samples a second."""
 
     def set_count(self, text: str) -> None:
-        """Take a number of waypoints."""
+        """Set the number of waypoints."""
 
     def make(self, by: By) -> Command:
-        """Ask for waypoints of the motion."""
+        """Request waypoints from the motion."""
         ...
 
     def back(self) -> Command:
-        """Ask for the waypoints as they were."""
+        """Request the earlier waypoints."""
         ...
 
     def save(self, kind: str) -> None:
@@ -83,7 +83,7 @@ class Page(Protocol):
 
 
 def export_markup(form: Form, state: State, shown: Shown, page: Page) -> Markup:
-    """Return what can be saved."""
+    """Return the buttons that save files."""
     plan = planned(state)
     off = plan is None or plan.motion is None or bool(shown.busy)
 
@@ -107,7 +107,7 @@ def _row(name: str, *inside: Markup) -> Markup:
 
 
 def import_markup(form: Form, state: State, shown: Shown, page: Page) -> Markup:
-    """Return how a file is read, and what can be made of a motion that was."""
+    """Return the field that reads a file, and what can be made from a motion that was read."""
     n = state[Joints].arm.n
     bound = form.bound("read-motion", page.read)
     chosen = tag("input", type="file", accept=".csv,.tsv,.txt,.dat,.json", data_most=MOST_BYTES, **bound)
@@ -121,7 +121,7 @@ def import_markup(form: Form, state: State, shown: Shown, page: Page) -> Markup:
 
 
 def _motion_line(state: State, plan: Planned | None, rate: float) -> Markup:
-    """Return what the motion is, and how much a table of it would be."""
+    """Return a line on the motion, and on the size of its table."""
     if plan is None:
         return tag("p.dim", "… working it out")
     trouble = f"{plan.trouble.rstrip('.')}."
@@ -139,7 +139,7 @@ def _motion_line(state: State, plan: Planned | None, rate: float) -> Markup:
 
 
 def _recorded(form: Form, state: State, shown: Shown, page: Page) -> Markup | None:
-    """Return what can be done with a motion from a file; nothing where there is none."""
+    """Return the buttons for a motion from a file, or nothing if there is none."""
     if state[Plan].recorded is None:
         return None
 
@@ -161,7 +161,7 @@ def _recorded(form: Form, state: State, shown: Shown, page: Page) -> Markup | No
 
 
 def _outcome(shown: Shown, where: str) -> Markup | None:
-    """Return what has become of the last file."""
+    """Return the result of the last file."""
     if shown.busy and (shown.busy == "read") == (where == "import"):
         doing = "Reading the file" if where == "import" else "Making the file"
         return tag("p.dim", f"… {doing}", role="status")

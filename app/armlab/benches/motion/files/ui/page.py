@@ -30,13 +30,13 @@ from armlab.ui.widgets import Gui
 log = logging.getLogger(__name__)
 
 MADE = 8
-"""Waypoints that are made of a motion, if nobody says how many."""
+"""Number of waypoints that are made from a motion unless another is typed."""
 
 
 class MotionFiles:
-    """The page.
+    """The page of the files of a motion.
 
-    What takes longer than a hand may wait is made by a thread of its own; until then its buttons are off.
+    Files that take longer than a student should wait are made by a thread of its own; until then its buttons are off.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ class MotionFiles:
         self._export, self._import = gui.form(post), gui.form(post, MOST_BYTES)
 
     def show(self, state: State) -> None:
-        """Show what can be saved, and what has been read."""
+        """Show the files that can be saved, and the result of reading."""
         self._state = state
         self._export.show(export_markup(self._export, state, self._shown, self))
         self._import.show(import_markup(self._import, state, self._shown, self))
@@ -60,33 +60,33 @@ class MotionFiles:
     # -- what a person does --------------------------------------------------------------------------------------
 
     def set_rate(self, text: str) -> None:
-        """Take samples a second for the next table."""
+        """Set the samples a second of the next table."""
         self._clear()
         self._shown = self._shown.but(rate=checked_rate(plain_number(text)))
 
     def set_count(self, text: str) -> None:
-        """Take the number of waypoints to be made."""
+        """Set the number of waypoints to be made."""
         self._clear()
         self._shown = self._shown.but(count=_checked_count(text))
 
     def make(self, by: By) -> Command:
-        """Ask for waypoints of the motion, as many as were typed last."""
+        """Request waypoints from the motion, in the number that was typed last."""
         self._clear()
         return MakeWaypoints(self._shown.count, by)
 
     def back(self) -> Command:
-        """Ask for the waypoints as they were."""
+        """Request the earlier waypoints."""
         self._clear()
         return BackToWaypoints()
 
     def _clear(self) -> None:
-        """Say no more what has become of the last file."""
+        """Remove the result of the last file."""
         self._shown = self._shown.but(saved="", refused="")
 
     # -- files ---------------------------------------------------------------------------------------------------
 
     def save(self, kind: str) -> None:
-        """Make a file and have the browser save it."""
+        """Make a file and let the browser save it."""
         self._clear()
         state, name = self._state, f"{file_name(self._state[RobotPart].robot.name)}_motion"
         make = (lambda: plan_json(state)) if kind == "json" else self._making(kind, _runs(state), name)
@@ -95,7 +95,7 @@ class MotionFiles:
         self._begin(make, lambda content: self._saved(f"{name}.{ending}", content), "export")
 
     def _making(self, kind: str, plan: Planned, name: str) -> Callable[[], str | bytes]:
-        """Return what makes a file of the motion; `InputError` where there would be too much in it."""
+        """Return the function that makes a file of the motion; `InputError` if the file would be too large."""
         state, rate, motion = self._state, self._shown.rate, plan.motion
         assert motion is not None
         if kind in ("html", "viser"):
@@ -114,7 +114,7 @@ class MotionFiles:
         self._shown = self._shown.but(saved=f"{name}, {size_text(size)}")
 
     def read(self, text: str) -> None:
-        """Read a file; what is wrong with it is said here, and the plan stays."""
+        """Read a file; an error in it is shown here, and the plan stays."""
         self._clear()
         if self._shown.busy:
             self._waiting = text
@@ -124,7 +124,7 @@ class MotionFiles:
         self._begin(lambda: command.apply(state), lambda _: self._post(command), "import")
 
     def _begin(self, make: Callable[[], Any], done: Callable[[Any], None], where: str) -> None:
-        """Have something made beside the lab's own work, and go on with it."""
+        """Start making a file beside the lab's own work, and continue with the result."""
         future = asyncio.get_running_loop().run_in_executor(recording.maker(), make)
         future.add_done_callback(lambda made: self._finish(made, done, where))
 
@@ -146,7 +146,7 @@ class MotionFiles:
 
 
 def _runs(state: State) -> Planned:
-    """Return the plan of a state; `InputError` while there is none to be run."""
+    """Return the plan of a state; `InputError` if it cannot be run."""
     plan = planned(state)
     if plan is None:
         raise InputError("the motion is still being worked out")
@@ -174,7 +174,7 @@ def _checked_count(text: str) -> int:
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the page."""
+    """Build the page."""
     return MotionFiles(gui, state, post).show
 
 

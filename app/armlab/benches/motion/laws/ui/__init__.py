@@ -1,1 +1,1 @@
-"""What is seen of the page Laws: its panel."""
+"""The panel of the page Laws."""

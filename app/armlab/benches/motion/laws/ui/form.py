@@ -1,4 +1,4 @@
-"""The form of the bench of timing laws: example, timing, the laws with their options, and what there is to say."""
+"""The form of the bench of timing laws: example, timing, the laws with their options, and remarks."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from armlab.ui.option_form import option_form
 
 LAW_COLOURS: tuple[Rgb, ...] = (BLUE, ORANGE, GREEN)
 STRETCHED: Rgb = PURPLE
-"""Of the law that is stretched in time."""
+"""Colour of the law that is stretched in time."""
 
 VIEWS = {"laws": "Laws", "bounds": "Bounds on a path"}
 
@@ -94,7 +94,7 @@ def _law(form: Form, part: Laws, i: int) -> Markup:
 
 
 def _said(part: Laws, i: int) -> Markup:
-    """Return how a law goes, which limits it breaks, and where the notes differ."""
+    """Return remarks on a law: its phases, the limits it exceeds, and the differences from the notes."""
     law, entry = part.laws[i], part.entries[i]
     plain = [text for text in (phases_text(part, i), *law.remarks) if text]
     wrong = [excess_text(excess) for excess in excesses(entry, part.timing)]
@@ -107,7 +107,7 @@ def _said(part: Laws, i: int) -> Markup:
 
 
 def scaling_markup(form: Form, part: Laws) -> Markup:
-    """Return the head of time scaling: which law, and the optimal k."""
+    """Return the head of time scaling: the choice of the law, and the optimal k."""
     which = [
         form.button(
             f"scale {i}",

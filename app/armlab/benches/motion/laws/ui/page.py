@@ -19,7 +19,7 @@ SLOWEST, FASTEST, STEP = 5.0, 0.1, 0.005
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make form, plots, tables, the slider of k and the calculator."""
+    """Build the form, the plots, the tables, the slider of k and the calculator."""
     head, bounds, form, timing = gui.form(post), gui.form(post), gui.form(post), gui.form(post)
     plots, values = Plots(gui), gui.html()
     scaling = gui.form(post)

@@ -1,4 +1,4 @@
-"""The plots of timing laws: s and three derivatives over t, what is above a limit in red; and the race of the laws."""
+"""The plots of timing laws: s and three derivatives over t, red above a limit; and the race of the laws."""
 
 from __future__ import annotations
 
@@ -24,22 +24,22 @@ from armlab.ui.widgets import Gui
 Array = NDArray[np.float64]
 
 SAMPLES = 90
-"""Of the curve of each law."""
+"""Number of samples of the curve of each law."""
 
 BESIDE = 1e-9
-"""Of the whole time: a jump is drawn between two samples so near to each other."""
+"""Time between the two samples of a jump, relative to the whole time."""
 
 ROOM = 0.08
-"""Above and below the curves, in parts of what they span."""
+"""Room above and below the curves, relative to their extent."""
 
 NUMBER = 0.32
-"""Of the height of a plot: the room of a number beside its axis."""
+"""Height of a number beside the axis, relative to that of the plot."""
 
 SEEN = 1.6
-"""A limit up to so many times as large as the peaks is drawn; a larger one would press the curves flat."""
+"""Ratio to the peaks up to which a limit is drawn; a higher one would flatten the curves."""
 
 SLACK = 1e-6
-"""A limit exceeded by this part of it is drawn as met."""
+"""Relative excess up to which a limit is drawn as kept."""
 
 TITLES: tuple[tuple[Inside, str, str], ...] = (
     (mathml("s"), "s", ""),
@@ -50,11 +50,11 @@ TITLES: tuple[tuple[Inside, str, str], ...] = (
 """Symbol, name in files and unit of each derivative."""
 
 DOT = 3.5
-"""Pixels of the red dots over what is above a limit."""
+"""Diameter of the red dots above a limit, pixels."""
 
 
 class LawPlot(Plot):
-    """One derivative of all laws."""
+    """The plot of one derivative of all laws."""
 
     def __init__(self, gui: Gui, order: int) -> None:
         title, self._name, self._unit = TITLES[order]
@@ -79,7 +79,7 @@ class LawPlot(Plot):
         self.show(t, [*every, *above], self._scaled(t, every, float(limit)))
 
     def _scaled(self, t: Array, curves: list[Array], limit: float) -> tuple[float, ...]:
-        """Choose the ranges, which the page cannot where curves end; return the limit lines that are in them."""
+        """Choose the ranges, which the page cannot do for curves that end; return the visible limit lines."""
         values = np.concatenate(curves)
         values = values[np.isfinite(values)]
         low, high = float(values.min(initial=0.0)), float(values.max(initial=0.0))
@@ -95,7 +95,7 @@ class LawPlot(Plot):
         return tuple(lines)
 
     def csv(self) -> str:
-        """Return the curves of the laws, without the marks over them."""
+        """Return the curves of the laws, without the marks above limits."""
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow([self._x, *(curve.name for curve in self._curves[: self._laws])])
@@ -111,7 +111,7 @@ class Plots:
         self._shown: object = None
 
     def show(self, state: State) -> None:
-        """Show the curves when they are others, and the cursor while the film is on."""
+        """Show the curves if they have changed, and the cursor while the film is open."""
         part = state[Laws]
         drawn = (part.entries, part.timing, part.scaled if part.k != 1.0 else 0, part.k)
         if drawn != self._shown:
@@ -125,7 +125,7 @@ class Plots:
 
 
 def grid(part: Laws) -> Array:
-    """Return times for the curves of all laws: dense enough for each, and both sides of every jump."""
+    """Return times for the curves of all laws: dense enough for each, with both sides of every jump."""
     beside = BESIDE * part.end
     found = [np.linspace(0.0, law.duration, SAMPLES) for law in part.every]
     found += [law.edges + side for law in part.every for side in (-beside, beside)]
@@ -134,7 +134,7 @@ def grid(part: Laws) -> Array:
 
 
 def with_numbers(low: float, high: float) -> tuple[float, float]:
-    """Return a range, widened where fewer than two round numbers would stand beside the axis.
+    """Return a range, widened if fewer than two round numbers would fit beside the axis.
 
     Examples
     --------
@@ -150,7 +150,7 @@ def with_numbers(low: float, high: float) -> tuple[float, float]:
 
 
 def _curve(law: Law, t: Array, order: int, rests: bool) -> Array:
-    """Return a derivative, and nothing after the law has ended, but for the jump to standstill where it rests then."""
+    """Return a derivative, NaN after the end of the law except for the jump to rest."""
     last = law.duration
     if rests and t[-1] > last:
         last = float(t[np.searchsorted(t, last, side="right")])
@@ -161,11 +161,11 @@ def _curve(law: Law, t: Array, order: int, rests: bool) -> Array:
 
 WIDTH, LANE, MARGIN = 320, 18, 10
 FLASHES = 24
-"""Pictures of each law, at equal times of the whole."""
+"""Number of pictures of each law, at equal intervals of the whole time."""
 
 
 def race_markup(state: State) -> Markup:
-    """Return a line for each law with its places at equal times, and the place at the present time."""
+    """Return a line for each law with its places at equal intervals of time, and the place at the present time."""
     part, t = state[Laws], present_time(state)
     spans = np.array([law.span for law in part.every])
     low, high = float(spans[:, 0].min()), float(spans[:, 1].max())

@@ -48,13 +48,13 @@ PEAKS: tuple[tuple[str, str, Value], ...] = (
 
 
 def _factor(law: Law, peak: float, order: int) -> str:
-    """Return a peak of the law that goes from 0 to 1 in 1 s; a dash where it comes back to where it began."""
+    """Return a peak of the law from 0 to 1 in 1 s, or a dash if the law returns to its start."""
     found = factor(law, peak, order)
     return "–" if found is None else amount(found)
 
 
 def values_markup(part: Laws, t: float) -> Markup:
-    """Return the values at a time, and the peaks and classes, a column a law."""
+    """Return the values at a time, and the peaks and classes, with a column for each law."""
     at = [law.derivatives(t, ORDERS) for law in part.every]
     rows = [
         _row(name, unit, [amount(float(values[order])) for values in at])
@@ -71,7 +71,7 @@ def _row(name: str, unit: str, cells: list[str]) -> Markup:
 
 
 def stretch_markup(part: Laws) -> Markup:
-    """Return what the factor k does to the chosen law, and which k is the optimal one."""
+    """Return the effect of the factor k on the chosen law, and the optimal k."""
     rows = [
         _row(name, unit, [amount(before), amount(after), f"× {factor}"])
         for name, unit, before, after, factor in stretch_rows(part)
@@ -128,5 +128,5 @@ def _joints(bounded: Bounded) -> Markup:
 
 
 def _deciding(value: float, first: bool) -> str:
-    """Return what a joint allows, marked where no other allows less."""
+    """Return the bound of a joint, marked if it is the lowest."""
     return f"{amount(value)} ◂" if first else amount(value)

@@ -1,1 +1,1 @@
-"""What is seen of the page Plan: its panel, and its part of the scene."""
+"""The panel of the page Plan, and its part of the scene."""

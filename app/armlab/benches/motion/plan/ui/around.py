@@ -1,4 +1,4 @@
-"""What belongs in the picture beside the arm on the pages of a plan, and what does not."""
+"""Points and layers around the arm on the pages of a plan: those inside the picture, and those that are hidden."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ HANDLE = ("gizmo", "gap")
 
 
 def way_around(state: State) -> Points:
-    """Return the waypoints and the way between them, (k, 3), world."""
+    """Return the waypoints and the path between them, (k, 3), world."""
     part, arm, plan = state[Plan], state[Joints].arm, last_planned(state)
     ways = [] if plan is None else [leg.points for leg in plan.legs]
     return np.vstack([*(point.wanted(arm)[:3, 3] for point in part.waypoints), *ways])
 
 
 def in_the_way(state: State) -> tuple[str, ...]:
-    """Return the layers the motion hides where waypoints have handles: that of the arm, while it moves or they do."""
+    """Return the layers that the motion hides while waypoints have handles or the motion plays: the arm's handle."""
     return HANDLE if state[Plan].handled else while_on(state)
 
 
 def while_on(state: State) -> tuple[str, ...]:
-    """Return the layers the motion hides while it is on: the arm's handle."""
+    """Return the layers that the motion hides while it plays: the arm's handle."""
     return HANDLE if state[Timeline].clip == CLIP_KEY else ()

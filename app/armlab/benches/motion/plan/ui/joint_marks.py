@@ -1,4 +1,4 @@
-"""How joints are told apart in the plots of a motion: by colour, and where colours begin again by the line, too."""
+"""Marks of the joints in the plots of a motion: by colour, and where colours repeat also by the line."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from armlab.ui.html import Markup, tag
 from armlab.ui.plot import Curve
 
 AGAIN = (9, 3, 2, 3)
-"""Dashes of the joints whose colour is that of another one, too."""
+"""Dashes of the joints whose colour another joint has, too."""
 
 CLEAR = "rgba(0,0,0,0)"
 
 
 def again(i: int) -> bool:
-    """Return whether the colour of joint i (0-based) is that of a joint before it."""
+    """Return whether the colour of joint i (0-based) is that of an earlier joint."""
     return i >= len(JOINTS)
 
 
 def joint_dash(i: int) -> tuple[int, ...]:
-    """Return the dashes of the curve of joint i (0-based), as of `Curve`."""
+    """Return the dashes of the curve of joint i (0-based), as for `Curve`."""
     return AGAIN if again(i) else ()
 
 
@@ -35,11 +35,11 @@ def joint_mark(i: int) -> Markup:
 
 @dataclass(frozen=True)
 class Rings(Curve):
-    """Points drawn as rings, where dots of the same colour are those of another joint."""
+    """Points drawn as rings, if dots of the same colour belong to another joint."""
 
     @property
     def series(self) -> dict[str, Any]:
-        """How the page draws it."""
+        """Options with which the page draws the curve."""
         ring = {"show": True, "size": self.width, "fill": CLEAR, "stroke": css(self.colour), "width": 1.2}
         return {**super().series, "points": ring}
 

@@ -48,7 +48,7 @@ def time_markup(form: Form, state: State) -> Markup:
 
 
 def _duration(form: Form, state: State) -> Markup:
-    """Return whether the motion is as fast as allowed or takes a given time, and that time."""
+    """Return the choice whether the motion is as fast as allowed or takes a given time, and that time."""
     part, plan = state[Plan], last_planned(state)
     now = 1.0 if plan is None or plan.motion is None else plan.duration
     as_given = LastFor(part.duration or max(rounded_up(now), 0.01))

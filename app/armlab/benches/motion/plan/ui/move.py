@@ -22,7 +22,7 @@ SPACES = {"joint": "Joint", "cartesian": "Cartesian"}
 
 
 def move_markup(form: Form, state: State) -> Markup | None:
-    """Return the choices of the move to the selected waypoint; of the first one, a sentence."""
+    """Return the choices for the move to the selected waypoint, or for the first waypoint a sentence."""
     part = state[Plan]
     if part.recorded is not None:
         return None
@@ -71,7 +71,7 @@ def _turning(form: Form, k: int, move: Move, state: State) -> Markup | None:
 
 
 def _together(form: Form, k: int, move: Move) -> Markup | None:
-    """Return whether the joints of a straight joint move go together."""
+    """Return the choice whether the joints of a straight joint move go together."""
     if move.space != "joint" or move.path.key != "line":
         return None
     hint = "All joints start and end together, or each is as fast as it can and those there first wait"
@@ -83,7 +83,7 @@ def _together(form: Form, k: int, move: Move) -> Markup | None:
 
 
 def _bounds(state: State, stretch: Stretch) -> Markup | None:
-    """Return what the limits of the joints leave to the law: the bounds of section 6.1.1."""
+    """Return the bounds of the law from the limits of the joints, as in section 6.1.1."""
     plan = planned(state)
     leg = None if plan is None else next((leg for leg in plan.legs if leg.stretch == stretch), None)
     if leg is None or leg.bounds is None:
@@ -96,7 +96,7 @@ def _bounds(state: State, stretch: Stretch) -> Markup | None:
 
 
 def _stop(form: Form, part: Plan, stretch: Stretch) -> Markup | None:
-    """Return whether the arm stops at the selected waypoint, where the path could go through."""
+    """Return the choice of a stop at the selected waypoint, if the path could pass through."""
     k = part.selected
     if k >= len(part.waypoints) - 1:
         return None

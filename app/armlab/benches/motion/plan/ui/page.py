@@ -1,4 +1,4 @@
-"""Motion: waypoints, the moves between them, limits, and whether it can be run."""
+"""The page of the plan: waypoints, the moves between them, limits, and whether the motion can be run."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ from armlab.ui.plugin import Panel, Show
 from armlab.ui.widgets import Gui
 
 MOST_LINES = 6
-"""Sentences about a plan that are shown."""
+"""Largest number of sentences about a plan that are shown."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the list of waypoints, the choices of a move, time and limits."""
+    """Build the list of waypoints, the choices of a move, the time and the limits."""
     # Each block is sent again only when it has changed: a slider in the hand must not cost the whole page.
     blocks: tuple[tuple[Form, Callable[[Form, State], Inside]], ...] = (
         (gui.form(post), head_markup),
@@ -52,7 +52,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def head_markup(form: Form, state: State) -> Markup:
-    """Return the choice of an example, what plays, what else can be drawn, and what the plan is worth."""
+    """Return the choice of an example, the buttons of the film and of further drawings, and the verdict on the plan."""
     chooser = examples(form, EXAMPLES, state[Plan].example, TakeExample)
     runs = planned(state) or last_planned(state)
     play = play_button(form, state, CLIP_KEY, "motion", off=runs is None or runs.motion is None)
@@ -60,7 +60,7 @@ def head_markup(form: Form, state: State) -> Markup:
 
 
 def _shown(form: Form, state: State) -> Inside:
-    """Return what can be drawn besides the way."""
+    """Return the switches for drawings besides the path."""
     compared, framed = state[Plan].compared, FRAME.on(state)
     hint = "Plan the same waypoints by joint moves instead of Cartesian ones, or the other way round: the thin way"
     compare = form.chip("compare", "Compare", CompareMoves(not compared), hint, compared)
@@ -73,7 +73,7 @@ def _held(state: State) -> Markup | None:
 
 
 def _verdict(state: State) -> Markup:
-    """Return what the plan is worth; while it is being worked out, that of the last one would be untrue."""
+    """Return the verdict on the plan; while it is being computed the last one would be wrong."""
     plan = planned(state)
     if plan is None:
         return verdict_box("dim", "… working it out", sign="")

@@ -29,7 +29,7 @@ from armlab.ui.pose_fields import pose_form
 from armlab.ui.units import Units, units_of
 
 MADE = 12
-"""Waypoints that are made of a motion from a file here; the page Files has the choice."""
+"""Number of waypoints that are made here from a motion of a file; the page Files has the choice."""
 
 SPACES = {"joint": "joint", "cartesian": "Cartesian"}
 
@@ -46,7 +46,7 @@ def points_markup(form: Form, state: State) -> Markup:
 
 
 def _recorded_markup(form: Form, recorded: Recorded, waypoints: int) -> Markup:
-    """Return what stands there while a motion from a file is in place of the waypoints."""
+    """Return the content of the list while a motion from a file replaces the waypoints."""
     kept = f"The {waypoints} waypoints wait behind it." if waypoints > 1 else ""
     back = form.chip("back", "Back to the waypoints", BackToWaypoints(), "Take the motion from the file off")
     make = form.chip("make", "Make waypoints of it", MakeWaypoints(MADE), f"Up to {MADE} places of its way, to edit")
@@ -77,7 +77,7 @@ def _row(form: Form, state: State, k: int) -> Markup:
 
 
 def _place(state: State, k: int, units: Units) -> str:
-    """Return where the tool is at a waypoint, in one line."""
+    """Return the place of the tool at a waypoint, in one line."""
     place = state[Plan].waypoints[k].wanted(state[Joints].arm)[:3, 3]
     return ", ".join(units.text(float(value), False) for value in place) + f" {units.length_unit}"
 
@@ -123,7 +123,7 @@ def _joint(form: Form, k: int, i: int, value: float, revolute: bool, units: Unit
 
 
 def _turning(form: Form, state: State) -> Markup | None:
-    """Return the choice of what the handle does, where an arm controls both."""
+    """Return the choice whether the handle moves or turns, if the arm controls both."""
     task, target = state[Joints].arm.task, state[Target]
     if task.rotation == "none" or not task.position:
         return None

@@ -1,4 +1,4 @@
-"""The Frenet frame that travels along the way of the tool while the motion is on."""
+"""The Frenet frame that moves along the path of the tool while the motion plays."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from armlab.ui.plugin import Layer, Show
 from armlab.ui.switches import Switch
 
 LENGTH = 0.13
-"""Of the arrows, in sizes of the arm."""
+"""Length of the arrows, in sizes of the arm."""
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Make the frame."""
+    """Build the frame."""
     frame = FrenetFrame(canvas, "motion/frame", LENGTH * canvas.size)
 
     def show(state: State) -> None:

@@ -1,4 +1,4 @@
-"""The way of the tool in the plan, coloured by what each place is worth, with words where it cannot be run."""
+"""The path of the tool in the plan, coloured by the feasibility of each place, with words where it cannot be run."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ from armlab.ui.scene._strokes import add_name, polyline
 PANELS = ("motion", "motion_plots", "motion_files")
 
 THICKNESS, OTHER = 0.0065, 0.003
-"""Of the way, and of the one it is compared with, in sizes of the arm."""
+"""Thickness of the path, and of the one for comparison, in sizes of the arm."""
 
 MARK = 0.013
-"""Radius of the mark where a way ends that cannot be run, in sizes of the arm."""
+"""Radius of the mark at the end of a path that cannot be run, in sizes of the arm."""
 
 COLOURS: dict[Feasible, Rgb] = {
     Feasible.YES: BLUE,
@@ -41,7 +41,7 @@ WORDS = {"reach": "out of reach", "limit": "joint {} at its limit", "singularity
 
 
 class _Ways:
-    """The ways of a plan: nodes are made anew when the plan is another."""
+    """The paths of a plan, whose nodes are rebuilt when the plan changes."""
 
     def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas = canvas
@@ -49,7 +49,7 @@ class _Ways:
         self._shown: tuple[Planned | None, Planned | None] = None, None
 
     def show(self, state: State) -> None:
-        """Show the plan as it was worked out last, and the one it is compared with."""
+        """Show the plan computed last, and the one for comparison."""
         part, plan = state[Plan], last_planned(state)
         other = None if plan is None or not part.compared else compared(state, plan)
         if self._shown[0] is plan and self._shown[1] is other:
@@ -78,7 +78,7 @@ class _Ways:
         self._nodes.append(node)
 
     def _mark(self, plan: Planned) -> None:
-        """Say in words where the way ends: a colour alone says nothing."""
+        """Write the reason at the end of the path, because a colour alone has no meaning."""
         scene, size = self._canvas.scene, self._canvas.size
         stops = [stop for leg in plan.legs if leg.followed is not None for stop in leg.followed.stops[:1]]
         for k, stop in enumerate(stops):
@@ -93,7 +93,7 @@ class _Ways:
 
 
 def _drawn(leg: Leg, tolerance: float) -> tuple[NDArray[np.float64], NDArray[np.int_]]:
-    """Return the points (k+1, 3) a leg is drawn with, and what each segment between them is worth (k,)."""
+    """Return the points (k+1, 3) with which a leg is drawn, and the feasibility of each segment between them, (k,)."""
     worth = np.maximum(leg.worth[1:], leg.worth[:-1])
     ends = [0, *(np.flatnonzero(np.diff(worth)) + 1), len(worth)]
     runs = [first + simplified(leg.points[first : last + 1], tolerance) for first, last in itertools.pairwise(ends)]
@@ -108,7 +108,7 @@ def _colours(worth: NDArray[np.int_], other: bool) -> NDArray[np.uint8]:
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Draw the way while a page of the motion is open."""
+    """Draw the path while a page of the motion is open."""
     return _Ways(canvas).show
 
 

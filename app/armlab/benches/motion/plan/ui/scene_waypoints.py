@@ -1,4 +1,4 @@
-"""The waypoints of the plan: numbered points, which one can click, and the handle of the selected one."""
+"""The waypoints of the plan: numbered points that can be clicked, and the handle of the selected one."""
 
 from __future__ import annotations
 
@@ -25,16 +25,16 @@ POINT = 0.014
 """Radius of a waypoint, in sizes of the arm."""
 
 FRAME = 0.55
-"""Size of the frame at the selected waypoint, against other frames."""
+"""Size of the frame at the selected waypoint, relative to other frames."""
 
 TOGETHER = 0.03
-"""Waypoints that are nearer, in sizes of the arm, share one label."""
+"""Distance of waypoints, in sizes of the arm, below which they share one label."""
 
 Floats = NDArray[np.float64]
 
 
 class _Points:
-    """All waypoints; a point stays while there are so many."""
+    """All waypoints; points are rebuilt only if their number changes."""
 
     def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas = canvas
@@ -106,7 +106,7 @@ class _Points:
 
 
 def names_of(places: Floats, near: float) -> list[str]:
-    """Return a label for each waypoint, empty for one that stands in the label of another close by.
+    """Return a label for each waypoint, empty for one that shares the label of another one nearby.
 
     >>> names_of(np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 0]]), 0.1)
     ['1, 3', '2', '']

@@ -1,1 +1,1 @@
-"""What is seen of the page Plots: its panel."""
+"""The panel of the page Plots."""

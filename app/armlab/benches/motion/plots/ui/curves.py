@@ -1,4 +1,4 @@
-"""One plot of a planned motion: its curves, those it is compared with, limits, what is beyond them, and the legs."""
+"""One plot of a planned motion: its curves, those for comparison, limits, violations, and the legs."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ from armlab.ui.widgets import Gui
 HEIGHT = 124
 
 POINTS = 401
-"""Of a curve in the plot; the file has all samples."""
+"""Number of points of a curve in the plot; the file has all samples."""
 
 ROOM = 0.08
-"""Above and below the curves, in parts of what they span."""
+"""Room above and below the curves, relative to their extent."""
 
 IN_SIGHT = 0.6
-"""A limit of a rate is drawn while it is nearer to the curves than so many times what they span; else it would flatten
-them. Of joints in different positions, whose curves lie apart, it would with `NEAR` already."""
+"""Distance from the curves, relative to their extent, up to which a limit of a rate is drawn; a farther one would
+flatten them. A limit of joint positions, whose curves lie apart, would do so from `NEAR` on."""
 
 NEAR = 0.1
 
 ORDINATE = {"size": 52, "space": 16, "gap": 3, "ticks": {"size": 4}}
-"""Room for accelerations in mm/s², and marks close to each other in low plots."""
+"""Settings of the axis: room for accelerations in mm/s², and marks close to each other in low plots."""
 
 OTHER, OTHER_DASHED, LIMIT = (2, 3), (2, 3, 2, 9), (7, 4)
-"""Dashes of the curves compared with, of those beside curves that are dashed themselves, and of limits."""
+"""Dashes of the curves for comparison, of those beside curves that are dashed themselves, and of limits."""
 
 MET = 1e-3
-"""A limit is met when so small a part of it is left."""
+"""Share of a limit that may be left when it counts as met."""
 
 Array = NDArray[np.float64]
 Spans = Sequence[tuple[float, float]]
@@ -73,7 +73,7 @@ class Line:
     dash: tuple[int, ...] = ()
 
     def in_sight(self, low: float, high: float, sight: float) -> tuple[float, ...]:
-        """Return the limits that are to be seen.
+        """Return the visible limits.
 
         Parameters
         ----------
@@ -92,7 +92,7 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Times:
-    """The times of a picture.
+    """The times of a plot.
 
     Attributes
     ----------
@@ -110,7 +110,7 @@ class Times:
 
     @property
     def end(self) -> float:
-        """When the longer one ends."""
+        """The end of the longer motion, seconds."""
         return float(max(self.own[-1], -np.inf if self.other is None else self.other[-1]))
 
     def grid(self, count: int) -> Array:
@@ -130,7 +130,7 @@ class MotionPlot(Plot):
         self._handle.axes = (x, {**y, **ORDINATE})
 
     def draw(self, times: Times, lines: Sequence[Line], most: float | None = None) -> None:
-        """Show other curves.
+        """Show new curves.
 
         Parameters
         ----------
@@ -168,7 +168,7 @@ class MotionPlot(Plot):
             self._handle.scales = scales
 
     def _range_of(self, lines: Sequence[Line], most: float | None) -> tuple[float, float]:
-        """Return the ends of the ordinate; the page cannot choose them where curves have gaps."""
+        """Return the ends of the ordinate, which the page cannot choose for curves with gaps."""
         every = [line.values for line in lines] + [line.other for line in lines if line.other is not None]
         values = np.concatenate(every) if every else np.zeros(1)
         values = values[np.isfinite(values)]
@@ -182,7 +182,7 @@ class MotionPlot(Plot):
         return (0.0 if self._zero else low - room), high + room
 
     def _note(self, times: Times, lines: Sequence[Line]) -> None:
-        """Keep what the file will hold: all samples, the motion it is compared with beside them."""
+        """Keep the content of the file: all samples, with the motion for comparison beside them."""
         t = times.own if times.other is None else times.grid(len(times.own))
         columns = [t]
         self._names = [self._x]
@@ -196,7 +196,7 @@ class MotionPlot(Plot):
         self._rows = np.column_stack(columns).tolist()
 
     def csv(self) -> str:
-        """Return the curves with a name for each; nothing where a motion has ended."""
+        """Return the curves with a name for each, empty after the end of a motion."""
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(self._names)
@@ -204,13 +204,13 @@ class MotionPlot(Plot):
         return text.getvalue()
 
     def at_time(self, time: float | None, end: float) -> None:
-        """Put the cursor at a time of a clip that lasts until ``end``, or take it away."""
+        """Put the cursor at a time of a clip that lasts until ``end``, or remove it."""
         # Where the clip is as long as the axis, the page moves the cursor by its own clock.
         self.cursor(TIME if time is not None and abs(end - self._end) <= NOTHING * max(1.0, end) else time)
 
 
 def _with_marks(t: Array, legs: Sequence[float]) -> tuple[Array, Array]:
-    """Return times in which those nearest to ends of legs are there twice, and the places of the first of each two."""
+    """Return times in which those nearest to ends of legs appear twice, and the index of the first of each two."""
     nearest = np.unique(np.abs(t[:, None] - np.array(legs)[None, :]).argmin(axis=0)) if legs else np.zeros(0, dtype=int)
     # Two uprights side by side would be joined by a line.
     apart = nearest[np.diff(nearest, prepend=-2) > 1]
@@ -218,14 +218,14 @@ def _with_marks(t: Array, legs: Sequence[float]) -> tuple[Array, Array]:
 
 
 def _uprights(t: Array, marks: Array, low: float, high: float) -> Array:
-    """Return the column that draws upright lines: two values at one time."""
+    """Return the column that draws vertical lines: two values at one time."""
     found = np.full(len(t), np.nan)
     found[marks], found[marks + 1] = low, high
     return found
 
 
 def _levels(lines: Sequence[Line], low: float, high: float) -> dict[float, Rgb]:
-    """Return the limits that are in sight, with their colours: grey where several joints share one."""
+    """Return the visible limits with their colours, grey if several joints share one."""
     found: dict[float, Rgb] = {}
     for line in lines:
         within = [level for level in line.limits if low <= level <= high]
@@ -237,12 +237,12 @@ def _levels(lines: Sequence[Line], low: float, high: float) -> dict[float, Rgb]:
 
 
 def _on(t: Array, known: Array, values: Array) -> Array:
-    """Return values at other times; nothing after the end."""
+    """Return values at other times, NaN after the end."""
     return np.interp(t, known, values, right=np.nan)
 
 
 def _within(t: Array, values: Array, inside: Spans) -> Array:
-    """Return values inside of intervals, nothing elsewhere."""
+    """Return values inside intervals, and NaN elsewhere."""
     found = np.full(len(t), np.nan)
     step = float(t[-1] - t[0]) / POINTS
     for start, end in inside:

@@ -1,4 +1,4 @@
-"""What the plots of a motion are, and the curves in each of them, in the units on screen."""
+"""The plots of a motion, and the curves in each of them, in the units on screen."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ Array = NDArray[np.float64]
 ORDERS: dict[Quantity, int] = {"q": 0, "q_dot": 1, "q_ddot": 2, "jerk": 3}
 NAMES = ("Position", "Velocity", "Acceleration", "Jerk")
 DOTS = ("", "\u0307", "\u0308", "\u20db")
-"""Marks over a letter, by the order of the derivative."""
+"""Dots over a letter, by the order of the derivative."""
 TIMES = ("", "/s", "/s²", "/s³")
 LIMITED: tuple[Limited, ...] = ("position", "velocity", "acceleration", "jerk")
 
 CUT = 8.0
-"""A curvature is drawn up to so many times its middle value: where the tool nearly stands it has no bound."""
+"""Multiple of its median up to which a curvature is drawn: where the tool nearly rests it has no bound."""
 
 STRAIGHT = 0.2
-"""Times the length scale of the arm: a way whose curvature is smaller is drawn as the straight line it looks like."""
+"""Curvature, times the length scale of the arm, below which a path is drawn as a straight line."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class Slot:
 
 
 def slots(arm: Arm, units: Units) -> list[Slot]:
-    """Return all plots an arm may have; turning and sliding joints never share one."""
+    """Return all plots that an arm may have; revolute and prismatic joints never share one."""
     found = []
     mixed = bool(arm.revolute.any()) and not bool(arm.revolute.all())
     for quantity, order in ORDERS.items():
@@ -121,7 +121,7 @@ def lines_of(
 
 
 def most_of(slot: Slot, arm: Arm, lines: Sequence[Line]) -> float | None:
-    """Return where the ordinate of a plot ends although curves go on; None where it does not."""
+    """Return the end of the ordinate if curves exceed it, else None."""
     if slot.quantity != "curvature":
         return None
     every = np.concatenate([each for line in lines for each in (line.values, line.other) if each is not None])

@@ -1,4 +1,4 @@
-"""Plots of the planned motion over time, its peaks, what is exceeded, and the other kind of moves beside it."""
+"""Plots of the planned motion over time, its peaks, the exceeded limits, and the other kind of moves beside it."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ CHIPS: dict[Quantity, tuple[str, str]] = {
 
 
 class _Answer:
-    """The plan on screen, and the one beside it."""
+    """The plan on screen, and the one for comparison."""
 
     def __init__(self) -> None:
         self.plan: Planned | None = None
         self.other: Planned | None = None
 
     def of(self, plan: Planned | None, other: Planned | None) -> bool:
-        """Turn to these plans; return whether they are others."""
+        """Set these plans; return whether they have changed."""
         same = plan is self.plan and other is self.other
         self.plan, self.other = plan, other
         return not same
@@ -68,7 +68,7 @@ class _Page:
         self._drawn: object = None
 
     def show(self, state: State) -> None:
-        """Show a state; curves are sent when they are others."""
+        """Show a state; curves are sent only if they have changed."""
         plan = last_planned(state)
         other = None if plan is None else compared(state, plan)
         new = self._answer.of(plan, other)
@@ -128,7 +128,7 @@ class _Page:
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the choice, the plots and the tables."""
+    """Build the choice, the plots and the tables."""
     return _Page(gui, state, post).show
 
 

@@ -16,19 +16,19 @@ from armlab.ui.units import Units
 
 KINDS: dict[Kind, str] = {"joint": "joint moves", "cartesian": "Cartesian moves", "mixed": "these moves"}
 OTHERS: dict[Kind, str] = {"joint": "Cartesian moves", "cartesian": "joint moves", "mixed": "the other kinds"}
-"""What a plan is called, by the space of its moves, and what the one beside it."""
+"""Names of a plan, and of the plan for comparison, by the space of its moves."""
 
 MOST_SENTENCES = 8
 
 LONGER = 1.001
-"""A way is called longer from so many times on."""
+"""Ratio from which on a path is called longer."""
 
 FULL = 1.0 + 1e-6
-"""A share above is more than the limit, not rounding."""
+"""Share above which a limit is exceeded, and not by rounding."""
 
 
 def status(plan: Planned | None, figures: Figures | None, found: tuple[Overrun, ...]) -> Markup:
-    """Return what is to be said before anything is plotted."""
+    """Return the sentences before the plots."""
     if plan is None:
         return tag("p.dim", "The motion is being planned …")
     why = capitalised(plan.trouble)
@@ -58,7 +58,7 @@ def _kept(plan: Planned, figures: Figures) -> str:
 
 
 def holder(binding: Binding) -> str:
-    """Return the limit that holds a motion back, in words."""
+    """Return in words the limit that slows a motion."""
     if binding.joint == TOOL:
         return "the speed limit of the tool"
     return f"the {binding.quantity} limit of joint {binding.joint}"
@@ -67,7 +67,7 @@ def holder(binding: Binding) -> str:
 def comparison(
     plan: Planned, own: Figures | None, other: Planned | None, theirs: Figures | None, units: Units
 ) -> Markup:
-    """Return both kinds of moves side by side, and who is faster and why.
+    """Return both kinds of moves side by side, and which one is faster and why.
 
     Parameters
     ----------
@@ -106,14 +106,14 @@ def _short(name: str) -> str:
 
 
 def _fastest_joint(plan: Planned, figures: Figures, units: Units) -> str:
-    """Return the share of its limit at which the joint runs that comes nearest to it, and which joint that is."""
+    """Return the largest share of a joint's limit of velocity, and the joint."""
     i = figures.fastest_joint - 1
     name = units.variable(i, bool(plan.question.arm.revolute[i]))
     return f"{_percent(figures.velocity_share[i])} ({name})"
 
 
 def _who(plan: Planned, own: Figures | None, other: Planned, theirs: Figures | None) -> Markup | None:
-    """Return the sentence that says who is faster and why."""
+    """Return the sentence on which one is faster and why."""
     kind = kind_of(plan.question)
     for each, name in ((plan, KINDS[kind]), (other, OTHERS[kind])):
         if each.trouble:
@@ -171,7 +171,7 @@ def _peak(units: Units, turns: bool, value: float, share: float, at: float, orde
 
 
 def legend(plan: Planned, units: Units, compared: bool) -> Markup:
-    """Return which colour is which joint, and what the dashes mean."""
+    """Return the colours of the joints, and the meaning of the dashes."""
     joints = [
         tag("span", joint_mark(i), units.variable(i, bool(turns))) for i, turns in enumerate(plan.question.arm.revolute)
     ]
@@ -184,7 +184,7 @@ def legend(plan: Planned, units: Units, compared: bool) -> Markup:
 
 
 def _mark(kind: str) -> Markup:
-    """Return a piece of a line as it is drawn in the plots."""
+    """Return a piece of a line as drawn in the plots."""
     return tag(f"i.mp-line.{kind}")
 
 

@@ -1,1 +1,1 @@
-"""What is seen of the page Geometry: its panel, and its part of the scene."""
+"""The panel of the page Geometry, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""What is typed and chosen of a curve in space: kind, waypoints or formulas, options, law, marks in the scene."""
+"""Inputs for a curve in space: kind, waypoints or formulas, options, law, marks in the scene."""
 
 from __future__ import annotations
 
@@ -41,12 +41,12 @@ OVERFLY = (
 
 
 def scales_of(units: Units) -> tuple[Scale, ...]:
-    """Return what stands on screen for the coordinates of a waypoint."""
+    """Return the units on screen of the coordinates of a waypoint."""
     return (Scale(units.length_unit, units.factor(False)),) * 3
 
 
 def head(form: Form, state: State) -> Markup:
-    """Return the choice of curve or turn, the examples, and what plays."""
+    """Return the choice of curve or turn, the examples, and the button of the film."""
     part = state[SpaceCurve]
     view = form.chips("shown", VIEWS, part.shown, "What is shown", _looking)
     chooser = examples(form, EXAMPLES, part.example, ChooseExample)
@@ -59,7 +59,7 @@ def _looking(view: str) -> LookAt:
 
 
 def curve_form(form: Form, state: State) -> Markup:
-    """Return kind, waypoints or formulas, options and parameter of the curve."""
+    """Return the inputs for kind, waypoints or formulas, options and parameter of the curve."""
     part, units = state[SpaceCurve], units_of(state)
     kind = kinds()[part.curve.key]
     titles = {key: each.title for key, each in kinds().items()}
@@ -83,7 +83,7 @@ def curve_form(form: Form, state: State) -> Markup:
 
 
 def _turned(on: bool) -> str:
-    """Return what pressing a button makes of what it stands for, the end of its cell."""
+    """Return the state to which a press of a button leads, which ends the name of its cell."""
     return "off" if on else "on"
 
 
@@ -120,7 +120,7 @@ def _coordinate(form: Form, part: SpaceCurve, units: Units, i: int, j: int) -> M
 
 
 def law_form(form: Form, state: State) -> Markup:
-    """Return law, duration and options of the law."""
+    """Return the inputs for the law, its duration and its options."""
     part = state[SpaceCurve]
     titles = {key: kind.title for key, kind in free_law_types().items()}
     chooser = form.select("law", "Timing law", titles, part.law.key, ChooseLaw)
@@ -144,7 +144,7 @@ def law_form(form: Form, state: State) -> Markup:
 
 
 def marks(form: Form, state: State) -> Markup:
-    """Return what is drawn of the curve in the scene, and how large."""
+    """Return the switches for the drawings of the curve in the scene, and their size."""
     part = state[SpaceCurve]
     frame = _mark(form, "frame", part.frame, "t, n, b", "The Frenet frame with the circle of curvature")
     arrows = _mark(form, "arrows", part.arrows, "ṗ, p̈", "Velocity, and the two parts of the acceleration")

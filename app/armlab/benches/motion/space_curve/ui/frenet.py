@@ -1,4 +1,4 @@
-"""The travelling trihedron t, n, b of a curve in space, with its circle of curvature."""
+"""The moving Frenet frame t, n, b of a curve in space, with its circle of curvature."""
 
 from __future__ import annotations
 
@@ -26,17 +26,18 @@ CIRCLE = 0.0024
 
 SIDES = 72
 LARGEST, LEAST = 60.0, 0.02
-"""Radii, in lengths of the arrows, beyond which the circle is not drawn: it would look like a line, or a point."""
+"""Largest and least radius of a circle that is drawn, in lengths of the arrows: others would look like a line, or a
+point."""
 
 ARC = 4.0
-"""Of a large circle so much is drawn to either side, in lengths of the arrows: all of it would fill the scene."""
+"""Length of the arc of a large circle to either side, in lengths of the arrows: all of it would fill the scene."""
 
 NAME_AT = 1.16
-"""Where the name of an arrow stands, in its length."""
+"""Distance of the name of an arrow, in its length."""
 
 
 class FrenetFrame:
-    """Three arrows and a circle; a picture moves them and makes none anew.
+    """Three arrows and a circle, which a picture moves without rebuilding them.
 
     Parameters
     ----------
@@ -64,7 +65,7 @@ class FrenetFrame:
         self._place_names()
 
     def resize(self, length: float) -> None:
-        """Make the arrows longer or shorter, metres."""
+        """Set the length of the arrows, metres."""
         if length != self._length:
             self._length = length
             for arrow in self._arrows.values():
@@ -76,7 +77,7 @@ class FrenetFrame:
             move(name, NAME_AT * np.eye(3)[k] * self._length)
 
     def show(self, position: Floats, t: Floats, n: Floats, b: Floats, curvature: float) -> None:
-        """Show it somewhere.
+        """Show the frame at a position.
 
         Parameters
         ----------
@@ -110,7 +111,7 @@ class FrenetFrame:
         move(self._circle, (0.0, radius, 0.0))
 
     def hide(self) -> None:
-        """Take it out of sight."""
+        """Hide the frame."""
         seen(self._root, False)
 
 
@@ -122,6 +123,6 @@ def _arrow(k: int) -> Solid:
 
 
 def arc(half: float) -> Segments:
-    """Return the unit circle in the plane of t and n as far as so many radians from the curve, (k, 2, 3)."""
+    """Return the part of the unit circle in the plane of t and n up to an angle, radians, from the curve, (k, 2, 3)."""
     angle = np.linspace(-half, half, SIDES + 1)
     return polyline(np.stack([np.sin(angle), -np.cos(angle), np.zeros_like(angle)], axis=1))

@@ -1,4 +1,4 @@
-"""A curve in numbers: at the present moment, of its kind, and as a whole."""
+"""A curve in numbers: at the present moment, for its kind, and as a whole."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ NOT_ACROSS = (
 BOUNDED = "A bounded curvature does not make a curve regular, as the text before 6.12 has it; p′ ≠ 0 does."
 
 ACROSS = 1e-6
-"""Part of p''s-dot² along the way, relative, below which it is across."""
+"""Relative part of p''s-dot² along the path below which it counts as perpendicular."""
 
 
 def at_present(form: Form, state: State) -> Markup:
-    """Return the numbers where the film stands."""
+    """Return the numbers at the time of the film."""
     found, now, units = state.derived(curve_of), state.derived(moment_of), units_of(state)
     frame, by_length = now.frame, found.by_length
     rows: list[Row] = [("p", units.length_unit, lengths(now.p, units))]
@@ -109,7 +109,7 @@ def moving(state: State) -> Markup | None:
 
 
 def whole(state: State) -> Markup:
-    """Return what holds of the curve as a whole, and the formulas."""
+    """Return the numbers of the curve as a whole, and the formulas."""
     found, units = state.derived(curve_of), units_of(state)
     if len(found.stands):
         places = ", ".join(number(float(s), 3) for s in found.stands[:4])
@@ -122,7 +122,7 @@ def whole(state: State) -> Markup:
 
 
 def _facts(found: Laid, units: Units) -> Markup | None:
-    """Return the numbers of a kind of curve that has some."""
+    """Return the numbers that belong to a kind of curve, if it has any."""
     path = found.given
     unit = units.length_unit
     if isinstance(path, Arc):

@@ -1,4 +1,4 @@
-"""The laboratory of geometry: one curve in space with its frame, and turning between two orientations."""
+"""The page of geometry: one curve in space with its frame, and turning between two orientations."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from armlab.ui.widgets import Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the choice of an example, the form, the numbers and the plots."""
+    """Build the choice of an example, the form, the numbers and the plots."""
     top, form, numbers = gui.form(post), gui.form(post), gui.form(post)
     motion, words = gui.html(), gui.html()
     curve_plots, turn_plots = CurvePlots(gui, units_of(state)), TurnPlots(gui, units_of(state))
@@ -44,7 +44,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def _around(state: State) -> Points:
-    """Return what is drawn beside the arm: the curve, or a box around the sphere of the turn."""
+    """Return the points of the drawing beside the arm: the curve, or a box around the sphere of the turn."""
     if state[SpaceCurve].shown == "turn":
         centre, radius = sphere_of(state)
         return np.asarray(centre + radius * np.array([[1.0, 1, 1], [-1, -1, -1]]))

@@ -17,13 +17,13 @@ from armlab.ui.units import Units
 from armlab.ui.widgets import Gui
 
 HEIGHT, WIDE = 96, 60
-"""Pixels of a plot, and beside it of large numbers."""
+"""Height of a plot, and room beside it for large numbers, pixels."""
 
 ROOM = 0.08
-"""Above and below a curve, in parts of what it spans."""
+"""Room above and below a curve, relative to its extent."""
 
 BEYOND = 30.0
-"""Curvature above so many times its median is a pole beside a place where the curve stands still: left out."""
+"""Multiple of its median above which a curvature is left out as a pole at a point where the curve stands still."""
 
 SAMPLES = 301
 
@@ -31,7 +31,7 @@ Floats = NDArray[np.float64]
 
 
 class SignedPlot(Plot):
-    """A plot whose ordinate may be negative; what is constant is drawn in the middle."""
+    """A plot whose ordinate may be negative; a constant is drawn in the middle."""
 
     def show(
         self,
@@ -39,7 +39,7 @@ class SignedPlot(Plot):
         curves: Sequence[NDArray[np.floating]],
         limits: Sequence[float] = (),
     ) -> None:
-        """Show other curves; zero is always in sight."""
+        """Show new curves; zero is always visible."""
         values = np.concatenate([curve[np.isfinite(curve)] for curve in curves])
         low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)
         low, high = min(low, 0.0), max(high, 0.0)
@@ -51,7 +51,7 @@ class SignedPlot(Plot):
 
 
 class LengthPlot(Plot):
-    """A plot from 0 whose numbers may have five figures."""
+    """A plot from 0 with room for numbers of five digits."""
 
     def __init__(self, gui: Gui, title: str, name: str, colour: Rgb, file: str) -> None:
         super().__init__(gui, title, "s", [Curve(name, colour)], file, 0, HEIGHT, True)
@@ -60,7 +60,7 @@ class LengthPlot(Plot):
 
 
 class CurvePlots:
-    """Curvature, torsion, distance gone, and |p'| over the parameter."""
+    """Plots of curvature, torsion, length and |p'| over the parameter."""
 
     def __init__(self, gui: Gui, units: Units) -> None:
         self._units, unit = units, units.length_unit
@@ -73,7 +73,7 @@ class CurvePlots:
         self._drawn: Laid | None = None
 
     def show(self, state: State) -> None:
-        """Show the curves when they are others, and where the film stands."""
+        """Show the curves if they have changed, and the place of the film."""
         on = state[SpaceCurve].shown == "curve"
         for plot in self._plots.values():
             plot.visible(on)
@@ -104,7 +104,7 @@ class CurvePlots:
 
 
 class TurnPlots:
-    """How far both turns are apart, and how fast they turn, over time."""
+    """Plots of the angle between both turns, and of their speeds, over time."""
 
     def __init__(self, gui: Gui, units: Units) -> None:
         self._units, unit = units, units.angle_unit
@@ -117,7 +117,7 @@ class TurnPlots:
         self._drawn: tuple[Turned, Laid] | None = None
 
     def show(self, state: State) -> None:
-        """Show the curves when they are others."""
+        """Show the curves if they have changed."""
         on = state[SpaceCurve].shown == "turn"
         for plot in (self._apart, self._rates):
             plot.visible(on)
@@ -136,7 +136,7 @@ class TurnPlots:
 
 
 def without_poles(values: Floats) -> Floats:
-    """Return values with those left out that would flatten all others."""
+    """Return values without those that would flatten all others."""
     finite = np.abs(values[np.isfinite(values)])
     usual = float(np.median(finite)) if len(finite) else 0.0
     return np.where(np.abs(values) > BEYOND * usual, np.nan, values) if usual > NOTHING else values

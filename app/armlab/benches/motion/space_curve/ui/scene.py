@@ -1,4 +1,4 @@
-"""The laboratory of geometry in the scene: a curve with its travelling frame, or two ways of turning on a sphere."""
+"""The page of geometry in the scene: a curve with its moving frame, or two turns on a sphere."""
 
 from __future__ import annotations
 
@@ -27,22 +27,22 @@ from armlab.ui.scene._strokes import add_line, add_name, dashes, polyline
 Floats = NDArray[np.float64]
 
 LINE, TRACE, AXIS = 0.005, 0.005, 0.003
-"""Thickness of the curve, of the way of a tip, and of an axis, in sizes of the arm."""
+"""Thickness of the curve, of the path of a tip, and of an axis, in sizes of the arm."""
 
 POINT = 0.011
 """Size of a waypoint, in sizes of the arm."""
 
 MOST_NAMES = 8
-"""Waypoints that get a number: more of them would cover each other."""
+"""Largest number of waypoints with a number, as more would cover each other."""
 
 PEAK = 2.0
 """Length of the largest velocity and acceleration, in lengths of the unit vectors."""
 
 SHORT = 0.03
-"""Of these, shortest arrow that is drawn: what is less is zero to the eye."""
+"""Shortest arrow that is drawn, in lengths of the unit vectors."""
 
 BESIDE = 0.06
-"""From a waypoint to its number, in sizes of the arm."""
+"""Distance of a number from its waypoint, in sizes of the arm."""
 
 NAMES = {"velocity": "ṗ", "tangential": "p′s̈", "centripetal": "p″ṡ²"}
 COLOURS = {"velocity": GREEN, "tangential": VERMILLION, "centripetal": SKY}
@@ -157,7 +157,7 @@ class _Curve:
 
 
 class _Turn:
-    """A sphere with the ways of the tips of the axes, and both frames on it."""
+    """A sphere with the paths of the tips of the axes, and both frames on it."""
 
     def __init__(self, canvas: LayerCanvas, radius: float) -> None:
         scene, size = canvas.scene, canvas.size
@@ -224,7 +224,7 @@ class _Turn:
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Draw what the page shows, while it is open."""
+    """Draw the curve or the turn of the page, while it is open."""
     curve, sphere = _Curve(canvas), _Turn(canvas, sphere_of(state)[1])
 
     def show(state: State) -> None:

@@ -1,4 +1,4 @@
-"""Two orientations and the two ways between them, typed and in numbers."""
+"""Two orientations and the two turns between them, in fields and numbers."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ ABOUT = {"moving": "axes move", "fixed": "axes stay"}
 ENDS: tuple[End, ...] = ("A", "B")
 
 SOURCES = {"tool": "the tool as it is", "handle": "the handle of the target"}
-"""Where an orientation can be taken from."""
+"""Sources from which an orientation can be taken, in words."""
 
 STILL = 1e-9
-"""Radians below which there is no turn."""
+"""Angle below which there is no turn, radians."""
 
 
 def turn_form(form: Form, state: State) -> Markup:
-    """Return the sequence, the angles of both orientations, and where else they may come from."""
+    """Return the sequence, the angles of both orientations, and the buttons for other sources."""
     part, units = state[SpaceCurve], units_of(state)
     titles = {axes: axes.upper() for axes in SEQUENCES}
     sequence = form.select("axes", "Sequence", titles, part.axes, lambda axes: WriteIn(axes=axes))
@@ -83,7 +83,7 @@ def _angle(form: Form, end: End, k: int, angle: float, units: Units) -> Markup:
 
 
 def turn_numbers(form: Form, state: State) -> Markup:
-    """Return both ways as a whole and where the film stands."""
+    """Return both turns as a whole and at the time of the film."""
     found, units, part = state.derived(turn_of), units_of(state), state[SpaceCurve]
     s, rate = turn_place(state)
     speeds = [rate * float(np.linalg.norm(each.angular(s)[0])) for each in (found.straight, found.euler)]
@@ -118,7 +118,7 @@ def turn_numbers(form: Form, state: State) -> Markup:
 
 
 def turn_words() -> Markup:
-    """Return the formulas and what is drawn."""
+    """Return the formulas and the legend of the drawing."""
     names = [tag("span", dot(css(colour)), f"tip of {axis}") for axis, colour in AXES.items()]
     one_axis = tag("div", mathml(ONE_AXIS), title="Notes 6.151–6.155")
     three = tag("div", mathml(THREE), title="Notes 6.150")

@@ -1,4 +1,4 @@
-"""Small pieces of markup the page of geometry is made of: vectors, units, remarks."""
+"""Small pieces of markup for the page of geometry: vectors, units, remarks."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from armlab.ui.tables import head_line
 from armlab.ui.units import Units
 
 Row = tuple[str, str, Sequence[str]]
-"""Name, unit, and the cells: x, y, z and the norm."""
+"""A row of the table of vectors: name, unit, and the cells x, y, z and the norm."""
 
 LARGE = 1e5
-"""From this number on screen on a length is written with a power of ten: four of them must fit beside each other."""
+"""Number on screen from which on a length is written with a power of ten: four of them must fit beside each other."""
 
 
 def length(value: float, units: Units) -> str:
@@ -52,7 +52,7 @@ def said(kind: str, text: str) -> Markup:
 
 
 def corrected(text: str) -> Markup:
-    """Return a line about where the notes differ."""
+    """Return a line about a difference from the notes."""
     return tag("p.dim.sc-note", text)
 
 

@@ -1,1 +1,1 @@
-"""What is seen of the page Five steps: its panel, and its part of the scene."""
+"""The panel of the page Five steps, and its part of the scene."""

@@ -24,11 +24,11 @@ from armlab.ui.units import plain_number, units_of
 from armlab.ui.widgets import Gui
 
 MOST_CHIPS = 6
-"""Stretches that are chosen by chips; more of them by a list."""
+"""Largest number of stretches that are chosen by chips; more are chosen by a list."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the choice of stretch and step, what is said of the step, and its plots."""
+    """Build the choice of stretch and step, the explanation of the step, and its plots."""
     looked = steps(state)
     form, plots = gui.form(post), Plots(gui, state)
 
@@ -42,7 +42,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def steps_markup(form: Form, state: State, found: Steps | None) -> Markup:
-    """Return the choice of stretch and step, and what is said of the step; None: they are being worked out."""
+    """Return the choice of stretch and step, and the explanation of the step; None means that it is being computed."""
     part = state[Plan]
     if part.recorded is not None:
         return tag(
@@ -60,7 +60,7 @@ def steps_markup(form: Form, state: State, found: Steps | None) -> Markup:
 
 
 def _stretches(form: Form, part: Plan) -> Markup | None:
-    """Return the choice among the stretches; nothing where there is one."""
+    """Return the choice among the stretches, or nothing if there is only one."""
     titles = {str(each.last): each.title for each in part.parts}
     chosen = str(part.stretch.last) if part.stretch is not None else ""
     if len(titles) < 2:
@@ -75,7 +75,7 @@ def _selecting(waypoint: str) -> SelectWaypoint:
 
 
 def _steps(form: Form, state: State, found: Steps | None) -> Markup:
-    """Return a chip for each step; those a joint move leaves out are pale."""
+    """Return a chip for each step; those that a joint move leaves out are grey."""
     made = []
     for k in STEPS:
         skipped = found is not None and not found.in_space and k in words.SKIPPED

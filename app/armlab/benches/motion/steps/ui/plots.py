@@ -1,4 +1,4 @@
-"""The plots of the planning steps: singular values, joint values with the samples, and how far the tool is apart."""
+"""The plots of the planning steps: singular values, joint values with the samples, and the deviation of the tool."""
 
 from __future__ import annotations
 
@@ -23,22 +23,22 @@ from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
 HEIGHT, TALL = 104, 146
-"""Of plots of one curve, and of those of all joints."""
+"""Height of plots with one curve, and of those with all joints, pixels."""
 
 ROOM = 0.08
-"""Above and below the curves, in parts of what they span."""
+"""Room above and below the curves, relative to their extent."""
 
 MARKED = 61
-"""Samples up to which each is marked on the curves; more of them cannot be told apart."""
+"""Number of samples up to which each is marked on the curves; more of them cannot be told apart."""
 
 LARGE, SMALL = 6.0, 3.0
-"""Pixels of the dots of few and of many samples."""
+"""Diameter of the dots of few and of many samples, pixels."""
 
 APART = 1e-6
-"""Metres: a distance that is less everywhere is drawn as zero, not as the rounding of the inverse kinematics."""
+"""Distance, metres, below which a curve is drawn as zero: it comes from rounding in the inverse kinematics."""
 
 AT_SAMPLE = 1e-9
-"""How near, in s, a place is that of a sample."""
+"""Difference in s up to which a place is that of a sample."""
 
 Array = NDArray[np.float64]
 
@@ -51,7 +51,7 @@ class StepPlot(Plot):
         super().__init__(gui, title, "s", curves, file, height=height, legend=False)
 
     def show_over(self, s: Array, curves: Sequence[Array], least: float = 0.0) -> None:
-        """Show curves, which lie on zero where none exceeds ``least``.
+        """Show curves, which are drawn as zero if none exceeds ``least``.
 
         The page cannot choose the ranges where curves have gaps.
         """
@@ -69,7 +69,7 @@ class StepPlot(Plot):
 
 
 class JointPlot(StepPlot):
-    """Joint values of one kind over s: the samples as dots, and the curves between them."""
+    """A plot of joint values of one kind over s: the samples as dots, and the curves between them."""
 
     def __init__(self, gui: Gui, state: State, turns: bool) -> None:
         arm, units = state[Joints].arm, units_of(state)
@@ -94,7 +94,7 @@ class JointPlot(StepPlot):
         self.show_over(s, list(self._values(q)))
 
     def show_path(self, s: Array, q: Array, samples: Array) -> None:
-        """Show a path by its values (k, n) at s (k,), with dots at those s that are samples, while these are few."""
+        """Show a path by its values (k, n) at s (k,), with dots at those s that are samples, if these are few."""
         values = self._values(q)
         if len(samples) > MARKED:
             self.announce(self._lines())
@@ -108,7 +108,7 @@ class JointPlot(StepPlot):
         return (q[:, self._which] / self._factor).T
 
     def csv(self) -> str:
-        """Return the values without the dots on the curves, which are among them."""
+        """Return the values without the dots on the curves, which are repeated values."""
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
         count = len(self._which)
@@ -118,7 +118,7 @@ class JointPlot(StepPlot):
 
 
 class Plots:
-    """All plots; those that belong to the step are seen."""
+    """All plots, of which those of the step are visible."""
 
     def __init__(self, gui: Gui, state: State) -> None:
         unit = units_of(state).length_unit
@@ -130,7 +130,7 @@ class Plots:
         self._shown: object = None
 
     def show(self, found: Steps | None, state: State) -> None:
-        """Show the plots of the step when they are others."""
+        """Show the plots of the step if they have changed."""
         step = state[PlanSteps].shown
         if (found, step) == self._shown:
             return
@@ -170,7 +170,7 @@ class Plots:
 
 
 def dot_size(count: int) -> float:
-    """Return how large the dots of so many samples are, pixels."""
+    """Return the diameter of the dots for a number of samples, pixels."""
     return LARGE if count <= MARKED else SMALL
 
 
@@ -179,7 +179,7 @@ def _sigma(count: int) -> Curve:
 
 
 def _samples(found: Steps) -> tuple[Array, Array] | None:
-    """Return s (N,) and joint values (N, n) where the inverse kinematics was solved; None where it was not."""
+    """Return s (N,) and joint values (N, n) where the inverse kinematics was solved, or None."""
     if not found.in_space:
         return found.knot_places, found.knot_q
     return None if found.followed is None else (found.followed.s, found.followed.q)

@@ -1,4 +1,4 @@
-"""The planning steps in the scene: knots, path, samples, arms at some of them, and the way of the tool that results."""
+"""The planning steps in the scene: knots, path, samples, arms at some of them, and the resulting path of the tool."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from armlab.ui.scene._strokes import Segments, dashes, polyline
 from armlab.ui.units import units_of
 
 WANTED, RESULT = BLUE, PURPLE
-"""Colours of the path, and of the way the tool takes when the joints are interpolated."""
+"""Colours of the path, and of the path of the tool when the joints are interpolated."""
 
 SAMPLE_COLOURS: dict[Feasible, Rgb] = {
     Feasible.YES: VERDICT["ok"],
@@ -36,10 +36,10 @@ KNOT, FEW, MANY, STOP = 0.009, 0.011, 0.0045, 0.018
 """Diameters of knots, of few and of many samples, and of a stop, in sizes of the arm."""
 
 DENSE = 40
-"""Samples from which on their points are small."""
+"""Number of samples from which on their points are small."""
 
 DASHES = 24
-"""Of each straight line between two knots of a joint move."""
+"""Number of dashes of each straight line between two knots of a joint move."""
 
 Floats = NDArray[np.float64]
 
@@ -86,7 +86,7 @@ class _Steps:
         self._knots.show(poses[:, :3, 3], KNOT)
 
     def _show_samples(self, found: Steps | None, step: int) -> None:
-        """Show the samples, from the inverse kinematics on in the colours of what came of it."""
+        """Show the samples, from the inverse kinematics on in the colours of its results."""
         points = None if found is None or step < SAMPLING else found.samples
         size = FEW if points is not None and len(points) <= DENSE else MANY
         self._samples.show(points if step == SAMPLING else None, size)
@@ -102,7 +102,7 @@ class _Steps:
             self._stop.show(None)
 
     def _show_result(self, found: Steps | None, state: State) -> None:
-        """Show the way of the tool, and where it is farthest from the path."""
+        """Show the path of the tool, and the point where it is farthest from the wanted path."""
         apart = None if found is None else found.apart
         if found is None or apart is None:
             self._result.show(None)
@@ -119,7 +119,7 @@ class _Steps:
 
 
 def _path(found: Steps, step: int) -> Segments | None:
-    """Return the path in space; of a joint move, from the last step on, the straight lines it is compared with."""
+    """Return the path in space; for a joint move, from the last step on, the straight lines for comparison."""
     if found.in_space:
         return polyline(found.drawn) if step >= PATH and found.way is not None else None
     if step < JOINTS:
@@ -129,7 +129,7 @@ def _path(found: Steps, step: int) -> Segments | None:
 
 
 def _sticks(found: Steps) -> Segments | None:
-    """Return a few arms as thin lines."""
+    """Return the arm in a few configurations, as thin lines."""
     if not found.shown_arms:
         return None
     q = np.array([q for _, q in found.shown_arms])

@@ -1,4 +1,4 @@
-"""What the page of the planning steps says of each step, with its numbers."""
+"""The explanation of each planning step, with its numbers."""
 
 from __future__ import annotations
 
@@ -27,22 +27,23 @@ from armlab.ui.units import Units
 Floats = NDArray[np.float64]
 
 TITLES = {KNOTS: "Knots", PATH: "Path", SAMPLING: "Samples", INVERSE: "IK", JOINTS: "Joints"}
-"""What the chips say."""
+"""Titles of the chips."""
 
 SKIPPED = (PATH, SAMPLING)
-"""Steps a joint move does not have."""
+"""Steps that a joint move does not have."""
 
 EXACT = 1e-12
-"""Metres: what is less is rounding."""
+"""Length, metres, below which a number is rounding."""
 
 BENT = 1e-6
-"""Length scales by which a way is longer than the straight lines, below which it is not told."""
+"""Excess of a path's length over the straight lines, in length scales, below which it is not mentioned."""
 
 LINE = 41
-"""Characters of joint values, each with a gap, that stand side by side; more are in blocks, one below the other."""
+"""Number of characters of joint values, each with a gap, that fit side by side; more are set in blocks below each
+other."""
 
 STOPS = 5
-"""Places where the path cannot be followed that are told."""
+"""Largest number of listed places where the path cannot be followed."""
 
 
 def head_of(step: int, found: Steps) -> Markup:
@@ -93,7 +94,7 @@ def _poses(found: Steps, names: Sequence[str], units: Units) -> Markup:
 
 
 def joint_table(head: str, names: Sequence[str], q: Floats, found: Steps, units: Units) -> Markup:
-    """Return joint values, (k, n), in rows with names; of many joints in blocks."""
+    """Return joint values, (k, n), in rows with names, in blocks for many joints."""
     revolute = [bool(turns) for turns in found.arm.revolute]
     heads = [f"{units.variable(i, turns)}, {units.unit(turns)}" for i, turns in enumerate(revolute)]
     cells = [[units.text(float(value), turns) for value, turns in zip(row, revolute, strict=True)] for row in q]
@@ -105,7 +106,7 @@ def joint_table(head: str, names: Sequence[str], q: Floats, found: Steps, units:
 
 
 def _blocks(cells: Sequence[Sequence[str]]) -> list[slice]:
-    """Return the columns of blocks as few and as equal as can be, none of them too wide."""
+    """Return the columns of as few and as equal blocks as possible, none of them too wide."""
     widths = [1 + max(map(len, column)) for column in zip(*cells, strict=True)]
     for count in range(1, len(widths) + 1):
         ends = [round(len(widths) * k / count) for k in range(count + 1)]
@@ -121,7 +122,7 @@ def _table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> Markup:
 
 
 def _over_unit(head: str) -> Inside:
-    """Return a quantity over its unit, so that narrow columns stay narrow."""
+    """Return a quantity above its unit, so that narrow columns stay narrow."""
     name, _, unit = head.partition(", ")
     return (name, tag("br"), tag("i", unit)) if unit else name
 
@@ -132,7 +133,7 @@ def _scrolled(*tables: Markup) -> Markup:
 
 
 def _list(found: Steps) -> Markup:
-    """Return what has to be decided of any trajectory: the list of the notes."""
+    """Return the decisions for any trajectory, in the list of the notes."""
     move, count = found.stretch.move, len(found.knot_q)
     rows = [
         ("space", "Cartesian" if found.in_space else "joint"),
@@ -177,7 +178,7 @@ def path(found: Steps, units: Units) -> Markup:
 
 
 def _formula(kind: PathType, letter: str) -> Markup | None:
-    """Return the formula of a kind of path, in the letter of what runs along it; none where none is known."""
+    """Return the formula of a kind of path, with the letter of the quantity, or nothing if none is known."""
     formula = formula_of(kind, letter)
     return tag("div.eq.small", mathml(formula, True)) if formula else None
 
@@ -186,7 +187,7 @@ def _formula(kind: PathType, letter: str) -> Markup | None:
 
 
 def sampling(found: Steps, field: Inside, units: Units) -> Markup:
-    """Return the third step: how many samples; ``field`` is where their number is typed."""
+    """Return the third step, the number of samples; ``field`` is the input for it."""
     if not found.in_space:
         text = "Without a path in space there is nothing to sample: the knots are all the points there are."
         return tag("p", text)
@@ -240,7 +241,7 @@ def inverse(found: Steps, units: Units) -> Markup:
 
 
 def _other_way(found: Steps) -> Markup:
-    """Return what is to be said of a knot that is reached in another configuration than it was stored in."""
+    """Return remarks on a knot that is reached in another configuration than the stored one."""
     told = [remark for remark in found.leg.remarks if remark.startswith("waypoint")]
     return joined([tag("p.dim", f"{capitalised(each)}.") for each in told])
 
@@ -262,7 +263,7 @@ def _followed(found: Steps) -> Markup:
 
 
 def joints(found: Steps, units: Units, colours: tuple[str, str]) -> Markup:
-    """Return the fifth step: the path of the joints; ``colours`` are those of the wanted and the resulting way."""
+    """Return the fifth step, the path of the joints; ``colours`` are those of the wanted and the resulting path."""
     apart = found.apart
     if found.path is None or apart is None:
         return joined(tag("p", "There is no motion of the joints."), _trouble(found))
@@ -302,7 +303,7 @@ def _laid(found: Steps) -> Markup:
 
 
 def _timing(found: Steps) -> str | None:
-    """Return what is left to do: the timing law."""
+    """Return what remains to be done: the timing law."""
     motion = found.leg.motion
     if motion is None:
         return None
@@ -316,7 +317,7 @@ def _untimed(found: Steps) -> Markup | None:
 
 
 def _turn(value: float, units: Units) -> str:
-    """Return a small angle; behind a power of ten its sign stands apart, or it would read as a zero."""
+    """Return a small angle; after a power of ten its sign is set apart, or it would read as a zero."""
     text = small(value, True, units)
     return f"{text}{NO_BREAK if units.angle_unit != '°' or '·' in text else ''}{units.angle_unit}"
 

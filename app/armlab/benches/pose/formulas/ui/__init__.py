@@ -1,1 +1,1 @@
-"""What is seen of the page Formulas: its panel, and its part of the scene."""
+"""The panel of the page Formulas, and its part of the scene."""

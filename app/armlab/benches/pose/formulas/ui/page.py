@@ -1,4 +1,4 @@
-"""Position and rotation of the tool as formulas in symbols, where they can be read, with their present values."""
+"""Position and rotation of the tool as formulas in symbols, if they are short enough, with their present values."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui, Html
 
 MOST_COPIED = 20_000
-"""Characters of a text that waits in the page to be copied."""
+"""Largest number of characters of a text that the page holds for copying."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
@@ -86,7 +86,7 @@ def _head(python: dict[str, str], formulas: dict[str, Written], count: int) -> I
 
 
 def _too_long(terms: int) -> Markup:
-    """Return what stands in the place of a formula nobody could read."""
+    """Return the text in place of a formula that is too long to read."""
     return tag("div.formula.dim", f"too long to be read: about {float(f'{terms:.2g}'):,.0f} terms")
 
 
@@ -103,7 +103,7 @@ def _formula(formula: Written, python: str) -> Markup:
 
 
 def _symbols(arm: Arm, units: Units, python: dict[str, str], formulas: dict[str, Written]) -> Inside:
-    """Return what the letters stand for: short forms of sines and cosines, angles with an offset, constants."""
+    """Return the meaning of the letters: short forms of sines and cosines, angles with an offset, constants."""
     lines = short_forms(arm, units, (formula.latex for formula in formulas.values()))
     lines += offset_lines(arm, units)
     known = constants(arm)

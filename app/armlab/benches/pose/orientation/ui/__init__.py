@@ -1,1 +1,1 @@
-"""What is seen of the page Orientation: its panel, and its part of the scene."""
+"""The panel of the page Orientation, and its part of the scene."""

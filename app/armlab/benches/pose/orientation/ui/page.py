@@ -28,14 +28,14 @@ from armlab.ui.widgets import Gui
 LETTERS = {r"\varphi": "φ", r"\theta": "θ", r"\psi": "ψ"}
 
 NEAR = 1e-6
-"""Radians from no turn, or from half a turn, within which a rotation is called so."""
+"""Angle, radians, up to which a rotation is called no turn, or half a turn."""
 
 CHECKED = 1e-9
-"""Residual of a product of turns above which it is shown: rounding stays a million times below."""
+"""Residual of a product of rotations above which it is shown; rounding is a million times smaller."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the choice of a transform and of a sequence, and the read-outs."""
+    """Build the choices of a transform and of a sequence, and the read-outs."""
     units, view = units_of(state), state[PoseView]
     chooser = Chooser(gui, post)
     matrix = MatrixView(gui, post)

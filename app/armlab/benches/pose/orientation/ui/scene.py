@@ -1,4 +1,4 @@
-"""The rotation that is looked at as one turn: its axis at the moved frame, and its angle."""
+"""The chosen rotation as one turn: its axis at the moved frame, and its angle."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from armlab.ui.scene._marks import Marks, Sketch, Triad, across, arc
 from armlab.ui.units import Units, units_of
 
 LENGTH, RADIUS = 0.22, 0.085
-"""Of the axis, and of the arc of the angle, in sizes of the arm."""
+"""Length of the axis, and radius of the arc of the angle, in sizes of the arm."""
 
 LEAST = 1e-6
-"""Radians; a smaller turn has no axis."""
+"""Least angle of a turn with an axis, radians."""
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Follow the arm with the moved frame and the axis of its turn."""
+    """Draw the moved frame and the axis of its turn, which follow the arm."""
     frame, sketch = Triad(canvas, "turn_frame"), Sketch(canvas, "turn")
 
     def draw(state: State, q: NDArray[np.float64]) -> None:

@@ -1,1 +1,1 @@
-"""What is seen of the page Pose: its panel, and its part of the scene."""
+"""The panel of the page Pose, and its part of the scene."""

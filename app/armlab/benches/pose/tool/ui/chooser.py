@@ -1,4 +1,4 @@
-"""The choice of a transform, the same on every page of the Pose bench."""
+"""The choice of a transform, the same on every page of the bench Pose."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from armlab.ui.widgets import Gui
 
 
 class Chooser:
-    """Rows of buttons: the ends of the arm, the running product, the steps, and the inverse of what is chosen."""
+    """Rows of buttons: the ends of the arm, the running product, the steps, and the inverse of the chosen one."""
 
     def __init__(self, gui: Gui, post: Post) -> None:
         self._form = gui.form(post)
 
     def show(self, state: State) -> None:
-        """Mark what is looked at."""
+        """Mark the chosen transform."""
         self._form.show(chooser_markup(self._form, state[PoseView]))
 
 
 def chooser_markup(form: Form, view: PoseView) -> Markup:
-    """Return the rows; the inverse stays chosen while other pairs are."""
+    """Return the rows; the choice of the inverse stays while other pairs are chosen."""
     n = view.n
     ends = ((WORLD, TOOL), ("0", TOOL), (WORLD, "0"), (str(n), TOOL))
 

@@ -13,16 +13,16 @@ from armlab.ui.html import Markup, joined, tag
 from armlab.ui.units import Units
 
 LONGEST = 300
-"""Characters of LaTeX of a formula that is shown whole: about 8 lines of the panel, beyond which nobody reads."""
+"""Largest number of characters of LaTeX of a formula that is shown whole: about 8 lines of the panel."""
 
 DIGITS = 5
-"""Significant digits of numbers in formulas on screen and in LaTeX; Python keeps all of them."""
+"""Number of significant digits in formulas on screen and in LaTeX; Python keeps all of them."""
 
 OFFSET_DIGITS = 3
-"""More than of a moving angle, of offsets of angles: people compute with them."""
+"""Number of digits by which offsets of angles exceed moving angles, because students compute with them."""
 
 MOST_TERMS = 100
-"""Terms of a formula that is printed at all; seven joints of a real arm have a quarter of it."""
+"""Largest number of terms of a formula that is printed; seven joints of a real arm have a quarter of it."""
 
 _VARIABLE = re.compile(r"q_(?:(\d)|\{(\d+)\})")
 _NUMBER = re.compile(r"\d+\.\d+")
@@ -32,7 +32,7 @@ _SHORT = re.compile(r"\b([cs])_(?:(\d)|\{(\d+)\})")
 
 @dataclass(frozen=True)
 class Written:
-    """A formula as it is shown.
+    """A formula in the form in which it is shown.
 
     Attributes
     ----------
@@ -50,7 +50,7 @@ class Written:
 
     @property
     def constant(self) -> bool:
-        """Whether it is a mere number."""
+        """Whether the formula is a mere number."""
         return _CONSTANT.fullmatch(self.latex) is not None
 
 
@@ -72,12 +72,12 @@ def written(arm: Arm, units: Units, latex: str) -> Written:
 
 
 def has_numbers(latex: str) -> bool:
-    """Return whether lengths stand in a formula as numbers: those of the tool have no symbols."""
+    """Return whether a formula has lengths as numbers, as those of the tool, which have no symbols."""
     return _NUMBER.search(latex) is not None
 
 
 def _variable(arm: Arm, joint: int, theta: str) -> str:
-    """Return the LaTeX of a joint variable as in the table; one with an offset has no letter for it there."""
+    """Return the LaTeX of a joint variable as in the table, or q if the table gives it an offset."""
     row = arm.rows[joint - 1]
     if (row.theta if row.revolute else row.d) != 0.0:
         return f"q_{{{joint}}}"
@@ -85,9 +85,9 @@ def _variable(arm: Arm, joint: int, theta: str) -> str:
 
 
 def _terms(latex: str) -> list[tuple[str, str]]:
-    """Return the parts between plus and minus signs, inside parentheses too, each with the sign before it.
+    """Return the parts between plus and minus signs, also inside parentheses, each with the sign before it.
 
-    Each becomes a formula of its own, so that lines can break there. What is in braces or under a function stays whole.
+    Each becomes a formula of its own, so that lines can break there. Parts in braces or under a function stay whole.
     """
     terms: list[tuple[str, str]] = []
     sign, start, whole = "", 0, 0
@@ -111,7 +111,7 @@ def _markup(terms: Iterable[tuple[str, str]]) -> Markup:
 
 
 def short_forms(arm: Arm, units: Units, formulas: Iterable[str]) -> list[str]:
-    """Return what c and s with indices stand for, by examples that occur: one with one index, one with more.
+    """Return the meaning of c and s with indices, by examples that occur: one with one index, one with more.
 
     Angles have different letters where joints have offsets; there is an example for each letter.
     """
@@ -144,7 +144,7 @@ def _letters(arm: Arm, units: Units) -> dict[int, str]:
 
 
 def offset_lines(arm: Arm, units: Units) -> list[str]:
-    """Return theta of the table by the joint variable, of each revolute joint whose theta has a constant part."""
+    """Return theta of the table as a function of the joint variable, for each revolute joint with an offset."""
     theta = units.book.symbols["theta"]
     return [
         f"{subscript(theta, joint)} = {subscript('q', joint)} {MINUS if row.theta < 0.0 else '+'} "

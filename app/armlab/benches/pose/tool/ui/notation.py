@@ -1,4 +1,4 @@
-"""How transforms are written: names with indices, the chain they are a product of, elementary factors with numbers."""
+"""Notation of transforms: names with indices, the chain of factors, elementary factors with numbers."""
 
 from __future__ import annotations
 
@@ -23,19 +23,19 @@ def symbol(reference: str, frame: str) -> str:
 
 
 def short_symbol(reference: str, frame: str) -> Markup:
-    """Return the same for a small button."""
+    """Return the name for a small button."""
     return joined(tag("sup", reference), "T", tag("sub", frame))
 
 
 def in_words(reference: str, frame: str) -> str:
-    """Return what a transform is: tool in the world, frame 3 in frame 0."""
+    """Return a transform in words: tool in the world, frame 3 in frame 0."""
     moved = NAMES.get(frame, f"frame {frame}")
     seen_from = f"the {NAMES[reference]}" if reference in NAMES else f"frame {reference}"
     return f"{moved} in {seen_from}"
 
 
 def title(view: PoseView) -> Inside:
-    """Return the heading of the matrix of the transform that is looked at."""
+    """Return the heading of the matrix of the chosen transform."""
     return (
         mathml(symbol(view.reference, view.frame)),
         " ",
@@ -44,7 +44,7 @@ def title(view: PoseView) -> Inside:
 
 
 def chain(view: PoseView) -> Markup | None:
-    """Return the transform as the product it is computed from, as MathML; None for a constant one."""
+    """Return the transform as the product from which it is computed, as MathML, or None for a constant one."""
     reference, frame = view.outer_pair
     i = step_of(view)
     name = symbol(reference, frame)
@@ -62,7 +62,7 @@ def chain(view: PoseView) -> Markup | None:
 
 
 def link_product(arm: Arm, parameters: dict[str, float], units: Units) -> Markup:
-    """Return A_i as the product of its elementary transforms with the present numbers; it breaks between factors."""
+    """Return A_i as the product of its elementary transforms with the present numbers, which breaks between factors."""
     texts = {
         name: units.angle(value) if name in ("alpha", "theta") else units.length(value)
         for name, value in parameters.items()
@@ -77,5 +77,5 @@ def link_symbols(arm: Arm, i: int, units: Units) -> Markup:
 
 
 def cosine(value: float, angle: float, units: Units) -> str:
-    """Return ``cos 57.3° = 0.540``."""
+    """Return the cosine of an angle as text, ``cos 57.3° = 0.540``."""
     return f"cos {units.angle(angle)} = {value:.3f}".replace("-", MINUS)

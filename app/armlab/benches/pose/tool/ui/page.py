@@ -1,4 +1,4 @@
-"""Transforms as matrices: what is selected in one is a vector in the scene; position in three kinds of coordinates."""
+"""Transforms as matrices: a selection in one is a vector in the scene; position in three kinds of coordinates."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ from armlab.ui.widgets import Gui
 
 COLUMNS = (*AXES, tag("b", "p"))
 ROWS = (*AXES, None)
-"""The columns are the axes and the origin of the moved frame, the rows belong to the axes of the reference."""
+"""Names of the columns, the axes and the origin of the moved frame, and of the rows, the axes of the reference."""
 
 ON_AXIS = 1e-9
-"""Metres from the z axis, or from the origin, below which an angle of the coordinates is not defined."""
+"""Distance from the z axis, or from the origin, below which an angle of the coordinates is not defined, metres."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the choice of a transform, its matrix, and the read-out below."""
+    """Build the choice of a transform, its matrix, and the read-out below."""
     units = units_of(state)
     chooser = Chooser(gui, post)
     matrix = MatrixView(gui, post, MATRIX)
@@ -46,7 +46,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def _product(state: State, units: Units) -> Markup | None:
-    """Return what the transform is a product of; of a single step with its numbers."""
+    """Return the product that gives the transform, for a single step with its numbers."""
     view, joints = state[PoseView], state[Joints]
     i = step_of(view)
     parts = [chain(view)] if i is None else [link_symbols(joints.arm, i, units)]

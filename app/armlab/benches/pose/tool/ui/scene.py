@@ -1,4 +1,4 @@
-"""The two frames of the transform that is looked at, and what is selected in its matrix as vectors."""
+"""The two frames of the chosen transform, and the selection in its matrix as vectors."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from armlab.ui.units import Units, units_of
 
 LENGTH = 0.24
 ARC = 0.13
-"""Of a lit axis, and the radius of the arc between two, in sizes of the arm."""
+"""Length of a highlighted axis, and radius of the arc between two, in sizes of the arm."""
 
 LEAST = 1e-9
-"""Metres; a shorter p has no direction."""
+"""Least length of a p with a direction, metres."""
 
 COLOURS: tuple[Rgb, ...] = tuple(AXES[axis] for axis in "xyz")
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Follow the arm with both frames and the lit vectors."""
+    """Draw both frames and the highlighted vectors, which follow the arm."""
     frame, reference = Triad(canvas, "lit_frame"), Triad(canvas, "lit_reference")
     sketch = Sketch(canvas, "lit")
 
@@ -43,7 +43,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 
 def marks_of(pair: Pair, selected: Selection, size: float, units: Units) -> Marks:
-    """Return what a selected entry, row or column looks like in the world."""
+    """Return the marks in the world of a selected entry, row or column."""
     row, column = selected.row, selected.column
     if not selected.matrix or row == 3:
         return Marks()

@@ -1,4 +1,4 @@
-"""What a selection in the matrix of a transform means, in a sentence."""
+"""The meaning of a selection in the matrix of a transform, in a sentence."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ LAST_ROW = "The last row is 0 0 0 1 in every transform: with it, turning and shi
 
 
 def in_words(view: PoseView, selected: Selection, pair: Pair, units: Units) -> Inside:
-    """Return what the selected entry, row or column is."""
+    """Return the meaning of the selected entry, row or column."""
     row, column = selected.row, selected.column
     here, moved = f"{{{view.reference}}}", f"{{{view.frame}}}"
     if row is None and column is None:

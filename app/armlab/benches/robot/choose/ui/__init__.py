@@ -1,1 +1,1 @@
-"""What is seen of the page Robot: its panel, and its part of the scene."""
+"""The panel of the page Robot, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""Choose an arm: by family, each with a line about it; below, the table of the one in use."""
+"""The choice of an arm, by family, each with a line about it, and the table of the present one."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ BOOKS = {"standard": "standard (Paul, Spong, Siciliano)", "modified": "modified 
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the list of arms and the description of the present one."""
+    """Build the list of arms and the description of the present one."""
     present = state[RobotPart].robot
     shown = present.family
 

@@ -1,1 +1,1 @@
-"""What is seen of the page Film: its panel, and its part of the scene."""
+"""The panel of the page Film, and its part of the scene."""

@@ -37,7 +37,7 @@ from armlab.ui.units import NAMES, Units, units_of
 from armlab.ui.widgets import Gui
 
 DONE = 1e-9
-"""Part of a move that is as good as the whole."""
+"""Rounding of the share of a move below which the move is complete."""
 
 INTRODUCTION = (
     "Each row of the table is four moves of a frame: a turn and a shift along z, a shift and a turn along x. The film "
@@ -48,7 +48,7 @@ SIGNS = {"turn": "↻", "shift": "→"}
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the rows to choose from, the factors and the products; put the film on."""
+    """Build the choice of rows, the factors and the products, and open the film."""
     head, matrices = gui.form(post), gui.html()
     if not state[Timeline].clip:
         post(OpenClip(CLIP.key))
@@ -77,7 +77,7 @@ def _invitation(form: Form) -> Inside:
 
 
 def _head(form: Form, state: State) -> Inside:
-    """Return the rows to choose from, and the formula of the present one."""
+    """Return the choice of rows, and the formula of the present one."""
     joints, place, units = state[Joints], place_of(state), units_of(state)
     names = [str(i + 1) for i in range(joints.arm.n)] + (["E"] if has_tool(joints.arm) else [])
     chips = [
@@ -133,7 +133,7 @@ def _factor(move: Move, letter: str) -> Markup:
 
 
 def _sentence(row: Row, q: float, done: Factors, place: Place, units: Units, state: State) -> Markup:
-    """Return what the present move is, how far it goes, and how far it has gone."""
+    """Return a sentence on the present move, its size, and its progress."""
     move, convention = done.moves[place.move], state[Joints].arm.convention
     letter = symbol(units, move.symbol, place.row, convention)
     turns = move.kind == "turn"
@@ -180,7 +180,7 @@ def _matrices(state: State) -> Inside:
 
 
 def _small_factors(state: State, place: Place) -> Markup | None:
-    """Return the four factors two by two; one that has not begun is the identity, pale."""
+    """Return the four factors two by two; one that has not begun is the identity, in grey."""
     if place.row == state[Joints].arm.n:
         return None
     done, units = state.derived(_done), units_of(state)
@@ -203,7 +203,7 @@ def _small(values: NDArray[np.float64]) -> Markup:
 
 
 def _products(state: State, place: Place) -> Inside:
-    """Return the product of the row so far, and that of all rows so far."""
+    """Return the product of the present row so far, and that of all rows so far."""
     arm, i = state[Joints].arm, place.row
     if i == arm.n:
         over = place.part >= 1.0 - DONE

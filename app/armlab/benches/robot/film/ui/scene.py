@@ -1,4 +1,4 @@
-"""The film of the table in the scene: the frame on its way, and its moves as arcs and arrows in their colours."""
+"""The film of the table in the scene: the moving frame, and its moves as arcs and arrows in their colours."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ from armlab.ui.scene._nodes import put, seen, write
 from armlab.ui.units import Units, units_of
 
 COLOURS: dict[str, Rgb] = {"theta": (155, 112, 250), "d": (236, 78, 170), "a": (126, 160, 30), "alpha": (190, 130, 90)}
-"""Of the moves: violet, pink, olive and brown, because the axes and the joints have taken the others."""
+"""Colours of the moves: violet, pink, olive and brown, because the axes and the joints have the others."""
 
 TOOL_COLOUR: Rgb = (128, 137, 150)
 
 LENGTH = 1.35 * FRAME_LENGTH
-"""Of the arrows of the film's frames, in sizes of the arm."""
+"""Length of the arrows of the film's frames, in sizes of the arm."""
 
 FROM, TO = 0.30, 0.22
-"""Opacity of the frame a row starts from, and of the one it will arrive at."""
+"""Opacity of the frame where a row starts, and of the one where it ends."""
 
 _FROM_Z = np.array([[0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
-"""A place whose z is x of the frame and whose x is its z: turns about x are counted from z."""
+"""Transform that exchanges x and z, so that turns about x are drawn as turns about z, with their zero along z."""
 
 
 def symbol(units: Units, field: str, row: int, convention: Convention) -> str:
@@ -70,7 +70,7 @@ class Film:
         self._drawn: tuple[int, bytes] | None = None
 
     def show(self, state: State, q: NDArray[np.float64]) -> None:
-        """Show the film of a state at a configuration, which during a short move is not yet that of the state."""
+        """Show the film of a state at a configuration, which may differ from that of the state during a short move."""
         on = state[Timeline].clip == CLIP.key
         seen(self._root, on)
         if not on:
@@ -86,7 +86,7 @@ class Film:
             self._show_moves(place, q, units_of(state))
 
     def _begin(self, row: int, q: NDArray[np.float64]) -> None:
-        """Put everything where this row needs it."""
+        """Place all nodes for the start of a row."""
         n = self._arm.n
         ends = 1 if row == n else MOVES
         self._stations = [partial_product(self._arm, q, row, k) for k in range(ends + 1)]
@@ -118,7 +118,7 @@ class Film:
 
 
 def amount(units: Units, move: Move) -> str:
-    """Return how far a move goes, with its unit."""
+    """Return the size of a move, with its unit."""
     return units.angle(move.amount) if move.kind == "turn" else units.length(move.amount)
 
 

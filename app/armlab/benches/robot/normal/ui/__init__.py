@@ -1,1 +1,1 @@
-"""What is seen of the page Common normal: its panel, and its part of the scene."""
+"""The panel of the page Common normal, and its part of the scene."""

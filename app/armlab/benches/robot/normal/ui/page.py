@@ -1,4 +1,4 @@
-"""Two lines to drag, and the common normal that makes a and alpha of the table."""
+"""Two lines to drag, and the common normal that defines a and alpha of the table."""
 
 from __future__ import annotations
 
@@ -33,10 +33,10 @@ from armlab.ui.widgets import Gui
 CASES = {"skew": "Skew", "parallel": "Parallel", "intersecting": "Intersecting", "coincident": "Coincident"}
 OWN = "own"
 ARM = ("arm", "skeleton", "names", "frames", "symbols", "angles", "lengths", "projections", "trace", "swept")
-"""Layers that draw the arm and what belongs to it."""
+"""Layers that draw the arm and its details."""
 
 SAME = 1e-9
-"""m and rad within which the table and the lines agree."""
+"""Difference, m and rad, up to which the table and the lines agree."""
 
 DIRECTION = r"n=z_1\times z_2,\quad x=\pm\frac{n}{|n|}"
 LENGTH = r"a=(p_2-p_1)\cdot x"
@@ -45,13 +45,13 @@ NO_CROSS = {
     "parallel": "x is taken straight across, from the first line to the second.",
     "coincident": "x is any direction perpendicular to the line; here one is chosen.",
 }
-"""How x is found where the cross product is zero."""
+"""Sentences on the direction of x if the cross product is zero."""
 
 FOOT = r"f_1=p_1+\frac{\big((p_2-p_1)\times z_2\big)\cdot n}{|n|^2}\,z_1"
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the cases, the axes of the arm, and the numbers."""
+    """Build the cases, the axes of the arm, and the numbers."""
     units, n = units_of(state), state[Joints].arm.n
     gui.heading("Two lines")
     cases = gui.form(post)
@@ -138,7 +138,7 @@ def _point(point: object, units: Units) -> str:
 
 
 def _table(state: State, units: Units) -> Inside:
-    """Return what the table says of the axes taken, and why it may differ in sign."""
+    """Return the entries of the table for the chosen axes, and why they may differ in sign."""
     entry = table_entry(state)
     if entry is None:
         return None
@@ -155,7 +155,7 @@ def _table(state: State, units: Units) -> Inside:
 
 
 def _agreement(normal: CommonNormal, a: float, alpha: float) -> str:
-    """Return how a and alpha of the table are those of the normal."""
+    """Return a sentence that compares a and alpha of the table with those of the normal."""
     if abs(normal.a - a) < SAME and _turned(normal.alpha - alpha) < SAME:
         return "The same as of the normal."
     free = "the sense of x is free" if normal.kind != "skew" else "a may be negative"
@@ -180,7 +180,7 @@ def _formulas() -> Inside:
 
 
 def _products(lines: Lines) -> Inside:
-    """Return what the formulas are made of, in numbers."""
+    """Return the products in the formulas, in numbers."""
     z1, z2, normal = lines.first.direction, lines.second.direction, lines.normal
     rows = [
         (mathml("z_1\\cdot z_2"), number(float(z1 @ z2), 4)),
@@ -191,7 +191,7 @@ def _products(lines: Lines) -> Inside:
 
 
 def in_the_way(state: State) -> tuple[str, ...]:
-    """Return the layers of the arm while the lines are the student's own, which run through it."""
+    """Return the layers of the arm while the lines belong to the student, because they run through it."""
     return ARM if state[Lines].pair is None else ()
 
 

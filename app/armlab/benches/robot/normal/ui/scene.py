@@ -29,17 +29,18 @@ Array = NDArray[np.float64]
 COLOURS: tuple[Rgb, Rgb] = (BLUE, ORANGE)
 
 HALF, ROD, HEAD = 0.24, (0.0045, 0.0036), 0.013
-"""Half length of a line, radii of the rods and of their heads, in sizes of the arm; of two lines that are the same the
+"""Half length of a line, radii of the rods and of their heads, in sizes of the arm; if both lines are the same the
 second lies inside the first."""
 
 NORMAL, THIN, CORNER, ARC, HANDLE = 0.009, 0.003, 0.025, 0.13, 0.1
-"""Thickness of the normal and of fine lines, side of a right angle, radius of the arc, length of handles, in sizes."""
+"""Thickness of the normal and of fine lines, side of a right angle, radius of the arc, length of handles, in sizes of
+the arm."""
 
 ARC_STEPS, DASHES = 24, 7
 
 
 class TwoLines:
-    """The nodes of both lines and of what joins them; a drag moves them and rebuilds none."""
+    """The nodes of both lines and of their connections; a drag moves them without rebuilding them."""
 
     def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas, self._size, self._dark = canvas, canvas.size, False
@@ -69,7 +70,7 @@ class TwoLines:
         self._name(normal, arc, units)
 
     def _fine_lines(self, lines: Lines, normal: CommonNormal) -> list[Array]:
-        """Return the ends of the fine lines: right angles, what leads to the feet, and the first direction again."""
+        """Return the ends of the fine lines: right angles, dashes to the feet, the first direction at the second."""
         size, x = self._size, normal.normal
         points: list[Array] = []
         for line, foot, along in ((lines.first, normal.foot1, x), (lines.second, normal.foot2, -x)):
@@ -144,7 +145,7 @@ class _Handle:
         self._began: tuple[Array, Array] = (np.eye(3), np.zeros(3))
 
     def show(self, line: Line, mode: str) -> None:
-        """Put the handle on its line; never while a hand holds it."""
+        """Move the handle to its line, unless it is dragged."""
         self._line = line
         if self._held:
             return
@@ -193,7 +194,7 @@ def _draw(handle: viser.LineSegmentsHandle, ends: list[Array]) -> None:
 
 
 def _frame(z: Array) -> Array:
-    """Return a rotation with this z."""
+    """Return a rotation with the given z."""
     other = np.eye(3)[int(np.argmin(np.abs(z)))]
     x = np.cross(other, z)
     x /= np.linalg.norm(x)
@@ -218,7 +219,7 @@ def _dashed(start: Array, end: Array) -> list[Array]:
 
 
 def _arc(normal: CommonNormal, z: Array, radius: float) -> Array:
-    """Return points from the first direction, carried to the second foot, to the second direction; none without one."""
+    """Return points of an arc about the second foot from the first to the second direction; none for parallel lines."""
     if normal.kind in ("parallel", "coincident"):
         return np.zeros((0, 3))
     turns = rotation_from_axis_angle(normal.normal, np.linspace(0.0, normal.alpha, ARC_STEPS + 1))

@@ -1,1 +1,1 @@
-"""What is seen of the page Table: its panel, and its part of the scene."""
+"""The panel of the page Table, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""The table as fields: each cell is typed, the joint type is a toggle, a chosen row has tools and limits."""
+"""The table as fields: each cell is typed, the joint type is a toggle, and a chosen row has tools and limits."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from armlab.ui.tables import cell_text, is_variable, without_symbol
 from armlab.ui.units import NAMES, Units
 
 _PAGE = "dh"
-"""Before the names of all cells, since a page has fields of other panels, too."""
+"""Prefix of the names of all cells, since a page has fields of other panels, too."""
 
 
 class DhEditor:
@@ -149,7 +149,7 @@ def _name(i: int, name: str) -> str:
 
 
 def _shown(row: Row, field: str, units: Units) -> str:
-    """Return the text of a cell; that of the variable is its offset, with a sign."""
+    """Return the text of a cell; that of the joint variable is its offset, with a sign."""
     value: float = getattr(row, field)
     text = cell_text(value, field, units)
     return text if not is_variable(row, field) or text.startswith(MINUS) else f"+{text}"

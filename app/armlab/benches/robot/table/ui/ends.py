@@ -49,7 +49,7 @@ def ends_markup(form: Form, state: State, units: Units) -> list[Markup]:
 
 
 def _typed(state: State, which: str, axis: str, units: Units, text: str) -> Wish:
-    """Return the command that a field asks for; None when it says what is there."""
+    """Return the command of a field, or None if the typed text is the present value."""
     if text == _texts(state, which, units)[axis]:
         return None
     turns = axis in ANGLES
@@ -68,14 +68,14 @@ def _typed(state: State, which: str, axis: str, units: Units, text: str) -> Wish
 
 
 def point_line(state: State, units: Units) -> Markup:
-    """Return where the tool point is in the world."""
+    """Return the place of the tool point in the world."""
     formula = mathml(r"{}^{w}p={}^{w}T_E\,{}^{E}p")
     place = "\u2002".join(units.text(float(value), False) for value in world_point(state))
     return pairs([((formula, f", {units.length_unit}"), place)])
 
 
 def _texts(state: State, which: str, units: Units) -> dict[str, str]:
-    """Return what the fields of the base, the tool or the point show."""
+    """Return the texts of the fields of the base, the tool or the point."""
     if which == "point":
         pose = np.eye(4)
         pose[:3, 3] = state[Point].xyz
@@ -87,7 +87,7 @@ def _texts(state: State, which: str, units: Units) -> dict[str, str]:
 
 
 def _turned(angle: float, units: Units) -> str:
-    """Return an angle of an orientation: half a turn is 180°."""
+    """Return an angle of an orientation, with half a turn as 180°."""
     text = cell_text(angle, "theta", units)
     return text.removeprefix(MINUS) if text == cell_text(-math.pi, "theta", units) else text
 

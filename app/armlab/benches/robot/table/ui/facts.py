@@ -1,4 +1,4 @@
-"""What the table says: how neighbouring axes lie, what that leaves free, and which closed form the arm has."""
+"""Results from the table: relations of neighbouring axes, the freedoms they leave, and the closed form of the arm."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _INDEXED = re.compile(r"\b([a-zO]|α|θ|ϑ)(\d{1,2})\b")
 
 @dataclass(frozen=True)
 class Facts:
-    """What a table says, found once for each."""
+    """Results from a table, computed once for each."""
 
     relations: tuple[AxisRelation, ...]
     ends: tuple[str, str]
@@ -30,12 +30,12 @@ class Facts:
 
 
 def facts_of(arm: Arm) -> Facts:
-    """Return what the table of an arm says."""
+    """Return the results from the table of an arm."""
     return Facts(axis_relations(arm), end_freedoms(arm), structure_of(arm))
 
 
 def axes_section(form: Form, facts: Facts, chosen: int, units: Units, choose: Callable[[int], None]) -> Inside:
-    """Return the chips of frame 0, of each pair of neighbouring axes and of frame n, and the freedom of the chosen.
+    """Return the chips of frame 0, of each pair of neighbouring axes and of frame n, and the freedom at the chosen one.
 
     ``choose`` gets the number of the pressed, which is that of the frame.
     """

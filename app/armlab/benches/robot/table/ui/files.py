@@ -1,4 +1,4 @@
-"""Tables in and out: a robot file saved and loaded, the table copied for papers and spreadsheets, one pasted."""
+"""Files and texts of tables: a robot file saved and loaded, the table copied for papers and spreadsheets, or pasted."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def files_markup(form: Form, robot: Robot, units: Units, save: Callable[[], None
 
 
 def save(gui: Gui, robot: Robot) -> None:
-    """Have the browser save a robot file."""
+    """Let the browser save a robot file."""
     gui.save(f"{file_name(robot.name)}.toml", robot_toml(robot))
 
 
@@ -48,7 +48,7 @@ class PasteBox:
         self.show()
 
     def show(self) -> None:
-        """Show the field with what was typed."""
+        """Show the field with the typed text."""
         form = self._form
         looks = {"rows": "5", "spellcheck": "false", "aria_label": "table", "placeholder": EXAMPLE}
         form.show(
@@ -58,6 +58,6 @@ class PasteBox:
         )
 
     def _keep(self, text: str) -> tuple[Command, ...]:
-        """Keep what was typed; nothing is shown anew, since the button may be pressed at once."""
+        """Keep the typed text; nothing is sent again, since the button may be pressed at once."""
         self._text = text
         return ()

@@ -1,4 +1,4 @@
-"""The live Denavit-Hartenberg table: every number typed, joints added, both conventions, what the axes say, files."""
+"""The live Denavit-Hartenberg table: numbers typed, joints added, both conventions, relations of the axes, files."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ TASK_CHANGED = "What it controlled cannot be said in the axes of the other frame
 
 
 class TablePanel:
-    """What the panel shows; it stays while the table is edited, so that the cursor stays in its cell."""
+    """The panel, which stays while the table is edited so that the cursor stays in its cell."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
         self._gui, self._state, self._units = gui, state, units_of(state)
@@ -48,7 +48,7 @@ class TablePanel:
             self._box = PasteBox(self._pasted)
 
     def show(self, state: State) -> None:
-        """Show a state; what follows from the table is made anew only when that has changed."""
+        """Show a state; results from the table are computed only when that has changed."""
         before, self._state, robot = self._state, state, state[RobotPart].robot
         if robot is not self._robot:  # a mistake was about the table before
             self._table.forgive()
@@ -97,7 +97,7 @@ def step_formula(convention: Convention, units: Units) -> str:
 
 
 def moved_lines(part: RobotPart, units: Units) -> Markup | None:
-    """Return what the change of convention has put into base and tool, where that was the last edit."""
+    """Return what the change of convention has moved into base and tool, if that was the last edit."""
     if part.moved is None:
         return None
     n, base, tool = part.robot.arm.n, part.moved.base, part.moved.tool
@@ -124,7 +124,7 @@ def _moves(link: Link, units: Units) -> Markup:
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the table and what belongs to it."""
+    """Build the table and the parts around it."""
     return TablePanel(gui, state, post).show
 
 

@@ -20,7 +20,7 @@ from armlab.ui.scene.frames import SWITCH as FRAMES
 from armlab.ui.units import units_of
 
 RADIUS, THICKNESS = 0.011, 0.003
-"""Of the point and of the line to it, in sizes of the arm."""
+"""Radius of the point, and thickness of the line to it, in sizes of the arm."""
 
 
 class _Mark:
@@ -61,7 +61,7 @@ class _Mark:
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Draw the marks; the tool's move with its body."""
+    """Draw the marks; those of the tool move with its body."""
     anatomy = canvas.drawn.figure.anatomy
     base = anatomy.arm.base
     at_world = bool(np.array_equal(base, np.eye(4)))
@@ -84,7 +84,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 def _frame(
     canvas: LayerCanvas, name: str, pose: NDArray[np.float64], label: str
 ) -> tuple[viser.GlbHandle, viser.LabelHandle]:
-    """Draw a frame with its label; ``name`` says on which body."""
+    """Draw a frame with its label; ``name`` tells on which body."""
     mark = add_triad(canvas.scene, name, canvas.size)
     put(mark, pose)
     corner = 0.35 * FRAME_LENGTH * canvas.size * (pose[:3, 0] + pose[:3, 1])

@@ -1,1 +1,1 @@
-"""What is seen of the page Trainer: its panel, and its part of the scene."""
+"""The panel of the page Trainer, and its part of the scene."""

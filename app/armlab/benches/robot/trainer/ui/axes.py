@@ -16,7 +16,7 @@ from armlab.ui.units import Units
 
 
 def axes_stage(form: Form, trainer: Trainer, units: Units) -> Inside:
-    """Return all of the stage."""
+    """Return the whole stage."""
     rows = [_row(form, trainer, i) for i in range(trainer.exercise.n + 1)]
     hint = "Mark the frames whose z and x are chosen"
     check = form.button("trainer-check", "Check axes", CheckAxes(), "main", hint)

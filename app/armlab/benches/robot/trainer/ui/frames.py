@@ -1,4 +1,4 @@
-"""Joint axes as dashed lines, and the arrows a person has chosen; all of it moves with the bodies of the arm."""
+"""Joint axes as dashed lines, and the arrows that the student has chosen, which move with the bodies of the arm."""
 
 from __future__ import annotations
 
@@ -23,20 +23,21 @@ from armlab.ui.scene._nodes import add_solid, move, put, seen
 
 DASH, SPACE = 0.03, 0.018
 LINE, BEYOND = 0.0035, 0.13
-"""Of the dashed lines: dash, space, thickness, and how far they go beyond what lies on them, in sizes of the arm."""
+"""Length of a dash and of a space, thickness of the dashed lines, and their length beyond the points on them, in sizes
+of the arm."""
 
 ARROW, SHRINK = 0.14, 0.8
-"""Length of an arrow in sizes of the arm, and of each further one in the same place."""
+"""Length of an arrow in sizes of the arm, and the ratio by which each further one in the same place is shorter."""
 
 BALL = 0.013
 NEAR = 1e-6
-"""Radius of an origin, and how near two origins or lines are one, in sizes of the arm."""
+"""Radius of an origin, and distance up to which two origins or lines are one, in sizes of the arm."""
 
 Vector = NDArray[np.float64]
 
 
 class PlacedFrames:
-    """What is drawn of one exercise.
+    """The drawing of one exercise.
 
     Parameters
     ----------
@@ -56,7 +57,7 @@ class PlacedFrames:
         self._shown: Trainer | None = None
 
     def show(self, trainer: Trainer, dark: bool) -> None:
-        """Show the choices of a person, in one of the two themes."""
+        """Show the student's choices, in one of the two themes."""
         if dark != self._dark:
             self._dark = dark
             for line in self._lines:
@@ -82,7 +83,7 @@ class PlacedFrames:
         return root
 
     def _draw_axis(self, joints: list[int]) -> viser.LineSegmentsHandle:
-        """Draw the common line of the axes of joints (0-based), on the body the first of them turns on."""
+        """Draw the common line of the axes of joints (0-based), on the body that the first of them turns on."""
         first, exercise = joints[0], self._exercise
         z = exercise.own_frames[first, :3, 2]
         through = [place for j in joints for place in _on_axis(exercise, j)]
@@ -116,7 +117,7 @@ class PlacedFrames:
         )
 
     def _label(self, i: int) -> viser.LabelHandle:
-        """Return the name of the frames whose origins are in the place of that of frame i."""
+        """Return the name of the frames whose origins coincide with that of frame i."""
         origins = self._exercise.origins
         same = [j for j in range(i, len(origins)) if np.linalg.norm(origins[j] - origins[i]) <= NEAR * self._size]
         return self._canvas.scene.add_label(
@@ -135,7 +136,7 @@ class PlacedFrames:
         return handle
 
     def _turn_on(self, i: int, axis: str) -> Callable[[object], None]:
-        """Return what a click on an arrow does: it takes the next direction."""
+        """Return the callback for a click on an arrow, which chooses the next direction."""
 
         def turn(_: object) -> None:
             trainer = self._shown
@@ -162,7 +163,7 @@ def _unit_arrow() -> Solid:
 
 
 def _on_axis(exercise: Exercise, j: int) -> list[Vector]:
-    """Return points on the axis of joint j+1 that its line must pass: the origin, and where the arm itself is."""
+    """Return points that the line of the axis of joint j+1 must pass through: the origin, and points of the arm."""
     z, own = exercise.own_frames[j, :3, 2], exercise.own_frames
     places = [exercise.origins[j], own[j, :3, 3]]
     # The body after the joint begins where its link leaves the axis.
@@ -171,7 +172,7 @@ def _on_axis(exercise: Exercise, j: int) -> list[Vector]:
 
 
 def _lines(exercise: Exercise, size: float) -> list[list[int]]:
-    """Return the joints, 0-based, those whose axes are one line in the pose of the exercise together."""
+    """Return the joints, 0-based, in groups whose axes are one line in the pose of the exercise."""
     lines: list[list[int]] = []
     for j in range(exercise.n):
         z, place = exercise.own_frames[j, :3, 2], exercise.own_frames[j, :3, 3]
@@ -187,7 +188,7 @@ def _lines(exercise: Exercise, size: float) -> list[list[int]]:
 
 
 def _ranks(origins: Vector, size: float) -> list[int]:
-    """Return how many frames before have their origin in the same place."""
+    """Return for each frame how many frames before it have their origin in the same place."""
     return [
         sum(bool(np.linalg.norm(origins[j] - origins[i]) <= NEAR * size) for j in range(i)) for i in range(len(origins))
     ]

@@ -1,4 +1,4 @@
-"""The arm of the person's table as thick translucent sticks, as far as its rows are filled."""
+"""The arm of the student's table as thick translucent sticks, as far as its rows are filled."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ THICK, BALL = 0.017, 0.026
 
 OPACITY = 0.32
 LEAST = 1e-6
-"""Length of a stick, in sizes of the arm, below which it is not drawn."""
+"""Opacity of the sticks, and length of a stick, in sizes of the arm, below which it is not drawn."""
 
 
 class Ghost:
-    """The translucent arm; made with the first complete row."""
+    """The translucent arm, which is made with the first complete row."""
 
     def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas = canvas
@@ -39,7 +39,7 @@ class Ghost:
         canvas.on_pose(self._place)
 
     def show(self, trainer: Trainer) -> None:
-        """Show the arm of a person's table."""
+        """Show the arm of the student's table."""
         arm = trainer.student_arm
         if arm is self._arm:
             return
@@ -70,7 +70,7 @@ class Ghost:
                 handle.color = GREEN if done else VERMILLION
 
     def _place(self, q: NDArray[np.float64]) -> None:
-        """Put the sticks where the configuration of the arm puts them."""
+        """Place the sticks for a configuration of the arm."""
         if not self._balls:
             return
         corners = np.empty((0, 3))

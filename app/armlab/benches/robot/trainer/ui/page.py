@@ -1,4 +1,4 @@
-"""The assignment trainer: an arm without frames; a person places the axes and fills the table, and is marked."""
+"""The assignment trainer: an arm without frames; the student places the axes and fills the table, and is marked."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ SIZES = (("Up to 3 joints", 1, 3), ("4 and 5 joints", 4, 5), ("6 joints", 6, 6),
 
 
 class TrainerPanel:
-    """What the panel shows."""
+    """The panel of the trainer."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
         self._state, self._units, self._camera = state, units_of(state), gui.camera
@@ -117,7 +117,7 @@ def _chip(form: Form, robot: Robot) -> Markup:
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the page."""
+    """Build the page."""
     return TrainerPanel(gui, state, post).show
 
 

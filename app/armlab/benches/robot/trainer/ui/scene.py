@@ -1,4 +1,4 @@
-"""The assignment trainer in the scene: joint axes, the frames a person places, and the arm of the table over it."""
+"""The assignment trainer in the scene: joint axes, the frames of the student, and the arm of the student's table."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 
 def _add_world(canvas: LayerCanvas) -> None:
-    """Draw the axes of the world, which directions are chosen from, beside the foot of the arm."""
+    """Draw the axes of the world, from which directions are chosen, beside the foot of the arm."""
     root, length = canvas.drawn.figure.anatomy.root, WORLD * canvas.size
     at = root[:3, 3] + np.array([-BESIDE * canvas.size, -BESIDE * canvas.size, 0.0])
     canvas.scene.add_glb(

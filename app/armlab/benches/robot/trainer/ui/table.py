@@ -26,7 +26,7 @@ WHICH = "press the head of a row or column to choose the cell"
 
 
 class TableStage:
-    """The table of one panel, and which of its cells is asked about.
+    """The table of the panel, and the cell that is explained.
 
     Parameters
     ----------
@@ -62,13 +62,13 @@ class TableStage:
         self._foot.show(self._about(trainer))
 
     def hide(self) -> None:
-        """Show nothing."""
+        """Hide the stage."""
         self._frame, self._on_page = Markup(), {}
         for form in (self._form, self._check, self._foot):
             form.show()
 
     def _show_table(self, trainer: Trainer) -> None:
-        """Show the table unless the page shows it already: a person may be typing in its next cell."""
+        """Show the table unless the page shows it already, because the student may be typing in its next cell."""
         texts = {
             f"{i + 1}-{field}": self._text(cells[FIELDS.index(field)], field)
             for i, cells in enumerate(trainer.answers.cells)
@@ -102,7 +102,7 @@ class TableStage:
         )
 
     def _turn_to_wrong(self, trainer: Trainer) -> None:
-        """Ask about the first wrong cell, unless the one asked about is wrong."""
+        """Explain the first wrong cell, unless the explained one is wrong."""
         wrong = [
             (i, field)
             for i, marks in enumerate(trainer.cell_marks)
@@ -115,7 +115,7 @@ class TableStage:
     # -- markup --------------------------------------------------------------------------------------------------
 
     def frames(self, form: Form, trainer: Trainer) -> Inside:
-        """Return the frames the table is about, and what is to be known of them; ``form`` gets the button."""
+        """Return the frames of the table with notes on them; ``form`` gets the button."""
         assert trainer.assignment is not None
         rows = []
         for i, ((z, x), frame) in enumerate(zip(trainer.answers.axes, trainer.assignment.frames, strict=True)):
@@ -172,7 +172,7 @@ class TableStage:
         return self._form.button(f"trainer-ask-{i + 1}-{field}", sign, ask, "sign", verdict.text)
 
     def _about(self, trainer: Trainer) -> Inside:
-        """Return how far it is, and what there is to say about the cell asked about."""
+        """Return the progress, and the explanation of the chosen cell."""
         if trainer.done:
             cells = trainer.exercise.n * len(FIELDS)
             return verdict_box("ok", f"All {cells} cells right", end_line(trainer))

@@ -1,4 +1,4 @@
-"""What the trainer says: the rule of each cell, the pose of the exercise, the end."""
+"""Sentences of the trainer: the rule of each cell, the pose of the exercise, the end."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def rule(trainer: Trainer, i: int, field: str, units: Units) -> str:
 
 
 def told_joint(trainer: Trainer, i: int, units: Units) -> str:
-    """Return the value of joint i in the pose of the exercise, in the sense of the person's own z."""
+    """Return the value of joint i in the pose of the exercise, in the sense of the student's own z."""
     assert trainer.assignment is not None
     revolute = trainer.exercise.robot.arm.rows[i].revolute
     value = float(trainer.assignment.signs[i] * trainer.exercise.pose[i])
@@ -67,7 +67,7 @@ def pose_line(trainer: Trainer, units: Units) -> str:
 
 
 def reversed_line(trainer: Trainer, units: Units) -> str:
-    """Return which joints count the other way with the person's axes; nothing when none does."""
+    """Return which joints count in the other sense with the student's axes, or nothing if none does."""
     assert trainer.assignment is not None
     turned = trainer.assignment.reversed
     if not turned:
@@ -79,7 +79,7 @@ def reversed_line(trainer: Trainer, units: Units) -> str:
 
 
 def parallel_line(trainer: Trainer) -> str:
-    """Return where origins may be shifted along parallel axes; nothing where all d are zero anyway."""
+    """Return where origins may be shifted along parallel axes, or nothing if all d are zero."""
     rows = (trainer.assignment or trainer.exercise.solved).rows
     runs = [run for run in parallel_runs(rows) if any(rows[i].d != 0.0 for i in run)]
     return " ".join(
@@ -95,7 +95,7 @@ def indexed(text: str) -> str:
 
 
 def end_line(trainer: Trainer) -> str:
-    """Return what the finished exercise took."""
+    """Return in words the number of checks of the finished exercise."""
     answers = trainer.answers
     text = f"{_times(answers.axes_checks, 'check')} of the axes, {answers.table_checks} of the table"
     return text + (f", {_times(answers.shown, 'solution')} shown." if answers.shown else ", no solution shown.")

@@ -1,1 +1,1 @@
-"""What is seen of the page By hand: its panel, and its part of the scene."""
+"""The panel of the page By hand, and its part of the scene."""

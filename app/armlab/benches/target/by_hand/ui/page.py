@@ -1,4 +1,4 @@
-"""The closed form of an arm worked by hand: every line of the derivation, with the present numbers and both signs."""
+"""The closed form of an arm by hand: every line of the derivation, with the present numbers and both signs."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui, Html
 
 DECIMALS = 4
-"""Of numbers without a unit, and of areas."""
+"""Number of decimals of numbers without a unit, and of areas."""
 
 FEW, ACROSS = 2, 4
-"""Values that have room beside the name of a quantity, and in one line."""
+"""Number of values with room beside the name of a quantity, and in one line."""
 
 SIGNS = {2: ("+", "−"), 4: ("+ +", "+ −", "− +", "− −")}
-"""Heads of columns: the signs that were chosen, in the order of the lines."""
+"""Heads of columns: the chosen signs, in the order of the lines."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make a formula for each line, which stays, and its numbers, which follow the target."""
+    """Build a formula for each line, which stays, and its numbers, which follow the target."""
     units, lines = units_of(state), state.derived(derivation)
     words = method_words(state[Joints].arm)
     gui.html(tag("h3", words.title), tag("p", words.why))
@@ -96,7 +96,7 @@ class _Line:
 
 
 def formulas(latex: str) -> list[str]:
-    """Return the lines of a formula, in the LaTeX that can be made MathML."""
+    """Return the lines of a formula, in LaTeX that can be made MathML."""
     inside = latex.replace(r"\operatorname", r"\mathrm")
     for mark in (r"\begin{aligned}", r"\end{aligned}", "&"):
         inside = inside.replace(mark, "")

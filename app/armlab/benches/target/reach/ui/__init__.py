@@ -1,1 +1,1 @@
-"""What is seen of the page Target: its panel, and its part of the scene."""
+"""The panel of the page Target, and its part of the scene."""

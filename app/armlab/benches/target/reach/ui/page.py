@@ -1,4 +1,4 @@
-"""The target: typed, handled, and what the arm makes of it."""
+"""The target: its fields, its handle, and whether the arm reaches it."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from armlab.ui.widgets import Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the fields, the choices and the verdict."""
+    """Build the fields, the choices and the verdict."""
     units, task = units_of(state), state[Joints].arm.task
     gui.heading("Target of the tool")
     form = gui.form(post)

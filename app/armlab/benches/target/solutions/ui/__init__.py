@@ -1,1 +1,1 @@
-"""What is seen of the page Solutions: its panel, and its part of the scene."""
+"""The panel of the page Solutions, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""An arm drawn as translucent bodies: one mesh each, without base, rings or shadows."""
+"""An arm drawn as translucent bodies, one mesh each, without base, rings or shadows."""
 
 from __future__ import annotations
 
@@ -23,14 +23,15 @@ Floats = NDArray[np.float64]
 OPACITY = 0.26
 
 OUTWARDS, FURTHER = 0.05, 0.03
-"""How far ghosts are blown up, in radii of joint 1, and how much more each further one: no two surfaces meet."""
+"""Distance by which a ghost is inflated, in radii of joint 1, and the addition for each further one, so that no
+surfaces coincide."""
 
 SAME = 0.004
-"""Rad or sizes of the arm: a body that is nearer to that of the arm lies on it and is left out."""
+"""Distance, rad or sizes of the arm, below which a body coincides with that of the arm and is left out."""
 
 
 class Bodies:
-    """One arm.
+    """The bodies of one arm.
 
     Parameters
     ----------
@@ -51,7 +52,7 @@ class Bodies:
         self._colour: Rgb | None = None
 
     def show(self, q: Floats, colour: Rgb, arm_q: NDArray[np.floating]) -> None:
-        """Show the arm in a configuration (n,), but for what lies on the arm in its own."""
+        """Show the arm in a configuration (n,), except bodies that coincide with those of the arm itself."""
         if not self._nodes:
             self._make(colour)
         for i, body in enumerate(self._anatomy.bodies):
@@ -71,7 +72,7 @@ class Bodies:
         self._colour = colour
 
     def hide(self) -> None:
-        """Show nothing."""
+        """Hide all bodies."""
         for mesh in self._meshes:
             if mesh is not None:
                 seen(mesh, False)
@@ -101,7 +102,7 @@ class Bodies:
         return mesh
 
     def _apart(self, q: Floats, arm_q: NDArray[np.floating]) -> list[bool]:
-        """Return for each body whether it does not lie on that of the arm.
+        """Return for each body whether its place differs from that of the arm's body.
 
         One without an a may also be turned about its axis, along which it runs.
         """

@@ -1,4 +1,4 @@
-"""Which solutions are drawn how: the chosen one and the nearest as bodies, the others as sticks, none on the arm."""
+"""Drawing of the solutions: the chosen one and the nearest as bodies, the others as sticks, none at the arm itself."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ Drawn = tuple[Found, int, int, tuple[int, ...]]
 
 
 def row_colour(row: Row) -> Rgb:
-    """Return the colour of a solution: its own, which it keeps, or that of its family; grey out of limits."""
+    """Return the colour of a solution: its own, which it keeps, or that of its family; grey if it is out of limits."""
     return joint_colour(row.slot if row.family < 0 else row.family) if row.within else GREY
 
 
 class Ghosts:
-    """All solutions in the scene but the one the arm is at."""
+    """All solutions in the scene except the present one."""
 
     def __init__(self, canvas: LayerCanvas, name: str) -> None:
         self._canvas = canvas
@@ -43,7 +43,7 @@ class Ghosts:
         self._drawn: Drawn | None = None
 
     def show(self, state: State) -> None:
-        """Show what has been found; nothing is sent when that is on screen already."""
+        """Show the results; nothing is sent if they are on screen already."""
         found, q = state[Solutions].found, state[Joints].q
         if found is None or found.question.arm is not self._canvas.drawn.figure.anatomy.arm:
             self.hide()
@@ -70,7 +70,7 @@ class Ghosts:
                 body.hide()
 
     def hide(self) -> None:
-        """Show nothing."""
+        """Hide all ghosts."""
         self._drawn = None
         self._sticks.show(NOTHING, [])
         self._names.show(NOTHING, NOTHING, [])
@@ -94,7 +94,7 @@ def _solid(found: Found, chosen: int, skip: tuple[int, ...], q: np.ndarray) -> l
 
 
 def _drawn_rows(found: Found, here: Row | None, q: np.ndarray) -> list[Row]:
-    """Return the rows that are drawn: all, but of other families than the arm's only the nearest each."""
+    """Return the rows that are drawn: all, but only the nearest one of each family other than the arm's."""
     if here is None or here.family < 0:
         return list(found.rows)
     families = {row.family for row in found.rows} - {here.family}
@@ -103,7 +103,7 @@ def _drawn_rows(found: Found, here: Row | None, q: np.ndarray) -> list[Row]:
 
 
 def drawn_when(wanted: Callable[[State], bool], name: str) -> Callable[[LayerCanvas, State], Show]:
-    """Return the ``build`` of a layer that draws the ghosts while something holds."""
+    """Return the ``build`` function of a layer that draws the ghosts while a state wants them."""
 
     def build(canvas: LayerCanvas, state: State) -> Show:
         ghosts = Ghosts(canvas, name)

@@ -1,4 +1,4 @@
-"""The numbers of the list beside the ghosts, where these bend away from each other."""
+"""The numbers of the list beside the ghosts, at corners that are far apart."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ from armlab.ui.scene._strokes import add_name
 Floats = NDArray[np.float64]
 
 TOGETHER = 0.06
-"""Sizes of the arm: numbers that are nearer than this share a label."""
+"""Distance, in sizes of the arm, below which numbers share a label."""
 
 MOST = 16
-"""Labels; with more ghosts there are none."""
+"""Largest number of labels; with more ghosts there are none."""
 
 
 class Names:
-    """The labels."""
+    """The labels of the ghosts."""
 
     def __init__(self, canvas: LayerCanvas, path: str) -> None:
         self._canvas, self._path = canvas, path
         self._labels: list[viser.LabelHandle] = []
 
     def show(self, corners: Floats, arm: Floats, places: Sequence[int]) -> None:
-        """Show the places in the list, from 1, of ghosts with corners (k, c, 3), beside an arm with its (c, 3)."""
+        """Show the numbers in the list, from 1, of ghosts with corners (k, c, 3), beside an arm with corners (c, 3)."""
         groups: list[tuple[Floats, list[int]]] = []
         if 0 < len(corners) <= MOST:
             for point, place in zip(bends(corners, arm), places, strict=True):
@@ -52,13 +52,13 @@ class Names:
 
 
 def bends(corners: Floats, arm: Floats) -> Floats:
-    """Return for each of some ways (k, c, 3) the corner that is farthest from that of the arm (c, 3), shape (k, 3)."""
+    """Return the corner of each of k polylines (k, c, 3) that is farthest from that of the arm (c, 3), shape (k, 3)."""
     far = np.linalg.norm(corners - arm, axis=2)
     return np.asarray(corners[np.arange(len(corners)), np.argmax(far, axis=1)])
 
 
 def ranges(numbers: Sequence[int]) -> str:
-    """Return rising numbers in few letters, such as ``"1–3, 5"``."""
+    """Return rising numbers in short, such as ``"1–3, 5"``."""
     runs: list[list[int]] = []
     for number in numbers:
         if runs and number == runs[-1][-1] + 1:

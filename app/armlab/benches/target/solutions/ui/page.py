@@ -1,4 +1,4 @@
-"""All solutions for the target: how many there are, which they are, and the arm goes there."""
+"""All solutions for the target: their number, the list, and buttons that bring the arm there."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Control, Gui, Html
 
 MOST_TURNS = 64
-"""Choices of whole turns that are offered."""
+"""Largest number of whole turns that are offered."""
 
 STEPS = 200
-"""Of the slider along a self-motion."""
+"""Number of steps of the slider along a self-motion."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the sentence, the list, the slider along the self-motion, the proof and the examples."""
+    """Build the sentence, the list, the slider along the self-motion, the proof and the examples."""
     arm, units = state[Joints].arm, units_of(state)
     head = gui.html()
     listing = _Listing(gui, arm, units, post)
@@ -63,7 +63,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def _head(found: Found | None) -> Inside:
-    """Return how many there are, and how that is known."""
+    """Return the number of solutions, and how it is known."""
     if found is None:
         return tag("h3", "All solutions"), tag("p.dim", "Looking for all solutions …")
     solutions = found.solutions
@@ -74,7 +74,7 @@ def _head(found: Found | None) -> Inside:
 
 
 class _Listing:
-    """The list, and the whole turns of the solution the arm is at."""
+    """The list, and the whole turns of the present solution."""
 
     def __init__(self, gui: Gui, arm: Arm, units: Units, post: Post) -> None:
         self._arm, self._units = arm, units
@@ -101,7 +101,7 @@ class _Listing:
         self._form.show(self._choice(families), table, self._turns(state))
 
     def _follow(self, found: Found, present: Row | None, state: State) -> None:
-        """Show the family the arm has come to."""
+        """Show the family of the present configuration."""
         motion = state.derived(motion_of)
         here = present.family if present is not None else -1
         if here < 0 and motion is not None:
@@ -142,7 +142,7 @@ class _Listing:
 
 
 class _MotionSlider:
-    """The slider along the motion that leaves the tool where it is."""
+    """The slider along the motion that leaves the tool still."""
 
     def __init__(self, gui: Gui, post: Post) -> None:
         self._words: Html = gui.html()
@@ -152,7 +152,7 @@ class _MotionSlider:
         self._slider.handle.visible = False
 
     def show(self, state: State) -> None:
-        """Show how far along the arm is, where it can move so."""
+        """Show the place of the arm along its self-motion, if there is one."""
         motion = state.derived(motion_of)
         if self._slider.handle.visible != (motion is not None):
             self._slider.handle.visible = motion is not None
@@ -180,7 +180,7 @@ class _Proof:
         self._units = units
 
     def show(self, state: State) -> None:
-        """Show the button, how far the search is, or what has come of it."""
+        """Show the button, the progress of the search, or its result."""
         found, proof = state[Solutions].found, state.derived(shown_proof)
         if found is None or len(found.question.held) == found.question.arm.n:
             self._form.show()

@@ -1,4 +1,4 @@
-"""All solutions as ghosts while their page is open, when the switch does not show them anyway."""
+"""All solutions as ghosts while their page is open, unless the switch shows them already."""
 
 from __future__ import annotations
 

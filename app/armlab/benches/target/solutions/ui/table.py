@@ -1,4 +1,4 @@
-"""The list of solutions: a line or two each, made to be pressed."""
+"""The list of solutions, each as one or two lines that can be pressed."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from armlab.ui.units import Units
 Values = NDArray[np.float64]
 
 FEW = 2
-"""Joints whose values have room beside a name."""
+"""Number of joint values with room beside a name."""
 
 ACROSS = 7
-"""Values in one line."""
+"""Number of values in one line."""
 
 
 class Table:
-    """Writes the list of one arm.
+    """The list of one arm.
 
     Parameters
     ----------
@@ -94,11 +94,11 @@ class Table:
         return tag(classes("div.sol-row", now=present, off=not present and not row.within), go, see, data_place=place)
 
     def _is_wide(self, named: bool) -> bool:
-        """Return whether the values of a row take the whole width of the panel."""
+        """Return whether the values of a row need the whole width of the panel."""
         return not named and self._arm.n >= ACROSS
 
     def out(self, row: Row) -> str:
-        """Return which joints are out of their limits and by how much."""
+        """Return which joints are out of their limits, and by how much."""
         return ", ".join(
             f"joint {i + 1} by {self._amount(abs(float(row.beyond[i])), self._arm.rows[i].revolute)} "
             f"{'above' if row.beyond[i] > 0.0 else 'below'}"

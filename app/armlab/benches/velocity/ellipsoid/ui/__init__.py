@@ -1,1 +1,1 @@
-"""What is seen of the page Ellipsoid: its panel, and its part of the scene."""
+"""The panel of the page Ellipsoid, and its part of the scene."""

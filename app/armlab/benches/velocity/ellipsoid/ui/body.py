@@ -1,4 +1,4 @@
-"""The nodes of one ellipsoid: a clear body, its principal axes and ellipses, and their lengths."""
+"""The nodes of one ellipsoid: a transparent body, its principal axes and ellipses, and their lengths."""
 
 from __future__ import annotations
 
@@ -22,24 +22,24 @@ LOST = 0.16
 """Half length of the dashed line along which there is no speed, in sizes of the arm."""
 
 LONGEST = 0.45
-"""Longest half axis of forces that is drawn, in sizes of the arm: what is longer, or endless, is drawn so long, with a
-line through it."""
+"""Longest half axis of forces that is drawn, in sizes of the arm; a longer or infinite one has this length, and a line
+through it."""
 
 BEYOND = 0.6
-"""Half length of that line."""
+"""Half length of the line through a half axis that is cut, in sizes of the arm."""
 
 THINNEST = 0.001
-"""Half thickness of a flat body, in sizes of the arm: a scale of 0 has no normals."""
+"""Half thickness of a flat body, in sizes of the arm; a scale of 0 would have no normals."""
 
 WRITTEN = 0.3
-"""How far from the centre its length is written."""
+"""Distance from the centre at which the length of a half axis is written, in sizes of the arm."""
 
 SIDES = 48
 DASHES = 9
 
 
 class Colours(NamedTuple):
-    """Of the body, of its ellipses, and of the lines that say what is special."""
+    """Colours of the body, of its ellipses, and of the lines for special directions."""
 
     body: Rgb
     rims: Rgb
@@ -65,7 +65,7 @@ class Half(NamedTuple):
 
 
 class Body:
-    """One ellipsoid; a change of the pose moves and scales the nodes and rebuilds none.
+    """One ellipsoid; a change of the pose moves and scales the nodes without rebuilding them.
 
     Parameters
     ----------
@@ -114,21 +114,21 @@ class Body:
         self._scale = scene.add_label(f"{path}/scale", "", font_screen_scale=0.8, anchor="top-center")
 
     def visible(self, on: bool) -> None:
-        """Show or hide all of it."""
+        """Show or hide the whole ellipsoid."""
         seen(self._root, on)
 
     def ink(self, dark: bool) -> None:
-        """Draw the axes so that they are seen in this theme."""
+        """Draw the axes in the colour that is visible in the theme."""
         if dark != self._ink:
             self._ink = dark
             self._axes.colors = np.array(INK[dark], dtype=np.uint8)
 
     def say(self, scale: str) -> None:
-        """Write in which scale it is drawn."""
+        """Write the scale of the drawing."""
         write(self._scale, scale)
 
     def place(self, centre: Array, axes: Array, halves: Sequence[Half]) -> None:
-        """Put it there.
+        """Place the ellipsoid.
 
         Parameters
         ----------
@@ -157,19 +157,19 @@ class Body:
                 move(self._scale, -side)
 
     def _side(self, axis: Array, centre: Array) -> float:
-        """Return at which end of an axis its length stands: the upper one; of forces the one away from the arm."""
+        """Return the end of an axis at which its length is written: the upper one, or the one away from the arm."""
         if self._end < 0 and abs(float(axis[2])) < 0.5:
             return 1.0 if float(axis @ (centre - self._origin)) >= 0.0 else -1.0
         return self._end if axis[2] >= -1e-9 else -self._end
 
     def _tip(self, i: int, half: Half, drawn: float) -> float:
-        """Return how far from the centre the length stands."""
+        """Return the distance from the centre at which the length is written."""
         if half.lost:
             return LOST * self._size
         return WRITTEN * self._size if half.length > self._longest else drawn
 
     def _named(self, halves: Sequence[Half]) -> int:
-        """Return the axis at whose other end the scale stands: the longest that ends."""
+        """Return the axis at whose other end the scale is written: the longest one that is not cut."""
         lengths = [half.length if half.text and half.length <= self._longest else -1.0 for half in halves]
         return int(np.argmax(lengths))
 

@@ -1,4 +1,4 @@
-"""What the page of the ellipsoids says of forces."""
+"""Words and numbers of the force ellipsoid on its page."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ NAMES = {"translation": "force", "rotation": "moment"}
 
 
 def force_axes(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
-    """Return the half axes of the force ellipsoid with bars relative to the longest that ends."""
+    """Return the half axes of the force ellipsoid with bars relative to the longest finite one."""
     halves = found.half_forces[: block.m].tolist()
     ends = [half for half in halves if math.isfinite(half)]
     longest = max(ends, default=1.0)
@@ -29,7 +29,7 @@ def force_axes(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
 
 
 def force_verdict(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, str, str]:
-    """Return ``ok``, ``warn`` or ``no``, what the ellipsoid says in a few words, and in a sentence."""
+    """Return ``ok``, ``warn`` or ``no``, the verdict in a few words, and a sentence that explains it."""
     name, word = NAMES[block.key], "along" if block.key == "translation" else "about"
     halves = found.half_forces[: block.m]
     if found.lost:
@@ -44,7 +44,7 @@ def force_verdict(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, st
 
 
 def force_numbers(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
-    """Return 1/w with its formula, and which torques count as 1."""
+    """Return 1/w with its formula, and the torques that count as 1."""
     w = found.force.w
     shown = "∞" if math.isinf(w) else number(w, 3) if w < 1e4 else "over 10⁴"
     unit = volume_unit(block, found.ellipsoid.joint_directions.shape[1])
@@ -61,7 +61,7 @@ def force_numbers(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
 
 
 def torque_words(block: VelocityBlock) -> str:
-    """Return which joint torques count as 1."""
+    """Return in words the joint torques that count as 1."""
     if block.speeds is not None:
         return "Joints slide and turn: each counts by its power at its limit of speed, √(Σ (τᵢ q̇ᵢ,max)²) ≤ 1 W."
     return f"For joint {'torques' if block.arm.revolute.all() else 'forces'} with √(Σ τᵢ²) ≤ 1 " + (

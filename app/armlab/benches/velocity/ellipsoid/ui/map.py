@@ -20,7 +20,7 @@ from armlab.ui.widgets import Gui
 Array = NDArray[np.float64]
 
 SIDE, MARGIN = 150.0, 20.0
-"""Side of a picture and width of its margin, in units of the picture, which are about pixels."""
+"""Side of a picture and width of its margin, in units of the picture (about one pixel)."""
 
 MAP = r"v=J\dot{q}"
 
@@ -57,7 +57,7 @@ class Pictures:
 
 
 def pictures(found: Mapped, block: VelocityBlock) -> Markup:
-    """Return the circle and the ellipse side by side, with what is marked in numbers."""
+    """Return the circle and the ellipse side by side, with the numbers of the marked point."""
     angle = np.linspace(0.0, 2.0 * math.pi, len(found.ellipse))
     circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     usual = block.typical

@@ -1,4 +1,4 @@
-"""The ellipsoids of velocity and force in numbers, the circle they come from, and their curves."""
+"""The ellipsoids of velocity and force in numbers, the circle that is mapped to them, and their curves."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ SHOWN: dict[str, str] = dict(zip(KINDS, ("Velocity", "Force", "Both"), strict=Tr
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the numbers of the ellipsoids, the circle, and the curves."""
+    """Build the numbers of the ellipsoids, the circle, and the curves."""
     arm, units, part = state[Joints].arm, units_of(state), state[Manipulability]
     choice = None
     if len(blocks_of(arm)) > 1:
@@ -97,7 +97,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def _axes(part: Manipulability, found: PlacedEllipsoid) -> Inside:
-    """Return the half axes of what is shown."""
+    """Return the half axes of the ellipsoids that are shown."""
     velocities = _speeds(part.block, found) if part.velocity else None
     return velocities, force_axes(part.block, found) if part.force else None
 
@@ -115,7 +115,7 @@ def _speeds(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
 
 
 def _cards(part: Manipulability, found: PlacedEllipsoid) -> Inside:
-    """Return the verdicts on what is shown."""
+    """Return the verdicts on the ellipsoids that are shown."""
     verdicts = [verdict_of(part.block, found)] if part.velocity else []
     if part.force:
         verdicts.append(force_verdict(part.block, found))
@@ -123,7 +123,7 @@ def _cards(part: Manipulability, found: PlacedEllipsoid) -> Inside:
 
 
 def _numbers(part: Manipulability, found: PlacedEllipsoid, units: Units) -> Inside:
-    """Return the measures of what is shown."""
+    """Return the measures of the ellipsoids that are shown."""
     velocities = _measures(part.block, found, units) if part.velocity else None
     return velocities, force_numbers(part.block, found) if part.force else None
 

@@ -1,4 +1,4 @@
-"""Plots of the page of the ellipsoids: over the range of a joint, over the distance of a 2R, along a motion."""
+"""Plots of the page of the ellipsoids: over the range of a joint, over the distance of a 2R arm, along a motion."""
 
 from __future__ import annotations
 
@@ -41,14 +41,14 @@ from armlab.ui.widgets import Gui
 Array = NDArray[np.float64]
 
 REST = 0.3
-"""Seconds without a motion of the other joints after which the curves are drawn again."""
+"""Time without a motion of the other joints after which the curves are drawn again, seconds."""
 
 HEIGHT = 104
 SMALLEST, INVERSE = r"\sigma_{min}", r"\sigma_{min}/\sigma_1"
 
 
 class Sweeping:
-    """The choice of a joint, the button, and the plots over its range."""
+    """The choice of a joint, the button, and the plots over the range of the joint."""
 
     def __init__(self, gui: Gui, state: State, post: Post, units: Units) -> None:
         arm = state[Joints].arm
@@ -84,7 +84,7 @@ class Sweeping:
         self._later: asyncio.TimerHandle | None = None
 
     def show(self, state: State) -> None:
-        """Show where the joint stands, and the curves as soon as the other joints rest."""
+        """Show the value of the joint, and the curves as soon as the other joints rest."""
         joints, joint = state[Joints], state[Sweep].joint
         revolute = bool(joints.arm.revolute[joint])
         factor = self._units.factor(revolute)
@@ -132,7 +132,7 @@ def _title(name: Inside, unit: str) -> Markup:
 
 
 def _singular(found: SingularPlaces, limits: Array, units: Units, joint: int, revolute: bool) -> Markup:
-    """Return where the joint's motion passes a singularity."""
+    """Return in words the joint values at singularities."""
     name, text = units.variable(joint, revolute), units.angle if revolute else units.length
     low, high = (text(float(value)) for value in limits)
     if found.everywhere:
@@ -145,7 +145,7 @@ def _singular(found: SingularPlaces, limits: Array, units: Units, joint: int, re
 
 
 class OverDistances:
-    """w and both half axes of a planar 2R over the distance of its tool from the first axis, as in the notes."""
+    """Plots of w and both half axes of a planar 2R arm over the distance of its tool from the first axis."""
 
     def __init__(self, gui: Gui, found: OverDistance, units: Units) -> None:
         self._units, self._link = units, found.link
@@ -169,7 +169,7 @@ class OverDistances:
         )
 
     def show(self, state: State) -> None:
-        """Show where the tool is."""
+        """Show the present distance of the tool."""
         r = present_distance(state)
         w = float(np.prod(self._link.sigma(r)))
         at = f"Here r = {self._units.length(r)}, w = {number(w, 3)} m². "
@@ -179,7 +179,7 @@ class OverDistances:
 
 
 class Along:
-    """w along the motion that is planned, made when there is one; the cursor follows it while it is on."""
+    """Plots of w along the planned motion, made when there is one, with a cursor while it plays."""
 
     def __init__(self, gui: Gui) -> None:
         self._gui = gui
@@ -187,7 +187,7 @@ class Along:
         self._shown: AlongMotion | None = None
 
     def show(self, state: State) -> None:
-        """Draw the motion when it is another one."""
+        """Draw the motion if it has changed."""
         found = along_motion(state)
         if found is not None and not self._plots:
             self._plots = self._made(state)
@@ -212,7 +212,7 @@ class Along:
 
 
 def over_distances(gui: Gui, state: State, units: Units) -> OverDistances | None:
-    """Return the plots of a planar 2R; None for other arms."""
+    """Return the plots of a planar 2R arm, or None for other arms."""
     found = over_distance(state[Joints].arm)
     wanted = found is not None and state[Manipulability].block.key == "translation"
     return OverDistances(gui, found, units) if wanted and found is not None else None

@@ -1,4 +1,4 @@
-"""The ellipsoids of velocity and of force at the tool, in scales of their own."""
+"""The ellipsoids of velocity and of force at the tool, each in its own scale."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ NOTHING: dict[Block, str] = {"translation": "0: no speed this way", "rotation": 
 ENDLESS: dict[Block, str] = {"translation": "∞: any force, no torque", "rotation": "∞: any moment, no torque"}
 BOTH: dict[Block, str] = {"translation": "0: no speed, any force", "rotation": "0: no turning, any moment"}
 MOST = 1e4
-"""Multiple of a usual half axis beyond which its number would say nothing."""
+"""Multiple of a usual half axis beyond which the number is not written."""
 
 
 class Picture:
-    """Both ellipsoids; the one of force is made when it is first wanted."""
+    """Both ellipsoids; the one of forces is made when it is first shown."""
 
     def __init__(self, canvas: LayerCanvas, name: str) -> None:
         self._canvas, self._name = canvas, name
@@ -38,7 +38,7 @@ class Picture:
         self._on = True
 
     def show(self, state: State, on: bool = True) -> None:
-        """Show or hide it, of the block that is looked at."""
+        """Show or hide the ellipsoids of the chosen block."""
         part = state[Manipulability]
         self._on = on
         if on and part.force and self._force is None:
@@ -59,7 +59,7 @@ class Picture:
         self.place(self._canvas.shown_pose)
 
     def place(self, q: Array) -> None:
-        """Follow a shown configuration."""
+        """Move the ellipsoids to a shown configuration."""
         part = self._part
         if not self._on or part is None:
             return
@@ -73,7 +73,7 @@ class Picture:
 
 
 def speed_half(block: VelocityBlock, found: PlacedEllipsoid, i: int, both: bool = False) -> Half:
-    """Return half axis i of the velocity ellipsoid as it is drawn; of ``both`` only the longer one has a name."""
+    """Return half axis i of the velocity ellipsoid for drawing; if ``both`` are shown only the longer one is named."""
     if i >= block.m:
         return Half(0.0, "")
     lost = i in found.lost
@@ -84,7 +84,7 @@ def speed_half(block: VelocityBlock, found: PlacedEllipsoid, i: int, both: bool 
 
 
 def force_half(block: VelocityBlock, found: PlacedEllipsoid, i: int, both: bool = False) -> Half:
-    """Return half axis i of the force ellipsoid as it is drawn; of ``both`` only the longer one has a name.
+    """Return half axis i of the force ellipsoid for drawing; if ``both`` are shown only the longer one is named.
 
     Where it is endless, the velocity ellipsoid names it: it has no speed there.
     """
@@ -98,12 +98,12 @@ def force_half(block: VelocityBlock, found: PlacedEllipsoid, i: int, both: bool 
 
 
 def force_longer(block: VelocityBlock, found: PlacedEllipsoid, i: int) -> bool:
-    """Return whether half axis i of the force ellipsoid is drawn longer than that of velocities."""
+    """Return whether half axis i is drawn longer for forces than for velocities."""
     return block.drawn_force * float(found.half_forces[i]) > block.drawn * float(found.sigma[i])
 
 
 def speed(block: VelocityBlock, value: float) -> str:
-    """Return a half axis with its unit, with three digits where the ellipsoid is of its usual size."""
+    """Return a half axis with its unit, with three digits if the ellipsoid has its usual size."""
     return f"{number(value, digits(block.typical))} {block.unit}"
 
 
@@ -122,7 +122,7 @@ def digits(usual: float) -> int:
 
 
 def drawn_when(wanted: Callable[[State], bool], name: str) -> Callable[[LayerCanvas, State], Show]:
-    """Return the ``build`` of a layer that draws the ellipsoids while a state wants them."""
+    """Return the ``build`` function of a layer that draws the ellipsoids while a state wants them."""
 
     def build(canvas: LayerCanvas, state: State) -> Show:
         picture = Picture(canvas, name)

@@ -1,4 +1,4 @@
-"""The velocity ellipsoid while its tab is open, when the switch does not show it anyway."""
+"""The velocity ellipsoid while its tab is open, unless the switch shows it already."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the page of the ellipsoids says of velocities: the verdict, w with its unit and formula, and the scaling."""
+"""Words on the velocity ellipsoid: the verdict, w with its unit and formula, and the scaling."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ POWERS = {1: "", 2: "²", 3: "³"}
 
 
 def verdict_of(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, str, str]:
-    """Return ``ok``, ``warn`` or ``no``, what the ellipsoid says in a few words, and in a sentence."""
+    """Return ``ok``, ``warn`` or ``no``, the verdict in a few words, and a sentence that explains it."""
     along = "along" if block.key == "translation" else "about"
     shape = found.ellipsoid
     measured = shape.joint_directions.shape[1]
@@ -50,7 +50,7 @@ def verdict_of(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, str, 
 
 
 def _every(block: VelocityBlock) -> str:
-    """Return what the shortest half axis is of: the directions that the task controls."""
+    """Return in words the directions that the task controls, to which the shortest half axis belongs."""
     task = block.arm.task
     if block.m == 3:
         return "In every direction" if block.key == "translation" else "About every axis"
@@ -72,13 +72,13 @@ def vector(u: Array) -> str:
 
 
 def half_axis(name: str, direction: str, size: str, share: float) -> Markup:
-    """Return a half axis with a bar, which is as long as its share, in percent, of the longest."""
+    """Return a half axis with a bar; ``share`` is its percentage of the longest."""
     bar = tag("u", style=f"--part:{share:.1f}%")
     return joined(tag("span", name), tag("i", direction), tag("b", size), bar)
 
 
 def name_of_w(block: VelocityBlock) -> Markup:
-    """Return the name of w, with the rows of J that it is of."""
+    """Return the name of w with the rows of J from which it is computed."""
     scaled = "" if block.speeds is None else ", scaled by limits"
     return joined(mathml("w"), f" of {block.key}{scaled}")
 
@@ -95,7 +95,7 @@ def volume(block: VelocityBlock) -> str:
 
 
 def volume_unit(block: VelocityBlock, k: int) -> str:
-    """Return the unit of the product of k half axes; of unscaled joints they are m/s for each rad/s or m/s."""
+    """Return the unit of the product of k half axes; without scaled joints each is in m/s for each rad/s or m/s."""
     if block.speeds is None:
         return f"m{POWERS[k]}" if block.key == "translation" and block.arm.revolute.all() else ""
     length = "m" if block.key == "translation" else "rad"
@@ -103,7 +103,7 @@ def volume_unit(block: VelocityBlock, k: int) -> str:
 
 
 def scaling_words(block: VelocityBlock, units: Units) -> str:
-    """Return which joint speeds count as 1."""
+    """Return in words the joint speeds that count as 1."""
     arm = block.arm
     if block.speeds is None:
         return f"For joint speeds with √(Σ q̇ᵢ²) ≤ 1 {'rad/s' if arm.revolute.all() else 'm/s'}."

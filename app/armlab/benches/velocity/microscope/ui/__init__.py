@@ -1,1 +1,1 @@
-"""What is seen of the page Microscope: its panel, and its part of the scene."""
+"""The panel of the page Microscope, and its part of the scene."""

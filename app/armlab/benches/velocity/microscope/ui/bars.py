@@ -1,4 +1,4 @@
-"""The picture of joint speeds side by side: for each method a bar for each joint, from a common line of zero."""
+"""The joint speeds of all methods side by side: for each method one bar for each joint, from a common zero line."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from armlab.ui.units import Units
 
 WIDTH, HEIGHT = 320, 124
 TOP, BOTTOM = 14, 16
-"""Room for the mark of a bar that is cut, and for the names of the methods."""
+"""Size of the picture, and the room at its top for the mark of a cut bar and at its bottom for the methods' names."""
 
 LARGEST = 2.5
-"""A bar is cut that is longer than so many times the longest of the other methods."""
+"""Length at which a bar is cut, in multiples of the longest of the other methods."""
 
 FILLED = 0.82
-"""Part of its width that a group takes."""
+"""Share of its width that a group of bars fills."""
 
 LEAST = 1e-9
 """Scaled joint speed below which all of them count as zero."""
 
 UNBOUNDED = ("inverse", "pinv")
-"""Methods whose speeds have no bound beside a singularity: they do not choose the scale."""
+"""Methods whose speeds have no bound beside a singularity, and which therefore do not set the scale."""
 
 
 def bars(look: Look, units: Units) -> Markup:
-    """Return the bars as SVG; what is cut ends in a point, and what has no answer says so."""
+    """Return the bars as SVG; a bar that is cut ends in a point, and a method without an answer says so."""
     answers, full = look.answers, scale_of(look.answers)
     middle, half = TOP + (HEIGHT - TOP - BOTTOM) / 2.0, (HEIGHT - TOP - BOTTOM) / 2.0
     shapes = [svg.path("axis", f"M0 {middle}H{WIDTH}")]
@@ -50,7 +50,7 @@ def bars(look: Look, units: Units) -> Markup:
 
 
 def scale_of(answers: tuple[Compared, ...]) -> float:
-    """Return the scaled joint speed that is as long as the picture is high, each way."""
+    """Return the scaled joint speed that fills half the height of the picture."""
     longest = {a.key: float(abs(a.step.qdot).max()) for a in answers if a.step.qdot is not None}
     calm = max((size for key, size in longest.items() if key not in UNBOUNDED), default=0.0)
     most = max(longest.values(), default=0.0)

@@ -40,14 +40,14 @@ AIMS = {
 
 
 SCALED = "1/s, scaled"
-"""Unit of a size in which lengths are divided by the arm's."""
+"""Unit of a size in which lengths are divided by the length scale of the arm."""
 
 AROUND = 0.6
-"""Length of an arrow at the tool that belongs in the picture, in length scales."""
+"""Length of an arrow at the tool that must be inside the picture, in length scales."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make example, places, velocity, verdict, bars, table and damping."""
+    """Build the example, places, velocity, verdict, bars, table and damping."""
     units = units_of(state)
     head, verdict, wish, drawn = gui.form(post), gui.html(), gui.form(post), gui.html()
     methods, damping, values = gui.form(post), gui.form(post), gui.html()
@@ -68,7 +68,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def head_markup(form: Form, state: State, units: Units) -> Markup:
-    """Return examples, and where the arm can be brought."""
+    """Return the examples, and the singularities to which the arm can be brought."""
     arm, part = state[Joints].arm, state[Microscope]
     chooser = examples(form, EXAMPLES, part.example, ChooseMicroscopeExample)
     chips = []
@@ -125,7 +125,7 @@ def _symbol(name: str) -> str:
 
 
 def speed_unit(look: Look) -> str:
-    """Return the unit of a size: m/s, rad/s, or a scaled one where both meet."""
+    """Return the unit of a size: m/s, rad/s, or a scaled one if the task has both."""
     task = look.part.arm.task
     if task.position and task.rotation != "none":
         return SCALED
@@ -155,7 +155,7 @@ def damping_markup(form: Form, look: Look) -> Markup:
 
 
 def _around(state: State) -> Points:
-    """Return the ends of what is drawn at the tool."""
+    """Return the ends of the arrow at the tool."""
     look = state.derived(looked)
     twist = look.twist(look.wish / np.linalg.norm(look.wish))
     size = AROUND * look.part.arm.length_scale

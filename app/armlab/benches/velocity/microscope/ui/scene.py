@@ -1,4 +1,4 @@
-"""The singular directions in the scene: at the joints and at the tool; and the wanted and the reached velocity."""
+"""The singular directions in the scene, at the joints and at the tool, with the wanted and the reached velocity."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from armlab.ui.scene._strokes import add_line, add_name, dashes
 Array = NDArray[np.float64]
 
 LENGTH, FARTHEST = 0.3, 2.0
-"""Length of the wanted velocity, in sizes of the arm; and how many times as long a reached one is drawn at most."""
+"""Length of the wanted velocity in sizes of the arm, and the longest reached velocity in lengths of the wanted one."""
 
 LOST = 0.26
 """Half length of the line along the direction that is lost, in sizes of the arm."""
@@ -33,20 +33,20 @@ DASH, DASHES = 0.0045, 11
 """Thickness, in sizes of the arm, and number of the dashes."""
 
 LEAST = 0.03
-"""Part of a unit vector, or of the wish, below which nothing is drawn."""
+"""Share of a unit vector, or of the wish, below which nothing is drawn."""
 
 TOGETHER = 0.25
-"""Of the length of the wish; where its tip and the reached one are nearer to each other they have one name."""
+"""Distance of the tips of wish and reached velocity, in lengths of the wish, below which they share one name."""
 
 STEPS = 40
-"""Lengths an arc at a joint can have."""
+"""Number of lengths that an arc at a joint can have."""
 
 THICK, THIN = 0.0055, 0.0036
-"""Of arrows of moving and of turning."""
+"""Thickness of the arrows of translation and of rotation, in sizes of the arm."""
 
 
 class _Velocity:
-    """A velocity of the tool: an arrow of moving, and a thin one of turning."""
+    """A velocity of the tool: an arrow of translation, and a thin one of rotation."""
 
     def __init__(self, canvas: LayerCanvas, name: str, colour: Rgb, above: str) -> None:
         scene, path = canvas.scene, canvas.path(f"microscope_{name}")
@@ -59,7 +59,7 @@ class _Velocity:
         ]
 
     def show(self, at: Array, parts: Array, names: Sequence[str]) -> None:
-        """Draw a twist (6,), in parts of the length of the wish, at the tool; an empty name is not written."""
+        """Draw a twist (6,), in multiples of the length of the wish, at the tool; an empty name is not written."""
         for i, (arrow, name) in enumerate(zip(self._arrows, names, strict=True)):
             part = parts[3 * i : 3 * i + 3]
             size = float(np.linalg.norm(part))
@@ -69,7 +69,7 @@ class _Velocity:
 
 
 def names_of(wish: Array, reached: Array) -> tuple[tuple[str, str], tuple[str, str]]:
-    """Return the names of wish and reached, of moving and of turning each; one name for both where they meet.
+    """Return the names of wish and reached velocity, for translation and rotation; one name for both if they meet.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ def names_of(wish: Array, reached: Array) -> tuple[tuple[str, str], tuple[str, s
 
 
 class _Lost:
-    """The direction in which the tool is slowest: a dashed line of moving, or an axis of turning."""
+    """The direction in which the tool is slowest: a dashed line for translation, or an axis for rotation."""
 
     def __init__(self, canvas: LayerCanvas) -> None:
         scene, size = canvas.scene, canvas.size
@@ -121,7 +121,7 @@ class _Lost:
 
 
 class Picture:
-    """Everything the microscope draws; nothing of it is made anew while the arm moves."""
+    """All marks of the microscope, which are moved and never rebuilt while the arm moves."""
 
     def __init__(self, canvas: LayerCanvas, state: State) -> None:
         arm = state[Joints].arm
@@ -132,12 +132,12 @@ class Picture:
         self._lost = _Lost(canvas)
 
     def show(self, state: State) -> None:
-        """Show other wishes and options."""
+        """Show the wish and the options of a state."""
         self._part = state[Microscope]
         self.place(self._canvas.shown_pose)
 
     def place(self, q: Array) -> None:
-        """Follow a shown configuration."""
+        """Move the marks to a shown configuration."""
         part = self._part
         look = look_at(part, q)
         at = np.asarray(part.arm.position(q), dtype=np.float64)
@@ -158,7 +158,7 @@ class Picture:
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Make the marks."""
+    """Build the marks."""
     picture = Picture(canvas, state)
     canvas.on_pose(picture.place)
     return picture.show

@@ -1,4 +1,4 @@
-"""The microscope in words and numbers: how far from singular, which singularity, and what each method does."""
+"""The microscope in words and numbers: the distance from a singularity, its kind, and the answer of each method."""
 
 from __future__ import annotations
 
@@ -36,27 +36,27 @@ POOR = 0.1
 """Inverse condition below which a configuration is called close to a singularity."""
 
 HUGE = 1e5
-"""Numbers from here on are written with a power of ten."""
+"""Least number that is written with a power of ten."""
 
 ROUND = 1e-9
-"""Radians or metres below which a distance counts as zero."""
+"""Distance, radians or metres, below which it counts as zero."""
 
 
 def components(task: Task) -> list[tuple[str, bool]]:
-    """Return the name of each component of a task's velocity, and whether it is a turning."""
+    """Return the name of each component of a task's velocity, and whether it is a rotation."""
     found = [(f"v_{letter}", False) for letter in task.position]
     turns = {"none": [], "phi": ["ω_z"], "approach": ["ω about x_E", "ω about y_E"], "full": ["ω_x", "ω_y", "ω_z"]}
     return found + [(name, True) for name in turns[task.rotation]]
 
 
 def joint_speed(look: Look, j: int, scaled: float, units: Units) -> str:
-    """Return the speed of a joint (0-based) with its unit, of a scaled one."""
+    """Return the speed of a joint (0-based) with its unit, from a scaled one."""
     revolute = bool(look.part.arm.revolute[j])
     return f"{_figure(scaled * float(look.task.joint_units[j]), revolute, units)} {_rate(revolute, units)}"
 
 
 def condition_card(look: Look, near: Near | None, units: Units) -> Markup:
-    """Return how far from singular the configuration is, and which singularity is the nearest."""
+    """Return how near the configuration is to being singular, and the nearest singularity."""
     inverse, sigma = look.inverse_condition, float(look.sigma[-1])
     kind = "no" if look.singular else "warn" if inverse < POOR else "ok"
     head = "Singular" if look.singular else f"Inverse condition {_small(inverse)}"
@@ -79,7 +79,7 @@ def _which(look: Look, near: Near | None, units: Units) -> str:
 
 
 def _looked(look: Look, units: Units) -> str:
-    """Return how far each kind of joint was looked along."""
+    """Return in words how far the search for singularities went for each kind of joint."""
     arm, most = look.part.arm, FAR * look.task.joint_units
     said = [units.angle(float(most[arm.revolute][0]))] if arm.revolute.any() else []
     said += [units.length(float(most[~arm.revolute][0]))] if not arm.revolute.all() else []
@@ -87,7 +87,7 @@ def _looked(look: Look, units: Units) -> str:
 
 
 def sigma_bars(look: Look) -> Markup:
-    """Return the singular values with bars, the directions of the smallest beside it."""
+    """Return the singular values with bars, and the directions of the smallest one."""
     largest = float(look.sigma[0]) or 1.0
     unit = f" {look.task.sigma_unit}" if look.task.sigma_unit else ""
     rows = []
@@ -104,7 +104,7 @@ def sigma_bars(look: Look) -> Markup:
 
 
 def table(look: Look, form: Form, units: Units) -> Markup:
-    """Return what each method does, a row each; the one that is drawn in the scene is marked."""
+    """Return the answers of the methods as a table; the row that is drawn in the scene is marked."""
     arm = look.part.arm
     kinds = [turns for turns in (True, False) if bool(np.any(arm.revolute == turns))]
     heads = tag(
@@ -137,7 +137,7 @@ def _row(look: Look, answer: Compared, kinds: list[bool], form: Form, units: Uni
 
 
 def _fastest(look: Look, speeds: Array, turns: bool, units: Units) -> Markup:
-    """Return the cell of the fastest joint that turns, or slides; marked where a joint is faster than it may be."""
+    """Return the cell of the fastest joint that turns, or slides; it is marked if a joint exceeds its speed limit."""
     arm = look.part.arm
     those = arm.revolute == turns
     text = _figure(float(speeds[those].max(initial=0.0)), turns, units)
@@ -148,7 +148,7 @@ def _fastest(look: Look, speeds: Array, turns: bool, units: Units) -> Markup:
 
 
 def _reached(look: Look, answer: Compared, units: Units) -> str:
-    """Return how fast the tool moves and turns."""
+    """Return how fast the tool translates and rotates."""
     assert answer.reached is not None
     task, natural = look.part.arm.task, look.natural(answer.reached)
     p = len(task.position)
@@ -162,7 +162,7 @@ def _reached(look: Look, answer: Compared, units: Units) -> str:
 
 
 def scales_words(look: Look) -> str:
-    """Return what the singular values and the damping are made of."""
+    """Return in words the scaling of the singular values and of the damping."""
     if not look.task.sigma_unit and look.part.arm.task.rotation != "none" and look.part.arm.task.position:
         return f"Metres and radians meet: lengths are divided by {trimmed(look.task.length, 3)} m, half the reach."
     if look.task.length != 1.0:
@@ -171,7 +171,7 @@ def scales_words(look: Look) -> str:
 
 
 def damping_unit(look: Look, unit: str) -> str:
-    """Return the unit of an option whose unit is that of singular values, or of their squares."""
+    """Return the unit of an option that has the unit of singular values, or of their squares."""
     own = look.task.sigma_unit
     return {"sigma": own, "sigma²": SQUARED[own]}.get(unit, "")
 
@@ -190,5 +190,5 @@ def _percent(part: float) -> str:
 
 
 def _small(value: float) -> str:
-    """Return a number of which the zeros count: with four digits, or with a power of ten."""
+    """Return a number whose zeros are significant: with four digits, or with a power of ten."""
     return number(value, 4) if value >= 1e-3 or value == 0.0 else scientific(value)

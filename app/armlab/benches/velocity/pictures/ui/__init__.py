@@ -1,1 +1,1 @@
-"""What is seen of the page Pictures: its panel, and its part of the scene."""
+"""The panel of the page Pictures, and its part of the scene."""

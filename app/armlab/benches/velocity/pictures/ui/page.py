@@ -1,4 +1,4 @@
-"""Two joints of a plane arm in pictures: two lines, the norm against det J, and the torus of joint values cut open."""
+"""Two joints of a planar arm in pictures: two lines, the norm against det J, and the torus of joint values cut open."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class PicturesPage:
         self._drawn: object = None
 
     def show(self, state: State) -> None:
-        """Show a state; the square is sent only when its singular set is another one."""
+        """Show a state; the square is sent only when its singular set has changed."""
         self._head.show(head_markup(self._head, state, self._units))
         why = refusal(state)
         for element in (self._lines, self._mark, self._norm):
@@ -76,7 +76,7 @@ def head_markup(form: Form, state: State, units: Units) -> Markup | None:
 
 
 def maps_markup(form: Form, state: State, found: Square, units: Units) -> Markup:
-    """Return the torus, where both joints turn, and the square."""
+    """Return the torus, if both joints turn, and the square."""
     said = "singular everywhere" if found.always else "red: det J = 0"
     press = tag("small", f"{said}; drag in it to move the arm (5.44–5.46)")
     drawn = square_markup(form.place("square", _in_square, drag=True), state, found, units)
@@ -87,7 +87,7 @@ def maps_markup(form: Form, state: State, found: Square, units: Units) -> Markup
 
 
 def _go(across: float, up: float, drag: int) -> StandAt:
-    """Return what moves the arm to a place in the square, in parts of it from the lower left corner."""
+    """Return the command that moves the arm to a place in the square, in parts of its sides from the lower left."""
     return DragTo(across, up, drag) if drag else StandAt(across, up)
 
 
@@ -96,7 +96,7 @@ def _in_square(x: float, y: float, drag: int) -> StandAt:
 
 
 def _on_torus(x: float, y: float, drag: int) -> Wish:
-    """Return what moves the arm to a place on the torus; nothing beside it."""
+    """Return the command that moves the arm to a place on the torus; nothing for a press beside it."""
     angles = pressed(x, y)
     if angles is None:
         return ()
@@ -105,7 +105,7 @@ def _on_torus(x: float, y: float, drag: int) -> Wish:
 
 
 def norm_markup(state: State, units: Units) -> Markup:
-    """Return the curve of the norm with where the arm is on it."""
+    """Return the curve of the norm, with the point of the arm on it."""
     found, curve = flat(state), norm_curve(state)
     sigma = found.answer.spaces.sigma
     ratio = float(sigma[1] / sigma[0]) if sigma[0] > 0.0 else 0.0
@@ -120,7 +120,7 @@ def norm_markup(state: State, units: Units) -> Markup:
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the page."""
+    """Build the page."""
     return PicturesPage(gui, state, post).show
 
 

@@ -1,1 +1,1 @@
-"""What is seen of the page Solve: its panel, and its part of the scene."""
+"""The panel of the page Solve, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""Solve for joint speeds: none, one or infinitely many; the shortest; the four subspaces; singular or not, and why."""
+"""The page for joint speeds: how many there are, the shortest, the four subspaces, and singularity with its reason."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ STEPS = 200
 """Number of steps of the slider along a self-motion."""
 
 REST = 0.4
-"""Seconds without a motion after which the page finds out where on its self-motion the arm is."""
+"""Time without a motion after which the page looks for the self-motion of the arm, seconds."""
 
 ASKED = {"task": "Whole task", "position": "Position alone"}
 
@@ -83,7 +83,7 @@ class SolvePage:
 
 
 def head_markup(form: Form, state: State, solved: Found, units: Units) -> Markup:
-    """Return the choice of an example, what is asked, and the fields of the wanted velocity."""
+    """Return the choices of an example and of the rows, and the fields of the wanted velocity."""
     part = state[Solve]
     chooser, asked = examples(form, EXAMPLES, part.example, ChooseSolveExample), None
     if has_choice(part.arm):
@@ -139,7 +139,7 @@ def spaces_markup(solved: Found) -> Markup:
 
 
 def _scrolled(values: NDArray[np.float64]) -> Markup:
-    """Return a matrix, set closer where it has many columns."""
+    """Return a matrix, set more closely if it has many columns."""
     wide = values.shape[1] > WIDE
     return tag("div.scroll.so-wide" if wide else "div.scroll", matrix(values, 2 if wide else 3))
 
@@ -148,7 +148,7 @@ MADE = {"spaces": spaces_markup, "svd": svd_markup, "penrose": penrose_markup}
 
 
 class _SelfMotion:
-    """The slider and the film of the motion that leaves the tool where it is."""
+    """The slider and the film of the motion that leaves the tool still."""
 
     def __init__(self, gui: Gui, post: Post) -> None:
         self._post = post
@@ -162,7 +162,7 @@ class _SelfMotion:
         self._post(SlideAlong(value / 100.0))
 
     def show(self, state: State, solved: Found) -> None:
-        """Show where on its self-motion the arm is, as soon as it rests."""
+        """Show the place of the arm on its self-motion, as soon as the arm rests."""
         part = part_of(state) if solved.answer.free.shape[1] else None
         on = part is not None
         if self._slider.handle.visible != on:
@@ -174,7 +174,7 @@ class _SelfMotion:
             self._look(state)
 
     def _look(self, state: State) -> None:
-        """Look for the self-motion through the arm when it has been still for a while; once for each place."""
+        """Look for the self-motion through the configuration when the arm has rested a while, once for each place."""
         here = (state[Joints].arm, state[Joints].q.tobytes(), state[Joints].locked, state[Solve].rows)
         if here == self._looked or state[Timeline].playing:
             return
@@ -197,14 +197,14 @@ class _SelfMotion:
 
 
 def around(state: State) -> Points:
-    """Return the ends of the arrow of the wanted velocity, which belong in the picture."""
+    """Return the ends of the arrow of the wanted velocity, which must be inside the picture."""
     solved = state.derived(found)
     tool = np.asarray(solved.arm.position(solved.q), dtype=np.float64)
     return np.array([tool, tool + solved.vectors(solved.v)[0]])
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the page."""
+    """Build the page."""
     return SolvePage(gui, state, post).show
 
 

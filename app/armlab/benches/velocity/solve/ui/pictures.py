@@ -30,16 +30,16 @@ SIDE = 250
 """Side of the square, pixels."""
 
 FARTHEST = 8.0
-"""The two lines are shown to so many times their distance from the origin at most."""
+"""Largest half width of the picture of the two lines, in multiples of their distance from the origin."""
 
 SHORTEST, LONGEST = 3.0, 0.4
-"""Pixels of the shortest arrow in the square, and of the longest in sides of it; it is the way of one second."""
+"""Length of the shortest arrow in the square, pixels, and of the longest in sides of it; an arrow shows one second."""
 
 PARALLEL = 1e-9
 """Sine of the angle between two rows of J below which their lines are parallel."""
 
 HIGHEST = 6.0
-"""The curve of the norm is shown up to so many times its least."""
+"""Height of the curve of the norm, in multiples of its least value."""
 
 
 def nice(value: float) -> float:
@@ -88,7 +88,7 @@ def lines_svg(state: State, found: Flat, units: Units) -> Markup:
 
 
 def _window(found: Flat) -> float:
-    """Return half the height of the picture in joint speeds, a round number so that it seldom changes."""
+    """Return half the height of the picture in joint speeds, rounded so that it seldom changes."""
     sizes = np.linalg.norm(found.J, axis=1)
     far = max((abs(float(v)) / float(s) for v, s in zip(found.v, sizes, strict=True) if s > 1e-12), default=0.0)
     wanted = 1.35 * float(np.abs(found.answer.qdot).max(initial=0.0))
@@ -96,7 +96,7 @@ def _window(found: Flat) -> float:
 
 
 def _ends(row: Array, value: float, half: float) -> Array | None:
-    """Return two points of the line row . qdot = value, far outside of the picture; None where it is no line."""
+    """Return two points of the line row . qdot = value, far outside the picture, or None if the row is zero."""
     size = float(np.linalg.norm(row))
     if size < 1e-12:
         return None
@@ -118,7 +118,7 @@ def _scale_mark(half: float, scale: float, state: State, units: Units) -> Markup
 
 
 def lines_words(state: State, found: Flat, units: Units) -> Markup:
-    """Return both equations, and whether their lines meet or are parallel."""
+    """Return both equations in words, and whether their lines meet or are parallel."""
     arm, pair = state[Joints].arm, state[Solve].pair
     sizes = np.linalg.norm(found.J, axis=1)
     names = [with_indices(f"v_{letter}") for letter in found.letters]
@@ -159,13 +159,13 @@ def _equation(row: Array, value: float, name: Markup, pair: tuple[int, int], arm
 
 
 def at_all(curve: NormCurve, most: float, top: float, height: float) -> tuple[Array, Array]:
-    """Return the pixels of the curve; not a number where it is too high for the picture."""
+    """Return the pixels of the curve, with NaN where it is too high for the picture."""
     low = np.where(curve.norm <= 1.3 * top, curve.norm, np.nan)
     return 0.5 * WIDE + 0.47 * WIDE * curve.determinant / most, height - 14.0 - (height - 22.0) * low / top
 
 
 def _path(x: Array, y: Array) -> str:
-    """Return the commands of a line through points in tenths of pixels, broken where there is none."""
+    """Return the path commands of a line through points in tenths of pixels, broken at NaN."""
     seen = np.isfinite(y)
     begins = seen & ~np.concatenate([[False], seen[:-1]])
     return "".join(
@@ -177,7 +177,7 @@ def _path(x: Array, y: Array) -> str:
 
 
 def norm_svg(curve: NormCurve, here: tuple[float, float], units: Units) -> Markup:
-    """Return the size of the joint speeds over det J; ``here`` is the place of the arm."""
+    """Return the size of the joint speeds over det J; ``here`` is the point of the arm."""
     most = float(np.abs(curve.determinant).max()) or 1.0
     finite = curve.norm[np.isfinite(curve.norm) & (curve.norm > 0.0)]
     top = units.factor(True) * nice(HIGHEST * float(finite.min()) / units.factor(True)) if len(finite) else 1.0
@@ -204,7 +204,7 @@ def norm_svg(curve: NormCurve, here: tuple[float, float], units: Units) -> Marku
 
 
 def square_markup(place: Marks, state: State, found: Square, units: Units) -> Markup:
-    """Return the square of the two joint values with the singular set; `place` of a form makes it be pressed."""
+    """Return the square of the two joint values with the singular set; `place` of a form makes it clickable."""
     arm, pair = state[Joints].arm, state[Solve].pair
     span = found.high - found.low
     pieces = "".join(
@@ -225,7 +225,7 @@ def square_markup(place: Marks, state: State, found: Square, units: Units) -> Ma
 
 
 def marks_style(state: State, found: Square, answer: Flat) -> Markup:
-    """Return where the arm is in the square, and its velocity there, for the style sheet."""
+    """Return the place of the arm in the square and its velocity, as style."""
     pair = list(state[Solve].pair)
     span = found.high - found.low
     q = np.array(state[Joints].q[pair])

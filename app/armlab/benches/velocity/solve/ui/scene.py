@@ -1,4 +1,4 @@
-"""The wanted velocity at the tool, what of it is reached and lost, and the directions that are reached and lost."""
+"""The wanted velocity at the tool, its reached and lost parts, and the directions that are reached and lost."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ from armlab.ui.scene._nodes import add_solid, put, seen
 Array = NDArray[np.float64]
 
 SECOND = 1.0
-"""Arrows of the tool point are the way it would go in so many seconds."""
+"""Time for which an arrow shows the way of the tool point, seconds."""
 
 TURNED = 0.3
 """Length of the arrow of 1 rad/s, in sizes of the arm."""
 
 LEAST = 2e-3
-"""Sizes of the arm; a shorter arrow is not drawn."""
+"""Length of the shortest arrow that is drawn, in sizes of the arm."""
 
 LINE, PLANE, THIN = 0.3, 0.26, 0.002
 """Half length of a line of directions, radius and thickness of a plane of them, in sizes of the arm."""
 
 DASHES = 9
-"""Of half a line."""
+"""Number of dashes of half a line."""
 
 KNOB = 0.07
 """Length of the arrows of the handle, in sizes of the arm."""
@@ -55,12 +55,12 @@ class Picture:
         self._found: Found | None = None
 
     def show(self, state: State) -> None:
-        """Show what is asked of a state."""
+        """Show the wanted velocity of a state."""
         self._state = state
         self.place(self._canvas.shown_pose)
 
     def place(self, q: Array) -> None:
-        """Follow a shown configuration."""
+        """Move the picture to a shown configuration."""
         state = self._state
         if state is None or len(q) != state[Joints].arm.n:
             return
@@ -98,7 +98,7 @@ class Picture:
 
 
 def arrows_of(found: Found, point: Array, size: float) -> Marks:
-    """Return v, and where some of it is lost, what is reached; turning beside moving."""
+    """Return arrows for v, and for its reached part if some of it is lost, for translation and rotation."""
     arrows: list[Segment] = []
     lost = bool(found.answer.lost.any())
     reached = found.vectors(found.answer.reached)
@@ -111,7 +111,7 @@ def arrows_of(found: Found, point: Array, size: float) -> Marks:
 
 
 def lines_of(found: Found, point: Array, size: float) -> Marks:
-    """Return the lost part of v, the lost directions, dashed and red, and the line of what is reached, green."""
+    """Return the lost part of v, the lost directions, dashed and red, and the line of reached directions, green."""
     strokes: list[Segment] = []
     for kind, (wanted, reached) in enumerate(
         zip(found.vectors(found.v), found.vectors(found.answer.reached), strict=True)
@@ -140,18 +140,18 @@ def lost_lines(found: Found) -> list[Array]:
 
 
 def lost_turns(found: Found) -> list[Array]:
-    """Return the axes in the world about which turning is lost."""
+    """Return the axes in the world about which rotation is lost."""
     return [each.direction for each in found.reasons if each.direction is not None and each.turning]
 
 
 def line_of(found: Found) -> Array | None:
-    """Return the only direction in which the tool point moves; None where there are more, or none."""
+    """Return the only direction in which the tool point moves, or None if there are more or none."""
     reached = _reached(found)
     return reached[0] if len(reached) == 1 and found.p > 1 else None
 
 
 def plane_of(found: Found) -> Array | None:
-    """Return the normal of the plane of the velocities of the tool point, where it has but these in space."""
+    """Return the normal of the plane of the velocities of the tool point, if they span only a plane in space."""
     reached = _reached(found)
     return np.asarray(np.cross(reached[0], reached[1])) if len(reached) == 2 and found.p == 3 else None
 
@@ -167,7 +167,7 @@ def _orthonormal(columns: Array) -> list[Array]:
 
 
 def dashed(start: Array, end: Array, colour: Rgb) -> list[Segment]:
-    """Return the dashes of a line, always as many."""
+    """Return the dashes of a line, always the same number."""
     marks = np.linspace(0.0, 1.0, 2 * DASHES)
     points = start + marks[:, None] * (end - start)
     return [(points[2 * k], points[2 * k + 1], colour) for k in range(DASHES)]

@@ -1,4 +1,4 @@
-"""The torus of two joint angles as a drawing: what is in front, what is behind, and which angles were pressed."""
+"""The torus of two joint angles as a drawing: its front, its back, and the angles at a pressed place."""
 
 from __future__ import annotations
 
@@ -27,22 +27,23 @@ LARGE, SMALL = 1.0, 0.45
 """Radii: the first angle goes around the large circle, the second around the small one, from the outer edge upwards."""
 
 TILT = math.radians(38.0)
-"""Angle above the plane of the large circle from which it is seen."""
+"""Angle of the view above the plane of the large circle, radians."""
 
 SCALE = 0.5 * (WIDE - 12) / (LARGE + SMALL)
 
 MERIDIANS, PARALLELS, PIECES = 24, 12, 72
-"""Number of circles either way, and of straight pieces of each."""
+"""Number of circles in either direction, and of straight pieces of each."""
 
 NEAR, TOGETHER = 12.0, 4.0
-"""Pixels from a press within which the torus is looked for, and from the nearest within which the front counts."""
+"""Distances in pixels: from a press to the torus at most, and beyond the nearest point within which the front
+counts."""
 
 SHORTEST, LONGEST = 3.0, 90.0
-"""Pixels of the arrow; it is the way of one second."""
+"""Least and largest length of the arrow, pixels; it shows the way of one second."""
 
 
 def projected(q: ArrayLike) -> tuple[Array, NDArray[np.bool_]]:
-    """Return pixels (..., 2) of angles (..., 2), from the upper left corner, and which of them face the eye."""
+    """Return the pixels (..., 2) of angles (..., 2), from the upper left corner, and which of them face the viewer."""
     angles = np.asarray(q, dtype=np.float64)
     around, along = angles[..., 0], angles[..., 1]
     out = LARGE + SMALL * np.cos(along)
@@ -54,13 +55,13 @@ def projected(q: ArrayLike) -> tuple[Array, NDArray[np.bool_]]:
 
 
 def _depth(q: Array) -> Array:
-    """Return how near the eye is to points of the torus, in radii."""
+    """Return the depth of points of the torus towards the viewer, in radii."""
     out = LARGE + SMALL * np.cos(q[..., 1])
     return np.asarray(-out * np.sin(q[..., 0]) * math.cos(TILT) + SMALL * np.sin(q[..., 1]) * math.sin(TILT))
 
 
 def path(lines: Array, front: bool) -> str:
-    """Return the commands of the pieces (k, 2, 2) of lines that are in front, or behind."""
+    """Return the path commands of the pieces (k, 2, 2) of lines that are in front, or behind."""
     ends, seen = projected(lines)
     chosen = ends[np.all(seen, axis=1) if front else ~np.all(seen, axis=1)]
     return "".join(f"M{a:.1f} {b:.1f}L{c:.1f} {d:.1f}" for (a, b), (c, d) in chosen.tolist())
@@ -81,7 +82,7 @@ def _mesh() -> tuple[str, str]:
 
 
 def torus_markup(place: Marks, found: Square) -> Markup:
-    """Return the torus with the singular set; `place` of a form makes it be pressed."""
+    """Return the torus with the singular set; `place` of a form makes it clickable."""
     front, behind = _mesh()
     seen = svg.drawing(
         "",
@@ -97,7 +98,7 @@ def torus_markup(place: Marks, found: Square) -> Markup:
 
 
 def torus_style(state: State, answer: Flat) -> Markup:
-    """Return where the arm is on the torus, and its velocity there, for the style sheet."""
+    """Return the place of the arm on the torus and its velocity, as style."""
     q = np.array(state[Joints].q[list(state[Solve].pair)])
     (x, y), seen = projected(q)
     step = 1e-4 * answer.answer.qdot
@@ -115,7 +116,7 @@ def torus_style(state: State, answer: Flat) -> Markup:
 
 @cache
 def _seen() -> tuple[Array, Array]:
-    """Return angles, close together, that are in front, and where they are drawn, both (N, 2)."""
+    """Return angles on a close grid that are in front, and their pixels, both (N, 2)."""
     steps = np.linspace(-math.pi, math.pi, 2 * PIECES, endpoint=False)
     q = np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1).reshape(-1, 2)
     pixels, seen = projected(q)
@@ -123,7 +124,7 @@ def _seen() -> tuple[Array, Array]:
 
 
 def pressed(x: float, y: float) -> tuple[float, float] | None:
-    """Return the angles of the torus at a place of the drawing; None beside it.
+    """Return the angles of the torus at a place of the drawing, or None beside it.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What the page Solve says: verdict, joint speeds, subspaces and tests of singularity, as markup."""
+"""The page Solve in words: verdict, joint speeds, subspaces and tests of singularity, as markup."""
 
 from __future__ import annotations
 
@@ -23,19 +23,19 @@ NEAR = 0.02
 """Smallest singular value over the largest below which a configuration is called nearly singular."""
 
 MOST_LISTED = 8
-"""Most minors, or null vectors, that are written out."""
+"""Largest number of minors, or null vectors, that are written out."""
 
 OVER = 1.0 + 1e-9
-"""Part of its limit above which a joint speed is marked."""
+"""Ratio to its limit above which a joint speed is marked."""
 
 PENROSE = (r"J J^\# J-J", r"J^\# J J^\#-J^\#", r"(J J^\#)^T-J J^\#", r"(J^\# J)^T-J^\# J")
-"""The four conditions: each of these is 0 for a pseudo-inverse."""
+"""Left sides of the four Penrose conditions, each 0 for a pseudo-inverse."""
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def components(task: Task) -> list[tuple[str, bool]]:
-    """Return for each component its name, and whether it is of turning."""
+    """Return for each component its name, and whether it is a rotation."""
     moving = [(f"v{letter}", False) for letter in task.position]
     turning = {
         "none": [],
@@ -47,7 +47,7 @@ def components(task: Task) -> list[tuple[str, bool]]:
 
 
 def markup_of(name: str) -> Inside:
-    """Return a component's name with its index lowered."""
+    """Return a component's name with its index as a subscript."""
     return (name[0], tag("sub", name[1:])) if name[0] in "vω" else name
 
 
@@ -66,7 +66,7 @@ def dotted(i: int, arm: Arm, units: Units) -> str:
 
 
 def verdict(found: Found, units: Units) -> tuple[str, str, str]:
-    """Return ``ok``, ``warn`` or ``no``, how many answers there are, and why."""
+    """Return ``ok``, ``warn`` or ``no``, the number of answers, and the reason."""
     answer, rank, (m, n) = found.answer, found.spaces.rank, found.J.shape
     if answer.verdict == "none":
         return "no", "No joint speeds give v", _why_none(found, units)
@@ -127,14 +127,14 @@ def _size(found: Found, units: Units) -> str:
 
 
 def _bar(part: float, i: int) -> Markup:
-    """Return a bar from the middle, of a part from -1 to 1."""
+    """Return a bar from the middle for a part from -1 to 1."""
     share = 50.0 * min(max(part, -1.0), 1.0)
     left = 50.0 + min(share, 0.0)
     return tag("u", style=f"--left:{left:.1f}%;--width:{abs(share):.1f}%;--c:{css(joint_colour(i))}")
 
 
 def null_markup(found: Found, units: Units) -> Markup | None:
-    """Return the null space as bars; nothing where there is none."""
+    """Return the null space as bars, or nothing if it is zero."""
     null = found.answer.free
     k = null.shape[1]
     if k == 0:
@@ -159,7 +159,7 @@ def null_markup(found: Found, units: Units) -> Markup | None:
 
 
 def reached_markup(found: Found, units: Units) -> Markup:
-    """Return v, what is reached and what is lost, component by component."""
+    """Return v, its reached part and its lost part, component by component."""
     names = components(found.arm.task)
     answer = found.answer
     rows = []
@@ -228,18 +228,18 @@ def _mixed_joints(found: Found) -> bool:
 
 
 def _value(value: float, found: Found, times: int) -> str:
-    """Return a determinant, to a power, with its unit: that of the first choice of columns, or of rows."""
+    """Return a determinant, to a power, with the unit of the first choice of columns or rows."""
     chosen = tuple(range(1, min(found.J.shape) + 1))
     return f"{small(value)}{_power(times * _metres(found, chosen))}"
 
 
 def _power(power: int) -> str:
-    """Return a power of the metre."""
+    """Return a power of the metre, as text."""
     return "" if power == 0 else " m" if power == 1 else f" m{str(power).translate(SUPERSCRIPTS)}"
 
 
 def _unit_of_sigma(found: Found, times: int = 1) -> str:
-    """Return the unit of a product of so many singular values, of the matrix the rank is taken of."""
+    """Return the unit of a product of several singular values of the matrix whose rank is taken."""
     only_moves = found.p == len(found.J)
     if _mixed_joints(found):
         power = "" if times == 1 else str(times).translate(SUPERSCRIPTS)
@@ -250,7 +250,7 @@ def _unit_of_sigma(found: Found, times: int = 1) -> str:
 
 
 def small(value: float) -> str:
-    """Return a number with four decimals, or a power of ten where that would show nothing."""
+    """Return a number with four decimals, or with a power of ten if it is too small or too large for them."""
     if abs(value) < 1e-12:
         return "0"
     return number(value, 4) if 1e-3 <= abs(value) < 1e4 else scientific(value, 2)
@@ -290,7 +290,7 @@ def _metres(found: Found, chosen: tuple[int, ...]) -> int:
 
 
 def _scaling(found: Found) -> Markup:
-    """Return what the rank and the singular values rest on."""
+    """Return in words the scaling and the tolerance of the rank and the singular values."""
     spaces, arm = found.spaces, found.arm
     said = [f"σ counts as 0 below {scientific(RANK_TOLERANCE, 0)} σ₁."]
     if (spaces.lengths != 1.0).any():
@@ -306,7 +306,7 @@ def _scaling(found: Found) -> Markup:
 
 
 def penrose_markup(found: Found) -> Markup:
-    """Return the residuals of the four conditions, and of the formula of full rank where it holds."""
+    """Return the residuals of the four conditions, and of the formula for full rank if it holds."""
     J, plain = (r"\bar{J}", "J̄") if found.is_scaled else ("J", "J")
     names = [name.replace("J", J) for name in PENROSE]
     differences = list(found.penrose)
@@ -326,6 +326,6 @@ def penrose_markup(found: Found) -> Markup:
 
 
 def legend() -> Markup:
-    """Return what the colours of the arrows mean."""
+    """Return the legend of the arrows' colours."""
     marks = ((BLUE, "wanted v"), (GREEN, "reached"), (VERDICT["no"], "lost"))
     return tag("div.legend", [tag("span", dot(css(colour)), name) for colour, name in marks])

@@ -1,1 +1,1 @@
-"""What is seen of the page Speeds: its panel, and its part of the scene."""
+"""The panel of the page Speeds, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""Velocities as arrows in the world: parts put tip to tail, two points of a link, and what is selected in J."""
+"""Velocities as arrows in the world: parts put tip to tail, two points of a link, and the selection in J."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from armlab.ui.units import Units
 Floats = NDArray[np.float64]
 
 LEAST = 2e-3
-"""Sizes of the arm; a shorter arrow is not drawn."""
+"""Length of the shortest arrow that is drawn, in sizes of the arm."""
 
 UNIT = 0.24
-"""Length of a joint axis that is lit, in sizes of the arm."""
+"""Length of a highlighted joint axis, in sizes of the arm."""
 
 REACHED = 0.45
 """Half length of the line of a joint axis, in sizes of the arm."""
@@ -32,7 +32,7 @@ COLOURS: tuple[Rgb, ...] = tuple(AXES[axis] for axis in "xyz")
 
 @dataclass(frozen=True)
 class Look:
-    """How arrows are drawn: size of the arm, metres for 1 m/s and for 1 rad/s, units, and the colour of plain lines."""
+    """Settings for arrows: size of the arm, metres for 1 m/s and for 1 rad/s, units, and the colour of plain lines."""
 
     size: float
     scales: tuple[float, float]
@@ -41,7 +41,7 @@ class Look:
 
 
 def parts_marks(moving: Moving, look: Look, rows: slice) -> Marks:
-    """Return what each joint gives, tip to tail from the tool on: of v (rows 0 to 2) or of omega (3 to 5)."""
+    """Return the parts of the joints, tip to tail from the tool on: of v (rows 0 to 2) or of omega (3 to 5)."""
     scale = look.scales[0 if rows.start == 0 else 1]
     arrows: list[Segment] = []
     corner = moving.point
@@ -86,7 +86,7 @@ def point_marks(points: TwoPoints, look: Look) -> tuple[Marks, Marks]:
 
 
 def selected_marks(arm: Arm, moving: Moving, selected: Selection, look: Look) -> Marks:
-    """Return what a selected entry, row or column of J looks like in the world."""
+    """Return the marks in the world of a selected entry, row or column of J."""
     row, column = selected.row, selected.column
     if not selected.matrix or (row is None and column is None):
         return Marks()
@@ -100,12 +100,12 @@ def selected_marks(arm: Arm, moving: Moving, selected: Selection, look: Look) ->
 
 
 def unit_scale(arm: Arm) -> float:
-    """Return the metres on screen for the 1 m/s that a joint gives with speed 1."""
+    """Return the metres on screen for 1 m/s of a joint with speed 1."""
     return drawn_scales(arm, (1.0,) * arm.n)[0]
 
 
 def _column(arm: Arm, moving: Moving, j: int, look: Look) -> Marks:
-    """Return the velocity that joint j gives with speed 1, its axis, and the lever from the axis to the tool."""
+    """Return the velocity that joint j causes with speed 1, its axis, and the lever from the axis to the tool."""
     colour, p, origin = joint_colour(j), moving.point, moving.origins[j]
     linear, angular = moving.J[:3, j], moving.J[3:, j]
     arrows: list[Segment] = [(p, p + unit_scale(arm) * linear, colour)]
@@ -121,7 +121,7 @@ def _column(arm: Arm, moving: Moving, j: int, look: Look) -> Marks:
 
 
 def _row(arm: Arm, moving: Moving, i: int, look: Look) -> Marks:
-    """Return at each joint how much of component i it gives with speed 1, along the axis of the component."""
+    """Return at each joint its share of component i with speed 1, along the axis of the component."""
     axis = moving.axes[:, i % 3]
     scale = unit_scale(arm) if i < 3 else UNIT * look.size
     arrows: list[Segment] = []
@@ -157,5 +157,5 @@ def speed_per_unit(value: float, j: int, i: int, arm: Arm, units: Units) -> str:
 
 
 def _long(arrows: list[Segment], look: Look) -> list[Segment]:
-    """Return the arrows that have a length."""
+    """Return the arrows that are long enough to be drawn."""
     return [arrow for arrow in arrows if float(np.linalg.norm(arrow[1] - arrow[0])) > LEAST * look.size]

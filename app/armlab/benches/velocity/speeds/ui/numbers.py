@@ -1,4 +1,4 @@
-"""The numbers of velocities: the sum of what the joints give, two points of a link, acceleration and jerk."""
+"""The numbers of velocities: the sum over the joints, two points of a link, acceleration and jerk."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def columns_of(state: State) -> tuple[Markup, ...]:
 
 
 def sum_markup(state: State) -> Markup:
-    """Return what each joint gives to v and omega, and their sum."""
+    """Return the contributions of the joints to v and omega, and their sum."""
     arm, units, moving = state[Joints].arm, units_of(state), state.derived(moving_of)
     lines = []
     for i in range(arm.n):
@@ -60,7 +60,7 @@ def sum_markup(state: State) -> Markup:
 
 
 def size_markup(state: State) -> Markup:
-    """Return |v| and |omega|, what positions say, and the scale of the arrows."""
+    """Return |v| and |omega|, the velocity measured from positions, and the scale of the arrows."""
     part, units, moving = state[Velocity], units_of(state), state.derived(moving_of)
     v, turning = (float(np.linalg.norm(half)) for half in (moving.twist[:3], moving.twist[3:]))
     measured = float(np.linalg.norm(state.derived(measured_velocity)))
@@ -76,7 +76,7 @@ def size_markup(state: State) -> Markup:
 
 
 def points_markup(form: Form, state: State) -> Markup:
-    """Return the two points of a link, to be typed, and their velocities."""
+    """Return the two points of a link, with fields for them, and their velocities."""
     part, arm, units = state[Velocity], state[Joints].arm, units_of(state)
     links = {str(i): f"link {i}" for i in range(1, arm.n + 1)}
     hint = "Link i moves with joints 1 to i"
@@ -117,13 +117,13 @@ def _coordinate(form: Form, part: Velocity, which: int, k: int, units: Units) ->
 
 
 def _three(vector: Floats, kind: bool | None, units: Units) -> list[Inside]:
-    """Return three numbers and their unit; kind None is a length, else an angular (True) or linear velocity."""
+    """Return three numbers and their unit: a length if kind is None, else an angular (True) or linear velocity."""
     unit = units.length_unit if kind is None else f"{units.unit(kind)}/s"
     return [*(_grey(units.text(float(value), bool(kind))) for value in vector), tag("i", unit)]
 
 
 def higher_markup(state: State) -> Markup:
-    """Return acceleration and jerk of the tool while the joint speeds stay what they are."""
+    """Return acceleration and jerk of the tool while the joint speeds stay constant."""
     units, found = units_of(state), state.derived(higher_of)
     named = ("ṙ = J q̇", found.twist), ("r̈ = J̇ q̇", found.acceleration), ("jerk = J̈ q̇", found.jerk)
     rows = [line(*_six(vector, units), name=name) for name, vector in named]
@@ -139,7 +139,7 @@ FORMULA = r"\ddot{r}=J\ddot{q}+\dot{J}\dot{q},\quad r^{(3)}=Jq^{(3)}+2\dot{J}\dd
 
 
 def _bends(found: ToolMotion, units: Units) -> str:
-    """Return the acceleration along v and across it, in words."""
+    """Return in words the acceleration along v and perpendicular to it."""
     v, a = found.twist[:3], found.acceleration[:3]
     units_text = f"Tool point in {units.length_unit}, turning in {units.angle_unit}, per s, s² and s³; q̈ = 0."
     speed = float(np.linalg.norm(v))
@@ -159,13 +159,13 @@ def _six(twist: Sequence[float] | Floats, units: Units) -> list[Inside]:
 
 
 def _grey(text: str) -> Inside:
-    """Return a number, grey where it is zero on screen."""
+    """Return a number, grey if it is shown as zero."""
     zero = not text.strip("0.")
     return tag("span.zero", "0") if zero else text
 
 
 def matrix_words(state: State, moving: Moving) -> Inside:
-    """Return what there is to know of the columns, while nothing is selected in J."""
+    """Return a note on the columns of J, while nothing is selected in it."""
     arm = state[Joints].arm
     still = [
         str(j + 1)

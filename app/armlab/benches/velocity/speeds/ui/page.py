@@ -1,4 +1,4 @@
-"""Velocities: the speed of each joint, J as vectors, and what they make of the tool and of the links."""
+"""The page for velocities: the speed of each joint, J as vectors, and the resulting motion of tool and links."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ AXES = {"world": "world", "base": "base", "tool": "tool"}
 FRAMES = {"world": "w", "base": "0", "tool": "E"}
 
 MOST_WIDE = 6
-"""Columns of J for whose third decimal there is room."""
+"""Largest number of columns of J with room for a third decimal."""
 
 MARKS = {
     "v": ("v", "What each joint gives to v, tip to tail, their sum, and ω"),
@@ -63,7 +63,7 @@ MARKS = {
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the examples, the sliders, J, the sum and the folded rest."""
+    """Build the examples, the sliders, J, the sum and the folded parts."""
     top = gui.form(post)
     sliders = SpeedSliders(gui, state, post, units_of(state))
     below, axes = gui.form(post), gui.form(post)
@@ -90,7 +90,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def head_markup(form: Form, state: State) -> Markup:
-    """Return the examples, what plays, and what is drawn."""
+    """Return the examples, the button of the film, and the switches for what is drawn."""
     chooser = examples(form, EXAMPLES, state[Velocity].example, ChooseVelocityExample)
     every = form.chip("all", "all", SetAllSpeeds(True), "Each with its usual speed")
     none = form.chip("none", "none", SetAllSpeeds(False), "q̇ = 0")
@@ -103,14 +103,14 @@ def head_markup(form: Form, state: State) -> Markup:
 
 
 def _until(joint: int, seconds: float) -> str:
-    """Return when the drive ends."""
+    """Return in words when the drive ends."""
     if seconds > LONGEST:
         return f"No joint at its limit within {LONGEST:g} s."
     return f"Joint {joint + 1} at its limit in {number(seconds, 1)} s."
 
 
 def below_markup(form: Form, state: State) -> Markup:
-    """Return one joint alone, and what is drawn in the scene."""
+    """Return the choice of one joint alone, and of the marks in the scene."""
     part, arm, units = state[Velocity], state[Joints].arm, units_of(state)
     moving = [i for i, speed in enumerate(part.qdot) if speed]
     alone = [
@@ -149,7 +149,7 @@ def _title(state: State) -> Markup:
 
 
 def folded_markup(key: str, title: str, form: Form, state: State, markup: Callable[[Form, State], Inside]) -> Markup:
-    """Return a part of the page that is folded away until it is asked for."""
+    """Return a part of the page that is folded until the student opens it."""
     open_now = key in state[Velocity].unfolded
     head = form.button(
         f"fold {key} {'off' if open_now else 'on'}",
@@ -162,7 +162,7 @@ def folded_markup(key: str, title: str, form: Form, state: State, markup: Callab
 
 
 def _around(state: State) -> Points:
-    """Return the tips of v and omega, which belong in the picture."""
+    """Return the tips of v and omega, which must be inside the picture."""
     moving, part = state.derived(moving_of), state[Velocity]
     scales = drawn_scales(state[Joints].arm, part.qdot)
     tips = [moving.point + MARGIN * scales[k] * moving.twist[3 * k : 3 * k + 3] for k in range(2)]

@@ -1,4 +1,4 @@
-"""Velocities in the scene: what each joint gives, tip to tail, the sum, two points of a link, and what is selected."""
+"""Velocities in the scene: the parts of the joints tip to tail, their sum, two points of a link, and the selection."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ from armlab.ui.units import units_of
 LINEAR, ANGULAR = slice(0, 3), slice(3, 6)
 
 SKETCHES = {"parts": 0.7, "turns": 0.7, "v": 0.8, "omega": 0.6, "first": 0.65, "second": 0.65, "lit": 0.75}
-"""What is drawn, and how thick."""
+"""Sketches of the scene by key, with their thickness."""
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Follow the arm with the arrows of the chosen speeds, or with what is selected."""
+    """Draw the arrows of the chosen speeds, or of the selection, and follow the arm."""
     sketches = {key: Sketch(canvas, f"velocity/{key}", weight) for key, weight in SKETCHES.items()}
 
     def draw(state: State, q: NDArray[np.float64]) -> None:
@@ -42,7 +42,7 @@ NOTHING = Marks()
 
 
 def marks_of(state: State, q: NDArray[np.float64], size: float) -> dict[str, Marks]:
-    """Return what is drawn at a shown configuration, by the keys of `SKETCHES`."""
+    """Return the marks at a shown configuration, by the keys of `SKETCHES`."""
     part, arm = state[Velocity], state[Joints].arm
     speeds = state.derived(speeds_of)
     look = Look(size, drawn_scales(arm, part.qdot), units_of(state), INK[DARK.on(state)])

@@ -14,7 +14,7 @@ from armlab.ui.units import Units
 from armlab.ui.widgets import Control, Gui
 
 DOT = "\u0307"
-"""The dot over a letter that stands before it."""
+"""Combining dot above the preceding letter."""
 
 
 def dotted(arm: Arm, i: int, units: Units) -> str:
@@ -24,7 +24,7 @@ def dotted(arm: Arm, i: int, units: Units) -> str:
 
 
 class SpeedSliders:
-    """One slider a joint, from its largest speed one way to its largest the other way."""
+    """One slider for each joint, from its largest speed in one direction to that in the other."""
 
     def __init__(self, gui: Gui, state: State, post: Post, units: Units) -> None:
         self._arm, self._units, self._post = state[Joints].arm, units, post
@@ -49,7 +49,7 @@ class SpeedSliders:
         return self._units.value(state[Velocity].qdot[i], bool(self._arm.revolute[i]))
 
     def show(self, state: State) -> None:
-        """Show the speeds; held joints have none."""
+        """Show the speeds; the sliders of held joints are disabled."""
         for i, slider in enumerate(self._sliders):
             slider.show(self._shown(state, i))
             slider.enable(not state[Joints].locked[i])

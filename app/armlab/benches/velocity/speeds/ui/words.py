@@ -1,4 +1,4 @@
-"""What is selected in J, in words."""
+"""The selection in J, in words."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ IN = {"world": "the world", "base": "frame 0", "tool": "the tool"}
 
 
 def in_words(state: State, moving: Moving) -> Markup:
-    """Return a sentence or two on what is selected."""
+    """Return a sentence or two on the selection."""
     arm, units, selected = state[Joints].arm, units_of(state), state[Selection].of(MATRIX)
     row, column = selected.row, selected.column
     said: Inside = None
@@ -36,7 +36,7 @@ def in_words(state: State, moving: Moving) -> Markup:
 
 
 def axis_name(arm: Arm, j: int) -> str:
-    """Return the symbol of the axis of joint j (0-based): z_{j} of the frame before, or of its own if modified."""
+    """Return the symbol of the axis of joint j (0-based): z of the previous frame, or of its own frame if modified."""
     return subscript("z", j if arm.convention == "standard" else j + 1)
 
 

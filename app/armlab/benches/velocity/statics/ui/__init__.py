@@ -1,1 +1,1 @@
-"""What is seen of the page Statics: its panel, and its part of the scene."""
+"""The panel of the page Statics, and its part of the scene."""

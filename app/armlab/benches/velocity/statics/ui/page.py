@@ -1,4 +1,4 @@
-"""Statics: a wrench at the tool, the torques of the joints, virtual work, and what needs no torque."""
+"""The page of statics: a wrench at the tool, the torques of the joints, virtual work, and forces without torque."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ from armlab.ui.widgets import Gui
 
 AXES_TITLES: dict[str, str] = dict(zip(AXES, ("World", "Tool"), strict=True))
 SHOWN = 0.36
-"""Length in reaches of the arm that belongs in the picture for what is drawn in full: an arrow with its handle."""
+"""Length of an arrow drawn in full with its handle, in reaches of the arm, that must be inside the picture."""
 
 PARTS = (("F", "force", "N"), ("M", "moment", "N m"))
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the fields of the wrench, the torques, and what follows."""
+    """Build the fields of the wrench, the torques, and the results below them."""
     head = gui.form(post)
     card, torques, free = gui.html(), gui.html(), gui.html()
     work, duality = gui.form(post), gui.html()
@@ -59,7 +59,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def head_markup(form: Form, part: Statics) -> Markup:
-    """Return the choice of an example, of the axes, and the fields of the wrench."""
+    """Return the choices of an example and of the axes, and the fields of the wrench."""
     chooser = examples(form, EXAMPLES, part.example, ChooseExample)
     hint = "Along which axes the wrench is written; the wrench itself stays"
     axes = [form.chip(key, title, WriteAlong(key), hint, key == part.axes) for key, title in AXES_TITLES.items()]
@@ -95,7 +95,7 @@ def _component(kind: str, axis: int, unit: str, text: str) -> SetComponent:
 
 
 def _around(state: State) -> Points:
-    """Return about where the arrows of force and moment end."""
+    """Return the approximate ends of the arrows of force and moment."""
     part, joints = state[Statics], state[Joints]
     tool = np.asarray(joints.tool_pose)
     wrench, reach = part.wrench(tool), SHOWN * 2.0 * joints.arm.length_scale

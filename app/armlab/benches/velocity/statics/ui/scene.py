@@ -26,17 +26,17 @@ FREE = 0.34
 """Half length of the dashed lines of forces that need no torque, in sizes of the arm."""
 
 FEW = 3
-"""Joints of an arm beside which a torque of zero is written, too: beside more of them it would only be in the way."""
+"""Number of joints up to which a torque of zero is written, too; with more joints it would be in the way."""
 
 SECOND = 0.82
-"""Length of the arrow under that of a moment, which so has two heads."""
+"""Length of the second arrow of a moment, in lengths of the first, which gives it two heads."""
 
 HANDLE = 0.09
 """Length of the handle's arrows, in sizes of the arm."""
 
 
 class _Scene:
-    """The nodes; a drag moves and scales them."""
+    """The nodes of the page, which a drag moves and scales."""
 
     def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas = canvas
@@ -58,12 +58,12 @@ class _Scene:
         self._shown: Statics | None = None
 
     def show(self, state: State) -> None:
-        """Show another wrench."""
+        """Show the wrench of a state."""
         self._shown = state[Statics]
         self.place(self._canvas.shown_pose)
 
     def place(self, q: Array) -> None:
-        """Follow a shown configuration."""
+        """Move the marks to a shown configuration."""
         part = self._shown
         if part is None:
             return
@@ -125,7 +125,7 @@ class _Tip:
         adapter.on_event(self._control, "on_update", self._moved)
 
     def place(self, tip: Array, metres: float, start: Array) -> None:
-        """Put it at the tip, unless a hand holds it; ``metres`` for one newton times `LENGTH`."""
+        """Move the handle to the tip, unless it is dragged; ``metres`` is the length for one newton times `LENGTH`."""
         self._metres, self._from = LENGTH * metres, start
         if not self._held:
             move(self._control, tip)
@@ -150,7 +150,7 @@ def torque_name(i: int, turns: bool, value: float, least: float) -> str:
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Draw wrench, torques and free directions."""
+    """Draw the wrench, the torques and the free directions."""
     scene = _Scene(canvas)
     canvas.on_pose(scene.place)
     return scene.show

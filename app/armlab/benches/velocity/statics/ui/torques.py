@@ -1,4 +1,4 @@
-"""What the joints do, in the scene: arcs about the axes of joints that turn, arrows along those of joints that slide.
+"""The torques and forces of the joints in the scene: arcs about revolute axes, arrows along prismatic ones.
 
 Both hang on the body before, on which the joint stands, so a moving arm takes them along.
 """
@@ -28,23 +28,23 @@ LINE = 0.011
 """Thickness of an arc, in sizes of the arm."""
 
 RADIUS, LEAST_RADIUS = 2.6, 0.05
-"""Of an arc, in tube radii of its joint, and in sizes of the arm at least."""
+"""Radius of an arc in tube radii of its joint, and its least value in sizes of the arm."""
 
 FULL = math.radians(300.0)
-"""Turn that stands for the full torque."""
+"""Angle of the arc of the full torque, radians."""
 
 LENGTH = 0.3
 """Length of the arrow that stands for the full force, in sizes of the arm."""
 
 STEP = math.radians(6.0)
 LEAST = 0.004
-"""Part of the full torque or force below which nothing but the value is drawn."""
+"""Share of the full torque or force below which only the value is drawn."""
 
 LENGTH_DIGITS = 9
-"""Of a length in metres; a smaller change is rounding."""
+"""Number of decimals of a length in metres; a smaller change is rounding."""
 
 SEEN = math.radians(0.3)
-"""Change of an arc that is drawn."""
+"""Smallest change of an arc that is drawn, radians."""
 
 NAME_AT = 1.35
 """Place of the name, in radii of the arc."""
@@ -74,7 +74,7 @@ class Torque:
         self._shown = math.inf
 
     def show(self, part: float, text: str) -> None:
-        """Show a torque as a part of the full one, and its name with its value."""
+        """Show a torque, as a share of the full one, and its name with its value."""
         seen(self._name, bool(text))
         write(self._name, text)
         turn = FULL * min(max(part, -1.0), 1.0)
@@ -118,7 +118,7 @@ class Push:
         self._name = add_name(scene, f"{path}/name", "", (0.0, 0.0, 0.0), "center-left")
 
     def show(self, part: float, text: str) -> None:
-        """Show a force as a part of the full one, and its name with its value."""
+        """Show a force, as a share of the full one, and its name with its value."""
         seen(self._name, bool(text))
         write(self._name, text)
         length = LENGTH * self._size * min(max(part, -1.0), 1.0) if abs(part) > LEAST else 0.0
@@ -127,7 +127,7 @@ class Push:
 
 
 class Arrow:
-    """An arrow from a point, moved, turned and grown without being made anew.
+    """An arrow from a point, which is moved, turned and scaled without being rebuilt.
 
     Its node stands where shaft and head meet, so that an arrow of the same length is moved by one node alone.
 
@@ -156,13 +156,13 @@ class Arrow:
         self._lengths = (0.0, 0.0)
 
     def call(self, name: str) -> None:
-        """Write its name at its tip; an empty one is not seen."""
+        """Write the arrow's name at its tip; an empty one is hidden."""
         if self._name is not None:
             seen(self._name, bool(name))
             write(self._name, name)
 
     def show(self, start: NDArray[np.float64], vector: NDArray[np.float64]) -> None:
-        """Draw it from a point; nothing for the zero vector."""
+        """Draw the arrow from a point; the zero vector is hidden."""
         x, y, z = vector.tolist()
         wanted = (*start.tolist(), x, y, z)
         if wanted == self._shown:

@@ -1,4 +1,4 @@
-"""What the page of statics says: torques as bars, virtual work, what needs no torque, and the four subspaces."""
+"""The page of statics in words: torques as bars, virtual work, forces without torque, and the four subspaces."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ ALONG = 0.9995
 """Component of a unit vector above which it is called an axis of the world."""
 
 SAME_WORK = 1e-9
-"""Difference over the larger work below which both sides are equal but for rounding."""
+"""Difference over the larger work up to which both sides are equal up to rounding."""
 
 MILLI = 1e3
 
@@ -40,7 +40,7 @@ LAW, TOOL_WORK, JOINT_WORK = r"\tau=J^TF", r"F^T(J\,\delta q)", r"\tau^T\delta q
 
 
 def torques_markup(state: State) -> Markup:
-    """Return the torques with bars, relative to the most that the whole wrench can need."""
+    """Return the torques with bars, relative to the largest that the whole wrench can need."""
     found, arm = state.derived(balance), state[Joints].arm
     part = state[Statics]
     full = part.full_torque(arm)
@@ -66,7 +66,7 @@ def _decimals(full: float) -> int:
 
 
 def verdict_markup(state: State) -> Markup:
-    """Return in a card which joint works hardest, or why none works."""
+    """Return a card that says which joint has the largest torque, or why all are zero."""
     return verdict_box(*verdict(state.derived(balance), state[Joints].arm.revolute))
 
 
@@ -116,7 +116,7 @@ def work_markup(form: Form, state: State) -> Markup:
 
 
 def free_markup(state: State) -> Markup:
-    """Return which forces and moments need no torque."""
+    """Return the forces and moments that need no torque."""
     found = state.derived(dualities)
     joints = state[Joints]
     force = _directions(free_forces_at(joints.arm, joints.q), "force", "along")
@@ -160,7 +160,7 @@ SPACES = (
     ("ℛ(Jᵀ)", "torques that a wrench balances", "torques"),
     ("𝒩(J)", "joint speeds that leave the tool at rest", "motions"),
 )
-"""Of the duality table: letters, words, and the columns of `Duality`."""
+"""Rows of the duality table: letters, words, and the columns of `Duality`."""
 
 
 def duality_markup(state: State) -> Markup:

@@ -1,1 +1,1 @@
-"""What is seen of the page Turning: its panel, and its part of the scene."""
+"""The panel of the page Turning, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""The numbers of turning: omega of the rates, det T, the check with the rotation, the two laws, and small turns."""
+"""The numbers of turning: omega from the rates, det T, the check with the rotation, the two laws, and small turns."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from armlab.ui.units import Units, units_of
 Floats = NDArray[np.float64]
 
 SEEN = 1e-6
-"""Radians; orientations nearer to each other are the same."""
+"""Difference of two orientations, radians, below which they are the same."""
 
 NEAR = 0.1
 """Absolute det T below which rates are called large."""
@@ -49,10 +49,10 @@ ANALYTIC = r"J_\phi=T^{-1}J_A"
 RATES = joined("Notes 5.51 multiplies J", tag("sub", "r"), " by (q̇₁, q̇₂, φ̇): φ̇ = q̇₁ + q̇₂ is what comes out of it.")
 
 EN_SPACE = "\N{EN SPACE}"
-"""Between the components of a vector."""
+"""Space between the components of a vector."""
 
 WIDE = 5
-"""Columns there is room for; more are set closer."""
+"""Largest number of columns with usual spacing; more are set closer."""
 
 ORDERS = (
     "The notes (before 5.27) speak of 12 products; three turns have 3! = 6 orders, equal only to first order in dφ."
@@ -109,7 +109,7 @@ def columns_markup(state: State) -> Markup:
 
 
 def rates_markup(state: State) -> Markup:
-    """Return omega, det T with what it says, and the check with the rotation."""
+    """Return omega, det T with its meaning, and the check with the rotation."""
     part, units, found = state[Turning], units_of(state), state.derived(turned_of)
     sign, function = _determinant(part)
     second = angle_symbols(part.axes, part.fixed)[1]
@@ -148,7 +148,7 @@ def _verdict(part: Turning, determinant: float, lost: Floats) -> Markup:
 
 
 def tool_markup(state: State) -> Markup:
-    """Return the analytic Jacobian of the tool's angles, and what the chosen joint speeds make of them."""
+    """Return the analytic Jacobian of the tool's angles, and the rates that the chosen joint speeds cause."""
     part, units, found = state[Turning], units_of(state), state.derived(tool_angles_of)
     head = tag("h3", "Analytic Jacobian of the tool ", tag("small", mathml(ANALYTIC), " 5.47–5.51"))
     rows: list[tuple[Inside, Inside]] = [(f"φ of the tool, {units.angle_unit}", _three(found.angles, units))]
@@ -165,7 +165,7 @@ def tool_markup(state: State) -> Markup:
 
 
 def laws_markup(state: State) -> Markup:
-    """Return the two time laws, their equal integrals and the orientations they lead to."""
+    """Return the two time laws, their equal integrals and the resulting orientations."""
     units, end = units_of(state), laws_time(state)
     quarter = f"{units.text(np.pi / 2, True)} {units.angle_unit}/s"
     told = (f"about z for 1 s, then about x: {quarter}", f"about x for 1 s, then about z: {quarter}")
@@ -190,7 +190,7 @@ def laws_markup(state: State) -> Markup:
 
 
 def small_markup() -> Markup:
-    """Return how far the six orders of small turns are apart."""
+    """Return the differences between the six orders of small turns."""
     lines = []
     for each in commuting():
         ratio = number(each.from_sum / each.size**2, 2)
@@ -204,7 +204,7 @@ def small_markup() -> Markup:
 
 
 def views_markup(form: Form, state: State) -> Markup:
-    """Return the choice of what is shown."""
+    """Return the choice of the view."""
     views = {"angles": "φ, φ̇ and ω", "laws": "Two time laws of ω"}
     show = partial(Set, Turning, "shown")
     return row("Look at", form.chips("shown", views, state[Turning].shown, "What is shown", show))

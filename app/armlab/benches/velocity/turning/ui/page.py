@@ -1,4 +1,4 @@
-"""Turning: three angles and their rates against the angular velocity, and why omega cannot be integrated."""
+"""The page of turning: three angles and their rates against omega, and why omega cannot be integrated."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ POINTS = 181
 
 
 class _Second:
-    """det T over the second angle, with a cursor where it is."""
+    """det T over the second angle, with a cursor at its present value."""
 
     def __init__(self, gui: Gui, state: State) -> None:
         units = units_of(state)
@@ -72,7 +72,7 @@ class _Second:
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the form, T, the numbers, the plot, and the two laws."""
+    """Build the form, T, the numbers, the plot, and the two laws."""
     top, form = gui.form(post), gui.form(post)
     matrix = MatrixView(gui, post, MATRIX)
     numbers = gui.html()
@@ -94,7 +94,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def clock_markup(form: Form, state: State) -> Markup:
-    """Return the button that plays, and the time of what is shown."""
+    """Return the button that plays, and the time of the film."""
     play = play_button(form, state, CLIP_KEY, "turning", "Turn", hint="The body beside the arm turns")
     time = laws_time(state) if state[Turning].shown == "laws" else film_time(state)
     return tag("div.bar", play, tag("span.dim", f"t = {number(time, 2)} s"))

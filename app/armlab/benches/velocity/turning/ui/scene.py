@@ -30,19 +30,19 @@ AXIS = 1.25
 """Half length of the axis of a turn, in radii."""
 
 OMEGA = 1.6
-"""Length of the arrow of a turning of `USUAL`, in radii."""
+"""Length of the arrow of the angular velocity `USUAL`, in radii."""
 
 USUAL = 1.0
-"""rad/s that are drawn in full; faster ones are drawn no longer."""
+"""Angular velocity that is drawn in full length, rad/s; faster ones are drawn no longer."""
 
 APART = 1.15
-"""Of the two bodies of the laws, from the middle, in radii."""
+"""Distance of the two bodies of the laws from the middle, in radii."""
 
 PALE = 0.9
-"""Length of the fixed frame, in lengths of that of the body."""
+"""Length of the fixed frame, in lengths of the body's frame."""
 
 LEAST = 0.02
-"""rad/s below which nothing is drawn."""
+"""Angular velocity below which nothing is drawn, rad/s."""
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
@@ -84,7 +84,7 @@ def _show_laws(bodies: list[Triad], state: State, centre: Floats, radius: float)
 
 
 def axes_marks(state: State, centre: Floats, radius: float) -> Marks:
-    """Return the axes of the three turns where they stand: the columns of T; a selected one is an arrow."""
+    """Return the axes of the three turns, the columns of T; a selected one is an arrow."""
     found, selected = state.derived(turned_of), state[Selection].of(MATRIX)
     strokes: list[Segment] = []
     arrows: list[Segment] = []

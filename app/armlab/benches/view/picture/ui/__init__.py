@@ -1,1 +1,1 @@
-"""What is seen of the page View: its panel, and its part of the scene."""
+"""The panel of the page View, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""What is drawn, from where, and in which theme."""
+"""The view of the scene: its layers, the camera, and the theme."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ NOTATION = {
 
 
 ARM = ("skeleton", "frames", "names")
-"""Switches of the arm's own picture; those of other layers are overlays."""
+"""Switches for drawings of the arm itself; those of other layers are overlays."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the switches and the buttons."""
+    """Build the switches and the buttons."""
     grid = gui.form(post)
     gui.heading("Units and names")
     choices = {
@@ -67,12 +67,12 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def _chooser(name: str, post: Post) -> Callable[[str], None]:
-    """Return what chooses one unit or name."""
+    """Return the callback that chooses one unit or name."""
     return lambda key: post(Set(Notation, name, key))
 
 
 def _switches(form: Form, state: State) -> Inside:
-    """Return all switches in two columns, by what they are about."""
+    """Return all switches in two columns, by their subject."""
     return [
         (tag("h3", title), tag("div.switches", [_switch(form, switch, state) for switch in group]))
         for title, group in _groups().items()
@@ -94,7 +94,7 @@ def _switch(form: Form, switch: Switch, state: State) -> Markup:
 
 
 def _groups() -> dict[str, list[Switch]]:
-    """Return the switches by heading; what another file brings is an overlay."""
+    """Return the switches by heading; a switch that no heading names is an overlay."""
     groups: dict[str, list[Switch]] = {"Arm": [], "Overlays": [], "Picture": []}
     for switch in switches():
         heading = "Arm" if switch.name in ARM else "Picture" if switch in GENERAL else "Overlays"

@@ -1,1 +1,1 @@
-"""What is seen of the page Share: its panel, and its part of the scene."""
+"""The panel of the page Share, and its part of the scene."""

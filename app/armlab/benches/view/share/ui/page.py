@@ -1,4 +1,4 @@
-"""Share what is on the table: a link with its QR code, a worksheet; and the way back to one's own work."""
+"""The page for sharing the present state: a link with its QR code, a worksheet, and the way back to one's own work."""
 
 from __future__ import annotations
 
@@ -30,18 +30,18 @@ TRAVELS = (
 )
 
 TABLE = (RobotPart, Joints, Target)
-"""Parts of which a link that was made can be out of date."""
+"""Parts of the state whose change makes a link out of date."""
 
 
 @dataclass(frozen=True, eq=False)
 class Link:
-    """A link that was made, of a state."""
+    """A link to a state."""
 
     address: str
     state: State
 
     def markup(self, present: State) -> Inside:
-        """Return it with its length, and its code where that can be read."""
+        """Return the link with its length, and its code if that can be scanned."""
         code = qr_svg(self.address)
         old = any(present[kind] is not self.state[kind] for kind in TABLE)
         about = f"{len(self.address)} characters." + (" It holds the arm as it was before." if old else "")
@@ -70,7 +70,7 @@ class SharePage:
         self._sheets = gui.form(post)
 
     def show(self, state: State) -> None:
-        """Show where the student is, the link, and the worksheets."""
+        """Show the student's place, the link, and the worksheets."""
         self._state = state
         self._place.show(_place(self._place, state[Shelf]))
         self._made.show(self._linked(self._made))
@@ -99,7 +99,7 @@ class SharePage:
 
 
 def _place(form: Form, shelf: Shelf) -> Markup | None:
-    """Return what waits, and the way back to it; nothing when the student is at home."""
+    """Return the work that waits, with the button back to it, or nothing if the student's own work is open."""
     if shelf.place == SHARED:
         back = form.chip("back-mine", "Back to my work", BackFromShared())
         return verdict_box("warn", "A shared arm is open", "Your own work waits as it was. ", back)
@@ -111,7 +111,7 @@ def _place(form: Form, shelf: Shelf) -> Markup | None:
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the page."""
+    """Build the page."""
     return SharePage(gui, state, post).show
 
 

@@ -1,1 +1,1 @@
-"""What is seen of the page Reach: its panel, and its part of the scene."""
+"""The panel of the page Reach, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""The reachable workspace: sampled, coloured, cut open, and answering at a click."""
+"""The reachable workspace: sampled, coloured, cut open, and clickable."""
 
 from __future__ import annotations
 
@@ -45,10 +45,10 @@ from armlab.ui.widgets import Gui
 SAVES: dict[str, Callable[[Sampled], str | bytes]] = {"ply": as_ply, "csv": as_csv}
 
 STEP = 0.05
-"""Parts of the reach that a press moves the slice by."""
+"""Distance by which a press moves the slice, in reaches of the arm."""
 
 LONGEST_SEED = 18
-"""Digits; the lab takes fewer and says how large a seed may be, and Python reads no number of thousands."""
+"""Largest number of digits of a seed; the lab takes fewer and says so, and Python reads no number of thousands."""
 
 SAVED = {
     "ply": "The points that are drawn at most, and the measure, for other programs",
@@ -61,7 +61,7 @@ CUT_HINT = "Whole, without the half in front of the arm, or a slice across an ax
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make choices, progress, scale of colours, figures and files."""
+    """Build the choices, the progress, the scale of colours, the figures and the files."""
     present, units = state, units_of(state)
 
     def save(kind: str) -> None:
@@ -91,7 +91,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def choices_markup(form: Form, state: State, units: Units) -> Inside:
-    """Return what can be chosen, and the button that samples or cancels."""
+    """Return the choices, and the button that samples or cancels."""
     part = state[Workspace]
     titles = {key: capitalised(measure.title) for key, measure in MEASURES.items()}
     counts = {str(count): counted(count) for count in COUNTS}
@@ -121,19 +121,19 @@ def _seed(text: str) -> LookAtWorkspace:
 
 
 def _offered(state: State, texts: Mapping[str, str], spatial: str) -> dict[str, str]:
-    """Return the choices without the one that means nothing where the tool stays in a plane."""
+    """Return the choices without the one that has no meaning if the tool stays in a plane."""
     planar = first_joint(state[Joints].arm).planar
     return {key: text for key, text in texts.items() if not (planar and key == spatial)}
 
 
 def _cuts(state: State) -> dict[str, str]:
-    """Return the cuts that mean something: a surface has no slices."""
+    """Return the cuts that can be used: a surface has no slices."""
     offered = _offered(state, CUTS, "front")
     return {key: text for key, text in offered.items() if drawing(state) != "surface" or key not in AXES}
 
 
 def _cut(state: State) -> str:
-    """Return the cut that is seen."""
+    """Return the cut that is shown."""
     cut = state[Workspace].cut
     return cut if cut in _cuts(state) else "none"
 
@@ -171,7 +171,7 @@ def _action(form: Form, part: Workspace) -> Inside:
 def told_markup(
     form: Form, state: State, units: Units, save: Callable[[str], None], ways: Callable[[int], Command]
 ) -> Inside:
-    """Return what was found, and what can be done with it: ``save`` gets the kind of file, ``ways`` a sample."""
+    """Return the results and the buttons for them: ``save`` gets the kind of file, ``ways`` a sample."""
     part = state[Workspace]
     found = part.found
     if found is None:
@@ -188,7 +188,7 @@ def told_markup(
 
 
 def _around(state: State) -> Points:
-    """Return the corners of what is drawn."""
+    """Return the corners of the drawn points."""
     found = state[Workspace].found
     if found is None:
         return NOTHING

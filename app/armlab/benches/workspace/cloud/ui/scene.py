@@ -25,14 +25,14 @@ POINT = 0.0046
 """Diameter of a point, in sizes of the arm."""
 
 CHOSEN = 0.02
-"""Diameter of the point that was chosen, in sizes of the arm."""
+"""Diameter of the chosen point, in sizes of the arm."""
 
 OPACITY = 0.3
-"""Of the surface: the arm is seen through it."""
+"""Opacity of the surface, through which the arm is seen."""
 
 
 def parts_of(found: Sampled, values: NDArray[Any]) -> NDArray[np.float64]:
-    """Return where values lie on the scale of colours, 0 to 1."""
+    """Return the places of values on the scale of colours, 0 to 1."""
     return measured.parts_of(found.question.measure, found.low, found.high, values)
 
 
@@ -136,7 +136,7 @@ class _Picture:
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Make the picture."""
+    """Build the picture."""
     return _Picture(canvas, state).show
 
 

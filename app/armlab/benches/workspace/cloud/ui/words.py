@@ -1,4 +1,4 @@
-"""The sampled workspace in words and numbers: scale of colours, what was found, the point that was chosen."""
+"""The sampled workspace in words and numbers: scale of colours, results, the chosen point."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ def with_unit(found: Sampled, value: float) -> str:
 
 
 def scale(found: Sampled) -> Markup:
-    """Return the colours and what they stand for."""
+    """Return the colours and their meaning."""
     return measured.scale(found.question.arm, found.question.measure, found.low, found.high)
 
 
 def facts(state: State, found: Sampled, units: Units) -> Inside:
-    """Return what was found."""
+    """Return the results in numbers."""
     left = int(np.count_nonzero(state.derived(kept)))
     rows = [("Samples", counted(found.done))]
     if drawing(state) == "cloud":
@@ -48,7 +48,7 @@ def facts(state: State, found: Sampled, units: Units) -> Inside:
 
 
 def chosen(form: Form, state: State, units: Units, ways: Callable[[int], Command]) -> Inside:
-    """Return the point the arm went to, and what can be done there; ``ways`` gets its number."""
+    """Return the chosen point, and the buttons for it; ``ways`` gets its number."""
     part = state[Workspace]
     found, index = part.found, part.chosen
     if found is None or index is None or index >= len(found.shown.points):

@@ -1,1 +1,1 @@
-"""What is seen of the page Dexterous: its panel, and its part of the scene."""
+"""The panel of the page Dexterous, and its part of the scene."""

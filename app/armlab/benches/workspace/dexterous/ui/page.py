@@ -1,4 +1,4 @@
-"""In how many orientations the tool can be where: regions of planar arms, coverage of directions, solutions."""
+"""The orientations of the tool at each point: regions of planar arms, coverage of directions, solutions."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ HINTS = "How orientations are found: by a formula, by the wrist, from samples; o
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make choices, regions, figures."""
+    """Build the choices, the regions and the figures."""
     units = units_of(state)
     gui.html(definition())
     choices, table = gui.form(post), gui.form(post)
@@ -76,7 +76,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def choices_markup(form: Form, state: State, units: Units) -> Inside:
-    """Return how orientations are found, what is shown of them, and how far that has come."""
+    """Return the choices of the method and of the picture, and the progress."""
     arm, part = state[Joints].arm, state[Dexterous]
     known, method = methods(arm), method_of(state)
     names: dict[str, str] = {key: TITLES[key] for key in known}
@@ -104,7 +104,7 @@ def choices_markup(form: Form, state: State, units: Units) -> Inside:
 
 
 def _nowhere(state: State) -> Markup | None:
-    """Return why no body is seen, where no point has the chosen share."""
+    """Return why no body is seen, if no point has the chosen share."""
     found, share = state.derived(study_of), state[Dexterous].share
     if found is None or found.wrist is None:
         return None
@@ -121,7 +121,7 @@ def _counted(count: int) -> str:
 
 
 def _slice(form: Form, state: State, units: Units) -> Markup | None:
-    """Return where the slice is, and the button that brings it to the tool."""
+    """Return the place of the slice, and the button that brings it to the tool."""
     joint, method = first_joint(state[Joints].arm), method_of(state)
     through = form.chip("through", "As the tool is", LookThroughTool(), _THROUGH[method == "count"])
     if joint.planar:
@@ -153,7 +153,7 @@ def _progress(form: Form, state: State) -> Inside:
 
 
 def _told(state: State, units: Units) -> Inside:
-    """Return what was found, and how sure it is."""
+    """Return the results, and how certain they are."""
     found, method = state.derived(study_of), method_of(state)
     rings = planar_words(state, units) if method == "rings" else None
     if found is None:
@@ -162,7 +162,7 @@ def _told(state: State, units: Units) -> Inside:
 
 
 def _around(state: State) -> Points:
-    """Return corners of the rings, or of the slice."""
+    """Return the corners of the rings, or of the slice."""
     rings = state.derived(outermost)
     if rings is not None:
         return rings

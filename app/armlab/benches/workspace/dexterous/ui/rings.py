@@ -1,4 +1,4 @@
-"""The regions of a planar arm as coloured rings in its plane, and the circle on which joint 3 has to be."""
+"""The regions of a planar arm as coloured rings in its plane, and the circle on which joint 3 must be."""
 
 from __future__ import annotations
 
@@ -23,22 +23,22 @@ from armlab.ui.scene._strokes import add_line, add_name, polyline
 from armlab.ui.units import units_of
 
 PIXELS, ALPHA = 640, 92
-"""Of the picture of the rings along a side, and how dense it is, of 255."""
+"""Pixels along a side of the picture of the rings, and its opacity, of 255."""
 
 BELOW = 0.012
-"""How far under the plane of the links the rings are, in sizes of the arm."""
+"""Distance of the rings below the plane of the links, in sizes of the arm."""
 
 TURN = np.linspace(0.0, 2.0 * np.pi, 97)
 
 NAMES_AT, NAMES_STEP = math.radians(-62.0), math.radians(9.0)
-"""Where the radii are written, and how far the next is moved on, so that they do not cover each other."""
+"""Angle at which the radii are written, and step to the next one, so that they do not cover each other, radians."""
 
 CIRCLE, POSSIBLE, IMPOSSIBLE = 0.0042, 0.008, 0.003
 """Thickness of the singular circles, and of the arcs about the tool, in sizes of the arm."""
 
 
 class Rings:
-    """All of it; made once, and only the arcs about the tool follow."""
+    """All rings and arcs; they are made once, and only the arcs about the tool change."""
 
     def __init__(self, canvas: LayerCanvas) -> None:
         arm = canvas.drawn.figure.anatomy.arm
@@ -83,7 +83,7 @@ class Rings:
         self._names.append((add_name(scene, f"{self._path}/radius{k}", "", at, "center-center"), r))
 
     def show(self, state: State, fill: bool) -> None:
-        """Show units and arcs of a state, and the rings themselves where they hold."""
+        """Show units and arcs of a state, and the rings themselves if they are valid."""
         seen(self._areas, fill)
         units = units_of(state)
         for name, r in self._names:
@@ -114,7 +114,7 @@ class Rings:
 
 
 def picture(found: tuple[Region, ...], pixels: int) -> NDArray[np.uint8]:
-    """Return the rings from above, (pixels, pixels, RGBA); outside them nothing."""
+    """Return the rings from above, (pixels, pixels, RGBA), transparent outside them."""
     outer = found[-1].high
     x = (np.arange(pixels) + 0.5) / pixels * 2.0 - 1.0
     r = outer * np.hypot(x[:, None], x[None, :])

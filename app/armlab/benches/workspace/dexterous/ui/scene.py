@@ -1,4 +1,4 @@
-"""Orientations in the scene: rings of a planar arm, a coloured slice that answers a click, or a body of voxels."""
+"""Orientations in the scene: rings of a planar arm, a coloured slice that can be clicked, or a body of voxels."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ from armlab.ui.scene._nodes import put, seen
 from armlab.ui.scene._voxels import VoxelBody, outside
 
 ALPHA = 214
-"""How dense a slice is, of 255."""
+"""Opacity of a slice, of 255."""
 
 SIDE = 320
-"""Pixels along the longer side of a slice at least: its cells keep their edges."""
+"""Least number of pixels along the longer side of a slice, so that its cells keep their edges."""
 
 
 class _Picture:
@@ -59,7 +59,7 @@ class _Picture:
         self._clicks.listen(self._shown is not None)
 
     def _show_rings(self, state: State) -> None:
-        """Show the rings; filled where they hold, else their circles over what was sampled."""
+        """Show the rings: filled if they are valid, else their circles over the samples."""
         if not self._planar:
             return
         if self._rings is None:
@@ -108,7 +108,7 @@ class _Picture:
 
 
 def image(values: NDArray[np.float64], counts: bool) -> NDArray[np.uint8]:
-    """Return values (U, V) as a picture (rows, columns, RGBA), its first row the lowest V; nan is nothing."""
+    """Return values (U, V) as a picture (rows, columns, RGBA), its first row the lowest V; NaN is transparent."""
     cells = np.zeros((*values.shape, 4), dtype=np.uint8)
     there = ~np.isnan(values)
     if counts:
@@ -121,7 +121,7 @@ def image(values: NDArray[np.float64], counts: bool) -> NDArray[np.uint8]:
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Make the picture."""
+    """Build the picture."""
     return _Picture(canvas, state).show
 
 

@@ -1,4 +1,4 @@
-"""Orientations in words: regions of planar arms, scales of colours, what was proven and what was sampled."""
+"""Orientations in words: regions of planar arms, scales of colours, proven and sampled results."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ COLOURS: dict[str, Rgb] = {
     "two": SKY,
     "boundary": VERMILLION,
 }
-"""Of the regions; circles are lines."""
+"""Colours of the regions; circles are lines."""
 
 WAYS = {1: "→", -1: "←"}
 
@@ -49,7 +49,7 @@ NOTES_DIFFER = {
 
 
 def regions_table(form: Form, state: State, units: Units) -> Markup | None:
-    """Return the regions from the inside out, each a button that brings the tool there, and what holds at the tool."""
+    """Return the regions from the inside out, each with a button to go there, and details for that of the tool."""
     arm = state[Joints].arm
     lengths, standing = lengths_of(arm), state.derived(tool_standing)
     if lengths is None or standing is None:
@@ -76,7 +76,7 @@ def _row(form: Form, index: int, region: Region, here: bool, units: Units) -> Ma
 
 
 def _measure(region: Region, units: Units) -> str:
-    """Return how many orientations a region has, short."""
+    """Return in short how many orientations a region has."""
     if region.kind in ("dexterous", "edge", "origin"):
         return "all"
     if region.kind in ("boundary", "two"):
@@ -92,7 +92,7 @@ def _rounded(angle: float, units: Units) -> str:
 
 
 def _here(form: Form, index: int, region: Region, state: State, units: Units) -> Markup:
-    """Return what there is to say about the region of the tool, and its singular configurations to look at."""
+    """Return the details of the region of the tool, and buttons for its singular configurations."""
     ways = None
     if region.ways:
         each = [
@@ -104,7 +104,7 @@ def _here(form: Form, index: int, region: Region, state: State, units: Units) ->
 
 
 def tool_words(state: State, units: Units) -> Markup | None:
-    """Return the numbers of the tool's own place, and of the target's."""
+    """Return the numbers for the places of the tool and of the target."""
     arm, standing = state[Joints].arm, state.derived(tool_standing)
     lengths = lengths_of(arm)
     if lengths is None or standing is None:
@@ -131,7 +131,7 @@ def _possible(lengths: tuple[float, ...], r: float) -> float:
 
 
 def planar_words(state: State, units: Units) -> Inside:
-    """Return the workspaces of a planar arm in closed form, and where the notes differ."""
+    """Return the workspaces of a planar arm in closed form, and the difference from the notes."""
     lengths = lengths_of(state[Joints].arm)
     if lengths is None:
         return None
@@ -169,11 +169,11 @@ AT_A_POINT = {
     1: "At a point the possible orientations are a single family, of one angle",
     2: "At a point the possible orientations are a family of two angles",
 }
-"""By how many ways the tool turns in place, where these are too few for all orientations."""
+"""Sentences by the number of ways in which the tool turns in place, if these are too few for all orientations."""
 
 
 def proven(state: State, found: Study, units: Units) -> Inside:
-    """Return what is known for sure and what was sampled."""
+    """Return which results are certain and which were sampled."""
     if found.wrist is not None:
         return _wrist_words(found, units)
     assert found.map is not None
@@ -190,7 +190,7 @@ def proven(state: State, found: Study, units: Units) -> Inside:
 
 
 def _sampled_words(found: Study) -> Inside:
-    """Return what samples say, after what is known of the arm without them."""
+    """Return the result of the samples, after what is known of the arm without them."""
     assert found.map is not None
     arm, circle = found.question.arm, found.map.sheet.bins.circle
     what = "64 equal angles of the tool" if circle else "64 approach directions, the roll about them not counted"
@@ -234,7 +234,7 @@ def _wrist_words(found: Study, units: Units) -> Inside:
 
 
 def tool_line(state: State, found: Study) -> Markup | None:
-    """Return what was found where the tool is."""
+    """Return the result at the tool point."""
     here = state.derived(at_tool)
     if here is None:
         return None
@@ -263,7 +263,7 @@ def _at_tool(here: AtTool, found: Study) -> str:
 
 
 def scale(state: State, found: Study) -> Markup | None:
-    """Return the colours and what they stand for."""
+    """Return the colours and their meaning."""
     if found.question.method == "count" and found.map is not None:
         numbers = sorted({float(value) for value in found.map.values[~np.isnan(found.map.values)].ravel()})
         marks = [tag("span", _swatch(value), "∞" if math.isinf(value) else f"{value:.0f}") for value in numbers]
@@ -291,7 +291,7 @@ COUNT_COLOURS: dict[float, Rgb] = {
     8.0: YELLOW,
     16.0: (250, 250, 250),
 }
-"""Of the numbers of solutions that are usual: each of a hue of its own, as numbers are told apart, not measured."""
+"""Colours of the usual numbers of solutions, each with its own hue to tell the numbers apart."""
 
 
 def count_colour(count: float) -> Rgb:
@@ -304,7 +304,7 @@ def count_colour(count: float) -> Rgb:
 
 
 def definition() -> Markup:
-    """Return what the page is about."""
+    """Return the definition of the dexterous workspace."""
     two, one = ("WS", tag("sub", "2")), ("WS", tag("sub", "1"))
     return tag(
         "p.dim", two, ": the points of ", one, " that the tool reaches in ", tag("b", "every"), " orientation (4.21)."

@@ -1,1 +1,1 @@
-"""What is seen of the page Section: its panel, and its part of the scene."""
+"""The panel of the page Section, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""The section of the workspace: a side view as in a data sheet, size and reach, and how far the boundary is."""
+"""The section of the workspace: a side view as in a data sheet, size and reach, and the distance to the boundary."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class SectionPage:
         self._pictured: Found | None = None
 
     def show(self, state: State) -> None:
-        """Show a state; the picture of what is reached is sent only when it is another one."""
+        """Show a state; the picture of the reached region is sent only when it has changed."""
         found = found_of(state)
         self._choices.show(choices_markup(self._choices, state, self._units))
         if found is None or not found.section.filled.any():
@@ -64,7 +64,7 @@ class SectionPage:
 
 
 def view_markup(form: Form, state: State, found: Found, units: Units) -> Inside:
-    """Return the picture, how far it is, its colours, and how far the boundary is."""
+    """Return the picture, its progress, its colours, and the distances to the boundary."""
     picture = view(state, found, units, form.place("go", partial(_picked, found)))
     return picture, _progress(found), scale(found), distances(form, state, units)
 
@@ -76,7 +76,7 @@ def _progress(found: Found) -> Inside:
 
 
 def choices_markup(form: Form, state: State, units: Units) -> Inside:
-    """Return the choice of colour and slice, and where the slice stands."""
+    """Return the choices of colour and slice, and the place of the slice."""
     part, found = state[SectionView], found_of(state)
     titles = {key: capitalised(title) for key, title in COLOURS.items()}
     colour = row("Colour", form.select("colour", "Colour", titles, part.colour, partial(Set, SectionView, "colour")))
@@ -92,7 +92,7 @@ def choices_markup(form: Form, state: State, units: Units) -> Inside:
 
 
 def _place(form: Form, state: State, found: Found | None, units: Units) -> Markup | None:
-    """Return where the slice stands."""
+    """Return the field for the place of the slice."""
     part = state[SectionView]
 
     def typed(revolute: bool, text: str) -> PlaceSlice:
@@ -125,7 +125,7 @@ def _picked(found: Found, x: float, y: float, _drag: int) -> Command:
 
 
 def _around(state: State) -> Points:
-    """Return the corners of what is reached."""
+    """Return the corners of the reached region."""
     found = found_of(state)
     if found is None or not found.section.filled.any():
         return NOTHING
@@ -134,7 +134,7 @@ def _around(state: State) -> Points:
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make choices, picture and figures."""
+    """Build the choices, the picture and the figures."""
     return SectionPage(gui, state, post).show
 
 

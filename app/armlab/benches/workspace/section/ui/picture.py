@@ -1,4 +1,4 @@
-"""The side view of a workspace as in a data sheet: what is reached, dimensions, the arm, tool and target."""
+"""The side view of a workspace as in a data sheet: the reached region, dimensions, the arm, tool and target."""
 
 from __future__ import annotations
 
@@ -25,25 +25,25 @@ Floats = NDArray[np.float64]
 
 WIDTH, HIGHEST = 320.0, 320.0
 LEFT, RIGHT, TOP, BOTTOM = 16.0, 74.0, 14.0, 40.0
-"""Of the picture and its margins, in its own units, which are about pixels."""
+"""Largest width and height of the picture, and its margins, in its own units (about one pixel)."""
 
 SPECK = 16
-"""Corners of an outline around a few cells."""
+"""Largest number of corners of an outline around a few cells."""
 
 THIN = 0.25
-"""Of such a unit: how far a drawn outline may be from the true one."""
+"""Distance, in units of the picture, up to which a drawn outline may deviate from the true one."""
 
 SHORT = 0.04
-"""Of the larger side: a shorter dimension is not drawn."""
+"""Length, in parts of the larger side, below which a dimension is not drawn."""
 
 TICK, TOOL = 3.5, 3.6
-"""Half a dash at the end of a dimension, and the radius of the tool's mark."""
+"""Half length of the dash at the end of a dimension, and radius of the tool's mark."""
 
 LINE_APART = 16.0
 
 
 class Frame(NamedTuple):
-    """How metres become units of the picture: the rectangle that is seen, and its scale."""
+    """The visible rectangle, and its scale from metres to units of the picture."""
 
     low: Floats
     high: Floats
@@ -51,22 +51,22 @@ class Frame(NamedTuple):
 
     @property
     def height(self) -> float:
-        """Of the picture."""
+        """Height of the picture."""
         return float(TOP + BOTTOM + self.scale * (self.high[1] - self.low[1]))
 
     def at(self, points: ArrayLike) -> Floats:
-        """Return places in the picture of points (..., 2) in metres."""
+        """Return the places in the picture of points (..., 2) in metres."""
         away = (np.asarray(points, dtype=np.float64) - self.low) * self.scale
         return np.stack([LEFT + away[..., 0], self.height - BOTTOM - away[..., 1]], axis=-1)
 
     def metres(self, x: float, y: float) -> tuple[float, float]:
-        """Return the point at parts of the rectangle from its upper left corner."""
+        """Return the point in metres at parts of the rectangle from its upper left corner."""
         span = self.high - self.low
         return float(self.low[0] + x * span[0]), float(self.high[1] - y * span[1])
 
 
 def frame_of(found: Found) -> Frame:
-    """Return the frame for what is reached: the section, or the plane of a planar arm."""
+    """Return the frame for the reached region: the section, or the plane of a planar arm."""
     whole = in_own_plane(found)
     if whole is not None:
         low = _in_plane(found, whole.plane.corner)
@@ -84,7 +84,7 @@ def frame_of(found: Found) -> Frame:
 
 
 def image_rule(found: Found, name: str) -> Markup:
-    """Return the picture of what is reached as a rule of style for a class: it changes less often than the marks."""
+    """Return the picture of the reached region as a style rule for a class, as it changes less often than the marks."""
     drawn = in_own_plane(found) or section_picture(found)
     picture = pixels(found, drawn.reached, drawn.values)
     address = as_address(rgba_png(picture))
@@ -92,7 +92,7 @@ def image_rule(found: Found, name: str) -> Markup:
 
 
 def view(state: State, found: Found, units: Units, place: Mapping[str, Attribute]) -> Markup:
-    """Return the picture; ``place`` are the attributes of what a click on it is sent by."""
+    """Return the picture; ``place`` are the attributes that send a click on it."""
     whole, frame = in_own_plane(found), frame_of(found)
     box, seen = _image_box(found, whole, frame), frame.at([frame.low, frame.high])
     reach = _dimensions(found, whole, frame, units)
@@ -162,7 +162,7 @@ def _outlines(found: Found) -> Markup:
 
 
 def _paths(lines: Sequence[Floats]) -> str:
-    """Return closed lines as a path, with as few points as look the same; all are looked at together."""
+    """Return closed lines as one path, with as few points as look the same; all lines are simplified together."""
     if not lines:
         return ""
     places, after = np.concatenate(lines), np.cumsum([len(line) for line in lines])
@@ -216,7 +216,7 @@ def _beside(frame: Frame, low: float, high: float, text: str) -> Inside:
 
 
 def _marks(state: State, found: Found, frame: Frame) -> list[Inside]:
-    """Return the arm seen from the side, tool and target, and from each a line to the boundary."""
+    """Return the arm seen from the side, tool and target, each with a line to the boundary."""
     bones = frame.at(silhouette(found, state[Joints].q))
     corners = " ".join(f"{x:.1f},{y:.1f}" for x, y in bones.tolist())
     shapes: list[Inside] = [tag("polyline.bones", points=corners)]

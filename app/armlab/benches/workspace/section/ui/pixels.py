@@ -1,4 +1,4 @@
-"""The section as pixels: see-through where nothing is reached."""
+"""The section as pixels, transparent where nothing is reached."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ from armlab.ui.plugin import Layer, Show
 from armlab.ui.scene._nodes import move, seen, turn
 
 OPACITY = 0.62
-"""Of what is reached: the arm is seen through it."""
+"""Opacity of the reached region, through which the arm is seen."""
 
 HANDLE, RING = 0.16, 0.3
 """Length of the arrow of the handle, and radius of its ring, in sizes of the arm."""
@@ -31,7 +31,7 @@ Floats = NDArray[np.float64]
 
 
 class SlicePicture:
-    """Picture and handle."""
+    """The picture of the slice and its handle."""
 
     def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas = canvas
@@ -44,7 +44,7 @@ class SlicePicture:
         self._stands: tuple[object, ...] = ()
 
     def show(self, state: State) -> None:
-        """Show a state; the picture is made anew only where another slice is to be seen."""
+        """Show a state; the picture is rebuilt only if another slice is shown."""
         part, found = state[SectionView], found_of(state)
         self._found = found
         flat = found is not None and found.section.grid.flat
@@ -93,7 +93,7 @@ class SlicePicture:
         self._place(plane)
 
     def _offer(self, state: State, kind: str, at: float) -> None:
-        """Offer a handle for a kind of slice, where the slice is; never moved while a hand holds it."""
+        """Offer a handle for a kind of slice at the place of the slice; it never moves while it is dragged."""
         if kind != self._kind and not self._held:
             if self._handle is not None:
                 self._handle.remove()
@@ -125,7 +125,7 @@ class SlicePicture:
         return handle
 
     def _frame(self) -> tuple[Floats, Floats]:
-        """Return axes of the handle, of which the third is the one it moves along or about, and a point at 0."""
+        """Return the axes of the handle, which moves along or about the third one, and a point at 0."""
         assert self._found is not None
         if self._kind == "axis":
             joint = self._found.section.joint
@@ -168,7 +168,7 @@ class SlicePicture:
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Make the picture and its handle."""
+    """Build the picture and its handle."""
     return SlicePicture(canvas).show
 
 

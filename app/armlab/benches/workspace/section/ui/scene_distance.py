@@ -1,4 +1,4 @@
-"""A line from the tool, or from the target where it is elsewhere, to the nearest point of the workspace's boundary."""
+"""A line from the tool, or from the target if it is elsewhere, to the nearest point of the workspace's boundary."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from armlab.ui.units import units_of
 THICKNESS = 0.004
 DOT = 0.008
 LEAST = 1e-3
-"""Of the line and the dot at its end, and the shortest line that is drawn, in sizes of the arm."""
+"""Thickness of the line, diameter of the dot at its end, and the shortest line that is drawn, in sizes of the arm."""
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:

@@ -19,16 +19,16 @@ from armlab.ui.html import Inside, tag
 from armlab.ui.units import Units
 
 EDGE = 2.0
-"""Of what the boundary may be off: what is as near to it as that is on it."""
+"""Multiple of the boundary's error within which a point counts as on the boundary."""
 
 SAME = 1e-9
-"""Of a cosine, or of the reach: directions and points that are one."""
+"""Difference of cosines, or of lengths in reaches, below which directions and points are the same."""
 
 CENTRE = "The point of axis 1 that is nearest to the origin of frame 0"
 
 
 def scale(found: Found) -> Inside:
-    """Return the colours and what they stand for; nothing where one colour tells what is reached."""
+    """Return the colours and their meaning, or nothing if one colour shows the reached region."""
     if found.colour == REACH or found.values is None:
         return None
     note = "" if found.coloured else " Being averaged …"
@@ -76,7 +76,7 @@ def _direction(along: NDArray[np.float64]) -> str:
 
 
 def _centre(joint: FirstJoint) -> Inside:
-    """Return from where the reach is measured; axis 1 need not meet the origin of frame 0."""
+    """Return the origin from which the reach is measured; axis 1 may miss the origin of frame 0."""
     apart = float(np.linalg.norm(joint.origin - joint.arm.base[:3, 3]))
     meets = apart <= SAME * (joint.arm.reach or 1.0)
     return "frame 0" if meets else tag("span", "ρ = z = 0", title=CENTRE)
@@ -102,7 +102,7 @@ def _how(found: Found, units: Units) -> str:
 
 
 def distances(form: Form, state: State, units: Units) -> Inside:
-    """Return how far tool and target are from the boundary, and a way to go there."""
+    """Return the distances of tool and target from the boundary, and buttons to go there."""
     tool, target = state.derived(tool_measured), state.derived(target_measured)
     if tool is None:
         return None

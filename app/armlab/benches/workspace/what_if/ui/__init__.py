@@ -1,1 +1,1 @@
-"""What is seen of the page What if: its panel, and its part of the scene."""
+"""The panel of the page What if, and its part of the scene."""

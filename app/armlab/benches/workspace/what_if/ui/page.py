@@ -1,4 +1,4 @@
-"""What if a link were longer, or a limit wider: both workspaces side by side, before anything is changed."""
+"""The page What if for longer links or wider limits: both workspaces side by side, before the arm is changed."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from armlab.ui.widgets import Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the choice of a number, its slider, the changes, and what they do."""
+    """Build the choice of a number, its slider, the changes, and their effect."""
     present, units, drawn = state, units_of(state), False
 
     def slid(value: float) -> None:
@@ -85,7 +85,7 @@ def choices_markup(form: Form, part: WhatIf, units: Units) -> Inside:
 
 
 def exact_markup(form: Form, part: WhatIf, units: Units) -> Markup:
-    """Return the field of the number at hand, and what the number is of the arm as it is."""
+    """Return the field of the selected number, and its value in the real arm."""
     angle = turns(part.arm, part.row, part.field)
     name = name_of(part.arm, part.row, part.field, units)
     thought = units.entry(value_of(part.other, part.row, part.field), angle)
@@ -100,7 +100,7 @@ def exact_markup(form: Form, part: WhatIf, units: Units) -> Markup:
 
 
 def told_markup(form: Form, state: State, units: Units) -> Inside:
-    """Return the changes, what can be done with them, and what is known."""
+    """Return the changes, the buttons for them, and the results."""
     part = state[WhatIf]
     hint = "Edit the table of the arm like this"
     take = form.button("take", "Take over", TakeOver(), "main", hint, off=not part.changes)

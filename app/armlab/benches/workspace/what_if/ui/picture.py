@@ -16,16 +16,16 @@ from armlab.ui.units import Units
 Floats = NDArray[np.float64]
 
 WIDTH, HIGHEST = 320.0, 230.0
-"""Of the drawing, in its own units: about pixels."""
+"""Width and largest height of the drawing, in its own units (about one pixel)."""
 
 EDGE = 16.0
-"""Left free on each side, for the names of the axes."""
+"""Margin on each side for the names of the axes, in units of the drawing."""
 
 SPARE = 1e-9
 
 
 def picture(found: Compared, units: Units) -> Markup | None:
-    """Return the sections as SVG; nothing as long as they are not known, or of a planar arm, where they are lines."""
+    """Return the sections as SVG, or None while they are unknown, or for a planar arm, where they are lines."""
     if found.sections is None or found.sections[0].grid.flat or found.sections[1].grid.flat:
         return None
     sections = found.sections[:1] if found.same else found.sections

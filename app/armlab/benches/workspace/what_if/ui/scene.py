@@ -1,4 +1,4 @@
-"""Two workspaces in the scene: what stays, what is gained, what is lost, and the arm as it is thought to be."""
+"""Two workspaces in the scene: kept, gained and lost points, and the supposed arm."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ from armlab.ui.scene._sticks import corners_of
 from armlab.ui.scene._strokes import add_line, polyline
 
 COLOURS: dict[str, Rgb] = {"kept": GREY, "thought": ORANGE, "gained": GREEN, "lost": VERMILLION}
-"""Of what is in both workspaces, of what may be in one, of what would come and of what would go."""
+"""Colours of points in both workspaces, of points that may be in one only, of gained and of lost points."""
 
 THOUGHT = ORANGE
-"""Of the arm as it is thought to be."""
+"""Colour of the supposed arm."""
 
 SIZES = {"kept": 0.0034, "thought": 0.0046, "gained": 0.0058, "lost": 0.0058}
-"""Diameter of a point, in sizes of the arm: what changes is larger."""
+"""Diameter of a point, in sizes of the arm; gained and lost points are larger."""
 
 PRECISION: Literal["float16"] = "float16"
-"""Of points on their way to the page: a millimetre in two metres, while a slider moves many of them."""
+"""Precision of points sent to the page: a millimetre in two metres, while a slider moves many of them."""
 
 LINE = 0.008
-"""Thickness of the arm as it is thought to be, in sizes of the arm."""
+"""Thickness of the supposed arm, in sizes of the arm."""
 
 
 class _Picture:
@@ -77,7 +77,7 @@ class _Picture:
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Make the picture."""
+    """Build the picture."""
     return _Picture(canvas).show
 
 

@@ -1,4 +1,4 @@
-"""What a change would do to a workspace, in words and numbers."""
+"""The effect of a change on a workspace, in words and numbers."""
 
 from __future__ import annotations
 
@@ -36,10 +36,10 @@ HINTS = {
     "Along ": "Smallest and largest coordinate of the tool point in this direction, across axis 1",
     "Reach": "Largest distance of the tool point from the place on axis 1 that is nearest to frame 0",
 }
-"""Of rows whose names begin so; the first that fits."""
+"""Hints for rows by the beginning of their names; the first that fits is used."""
 
 UNSURE = 0.05
-"""Part of the size: before the boundary is known, a smaller difference is not told."""
+"""Difference, as a share of the size, below which it is not mentioned before the boundary is known."""
 
 WORDS = {"m²": "area", "m³": "volume"}
 ARTICLES = {"m²": "an area", "m³": "a volume"}
@@ -61,7 +61,7 @@ def with_unit(value: float, angle: bool, units: Units) -> str:
 
 
 def changes_markup(form: Form, part: WhatIf, units: Units) -> Inside:
-    """Return what is thought to be different, each with a button that takes it back."""
+    """Return the supposed changes, each with a button that removes it."""
     if not part.changes:
         return None
     rows = [_change(form, part.arm, change, units) for change in part.changes]
@@ -79,7 +79,7 @@ def _change(form: Form, arm: Arm, change: Change, units: Units) -> Inside:
 
 
 def verdict_markup(state: State) -> Markup | None:
-    """Return in a sentence what the change does to the size."""
+    """Return a sentence on the effect of the changes on the size."""
     part, found = state[WhatIf], state[WhatIf].found
     if found is None or not part.changes:
         return None
@@ -107,12 +107,12 @@ def verdict_markup(state: State) -> Markup | None:
 
 
 def _card(kind: str, head: str, said: str) -> Markup:
-    """Return a card whose head has a sign of its own."""
+    """Return a card whose head brings its own sign."""
     return verdict_box(kind, head, said, sign="")
 
 
 def figures_markup(found: Compared, units: Units) -> Inside:
-    """Return size and reach, as it is and with the changes."""
+    """Return size and reach, of the real arm and with the changes."""
     sides, flat = found.figures, [first_joint(arm).planar for arm in (found.before, found.after)]
     units_of_size = ["m²" if each else "m³" for each in flat]
     same = units_of_size[0] == units_of_size[1]
@@ -130,7 +130,7 @@ def figures_markup(found: Compared, units: Units) -> Inside:
 
 
 def _reach_rows(found: Compared, flat: bool, units: Units) -> list[tuple[str, ...]]:
-    """Return how far both come: from a joint 1 that turns and along it; in the directions across one that slides."""
+    """Return the reach of both: from and along a joint 1 that turns, or in the directions across one that slides."""
     joints, sides = [first_joint(arm) for arm in (found.before, found.after)], found.figures
     turning = joints[0].revolute
     first, second = (
@@ -152,7 +152,7 @@ def _row(name: str, cells: list[str]) -> Markup:
 
 
 def legend_markup(found: Compared) -> Markup:
-    """Return what the colours of the points stand for."""
+    """Return the meaning of the colours of the points."""
     if found.same:
         names: tuple[str, ...] = ("kept",)
     else:
@@ -177,7 +177,7 @@ def _size_of(figures: Figures) -> str:
 
 
 def _of(value: float, error: float) -> str:
-    """Return a number as exactly as it is known: the error has one digit, or two that begin with 1."""
+    """Return a number to the accuracy of its error, which is shown with one digit, or two that begin with 1."""
     if error <= 0.0:
         return number(value, 3)
     power = math.floor(math.log10(error))
