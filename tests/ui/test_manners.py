@@ -3,7 +3,6 @@
 import asyncio
 import re
 import threading
-import urllib.request
 
 from armlab.session.session import Session
 from armlab.ui import lab as lab_module
@@ -139,18 +138,20 @@ def test_a_page_closed_while_it_opens_leaves_nothing_behind(tmp_path, monkeypatc
     assert built == []
 
 
-def test_the_page_loads_while_the_lessons_are_still_read(monkeypatch):
+def test_a_page_opens_while_the_lessons_are_still_read_and_one_of_a_lesson_waits_for_them(monkeypatch):
     read, lessons = threading.Event(), lab_module.lessons
-    monkeypatch.setattr(lab_module, "lessons", lambda: (read.wait(), lessons())[1])
+    monkeypatch.setattr(lab_module, "lessons", lambda: (read.wait(WAIT), lessons())[1])
     with running_lab() as url:
-        with urllib.request.urlopen(url) as page:
-            assert page.status == 200
 
         async def main():
-            opening = asyncio.create_task(student(url))
+            await (await student(url)).close()
+            opening = asyncio.create_task(student(url, path="/lesson/first_arm"))
             await asyncio.sleep(0.5)
             assert not opening.done()
             read.set()
             await (await opening).close()
 
-        run(main())
+        try:
+            run(main())
+        finally:
+            read.set()
