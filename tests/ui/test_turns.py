@@ -103,7 +103,7 @@ def test_a_socket_that_sent_nonsense_before_much_else_is_let_go_of_soon(bare):
     bare.run(work)
 
 
-def test_building_a_page_is_not_what_its_browser_has_taken():
+def test_building_a_page_is_not_what_its_browser_has_taken(monkeypatch):
     """The first message of the camera waits until the page is built, in the time of all."""
     now = used = 0.0
     turns_of = {"token": Turns(lambda: now, lambda: used)}
@@ -117,7 +117,8 @@ def test_building_a_page_is_not_what_its_browser_has_taken():
 
     socket = SimpleNamespace(request=SimpleNamespace(headers={adapter.TOKEN_HEADER: "token"}), recv=receive)
     server = SimpleNamespace(_websock_server=SimpleNamespace(_live_connections={7: socket}), _connected_clients={})
-    connection = SimpleNamespace(client_id=7, _handle_incoming_message=handle)
+    monkeypatch.setattr(adapter, "send_at_once", lambda _buffer: None)
+    connection = SimpleNamespace(client_id=7, _handle_incoming_message=handle, get_message_buffer=lambda: None)
     adapter._guard(server, connection, turns_of)
     camera = {name: value for name, value in CAMERA.items() if name != "type"}
     asyncio.run(connection._handle_incoming_message(7, _messages.ViewerCameraMessage(**camera)))

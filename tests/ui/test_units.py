@@ -26,6 +26,7 @@ from armlab.session.state import State, apply
 from armlab.ui import verdicts
 from armlab.ui.figure.anatomy import anatomy_of
 from armlab.ui.format import MINUS
+from armlab.ui.html import joined
 from armlab.ui.scene._dimensions import dimensions_of
 from armlab.ui.scene.angles import name_of
 from armlab.ui.tables import cell_text
@@ -89,7 +90,7 @@ def test_letters_are_those_of_the_book():
     assert step_formula("standard", units) == r"{}^{i-1}T_{i}=" + moves
     assert r"R_x(\alpha_{j-1})\,T_x(a_{j-1})\,R_z(\theta_{j})" in step_formula("modified", RADIANS)
     assert link_symbols(arm, 1, units) != link_symbols(arm, 1, DEGREES)
-    shown = axes_section(BareForm(), facts_of(catalogue()["puma560"].arm), 1, units, lambda _: None)
+    shown = joined(axes_section(BareForm(), facts_of(catalogue()["puma560"].arm), 1, units, lambda _: None))
     assert "ϑ₁" in shown
     assert "θ" not in shown
 

@@ -210,7 +210,7 @@ def test_a_cell_is_edited_undone_and_kept(url):
         await browser.until(lambda: value_of(browser, "dh-2-a") == "500")
         assert "PUMA 560" in browser.html()
         assert "edited" in browser.html()
-        assert "Back to the file's table" in browser.html()
+        assert joined("Back to the file's table") in browser.html()
         again = await at_the_table(url, cookie)
         assert value_of(again, "dh-2-a") == "500"
         await browser.press("undo")
