@@ -107,6 +107,7 @@ def send_at_once(buffer: AsyncMessageBuffer) -> None:
                 looked_at += 1
                 with buffer.buffer_lock:
                     message = buffer.pop_message_locked(looked_at)
+                    buffer.generator_cursors[client_id] = looked_at
                 if message is not None and message.excluded_self_client != client_id:
                     window.append(message)
             if window:
