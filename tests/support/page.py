@@ -174,11 +174,8 @@ class LabPage:
             self.errors.append(text)
 
     def ready(self) -> None:
-        """Wait until the arm and its handle are there and the picture has faded in."""
-        # A lesson that begins with a prediction shows no handle.
-        handle = "window.__viserMutable?.nodeRefFromName?.['/target']"
-        self.page.wait_for_function(f"() => {handle} || document.querySelector('.lesson-text')")
-        bodies = "Object.keys(window.__viserMutable.nodeRefFromName).some(n => n.endsWith('/body'))"
+        """Wait until the arm is there, with all that the open panel and lesson show of it, or what covers it."""
+        bodies = "Object.keys(window.__viserMutable?.nodeRefFromName ?? {}).some(n => n.endsWith('/body'))"
         covered = "document.querySelector('.ask .dim')"
         self.page.wait_for_function(f"() => {bodies} || {covered}")
         self.rest()
