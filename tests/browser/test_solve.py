@@ -4,6 +4,8 @@ import math
 
 import pytest
 
+from armlab.benches.velocity.solve.ui.pictures import ROWS
+from armlab.ui.colours import css
 from support.page import LabPage
 
 pytestmark = pytest.mark.browser
@@ -62,7 +64,7 @@ def test_a_press_and_a_drag_in_the_square_move_the_arm(visit):
         lab.page.mouse.move(box["x"] + share * box["width"], box["y"] + 0.5 * box["height"] - 1)
     lab.until(lambda: abs(place() - 0.6) < 0.012)
     lab.page.mouse.up()
-    assert lab.page.locator(".so-lines .row1").count() == 1
+    assert lab.page.locator(f'.so-lines path[stroke="{css(ROWS[0])}"]').count() == 1
     inside = lab.page.evaluate(
         """() => [...document.querySelectorAll('.so-lines, .so-square, .so-norm')].every(each => {
           const box = each.getBoundingClientRect();

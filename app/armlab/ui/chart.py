@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from armlab.ui import svg
 from armlab.ui.format import trimmed
 from armlab.ui.html import Attribute, Inside, Markup, tag
-from armlab.ui.ticks import ticks
+from armlab.ui.ticks import multiples, powers_of_ten, ticks
 
 Range = tuple[float, float]
 
@@ -21,6 +21,12 @@ LARGE, SMALL = 1e5, 1e-4
 
 EDGE = 16.0
 """Distance from the right edge below which a number ends at its line instead of standing in its middle."""
+
+NAME = 18.0
+"""Height at the top in which the name of the ordinate takes the place of numbers."""
+
+LETTER, DIGIT = 5.5, 5.6
+"""Usual width of a letter of a name and of a digit of a number."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +43,18 @@ class Chart:
         Of the picture, in pixels.
     left, bottom : float
         What the numbers take of it.
+    names : (str, str)
+        Of abscissa and ordinate with their units, in the corners before the numbers; a number that has no room beside
+        them is left out.
+    steps : (float, float)
+        Distances of the round values; 0 lets the chart choose.
+    log : bool
+        Whether the abscissa is logarithmic.
+
+    Raises
+    ------
+    ValueError
+        A range is empty or not finite, or a logarithmic one does not lie above zero.
     """
 
     key: str
@@ -46,30 +64,46 @@ class Chart:
     height: float
     left: float
     bottom: float
+    names: tuple[str, str] = ("", "")
+    steps: tuple[float, float] = (0.0, 0.0)
+    log: bool = False
+
+    def __post_init__(self) -> None:
+        for axis, (low, high), least in (("x", self.x, 0.0 if self.log else -math.inf), ("y", self.y, -math.inf)):
+            if not (low > least and 0.0 < high - low < math.inf):
+                what = "above zero" if axis == "x" and self.log else "of finite numbers"
+                raise ValueError(f"{axis} of chart {self.key}: expected a range {what}, got {low:g} to {high:g}")
 
     def px(self, x: float) -> float:
         """Return the pixel of an abscissa."""
-        return self.left + (self.width - self.left) * (x - self.x[0]) / (self.x[1] - self.x[0])
+        low, high = self.x
+        part = math.log(x / low) / math.log(high / low) if self.log else (x - low) / (high - low)
+        return self.left + (self.width - self.left) * part
 
     def py(self, y: float) -> float:
         """Return the pixel of an ordinate."""
         return (self.height - self.bottom) * (self.y[1] - y) / (self.y[1] - self.y[0])
 
-    def grid(self, top: float = 0.0) -> list[Markup]:
-        """Return lines at round values, with the values beside them; ``top`` pixels stay free for a name."""
-        right, floor = self.width, self.height - self.bottom
-        lines = []
-        for value in ticks(*self.x):
-            x = self.px(value)
-            anchor = "end" if x > right - EDGE else "middle"
-            lines.append(svg.path("grid", f"M{x:.1f} 0V{floor:g}"))
-            lines.append(svg.text("tick", x, self.height - 4.0, value_text(value, self.x), anchor))
-        for value in ticks(*self.y):
+    def grid(self) -> list[Markup]:
+        """Return lines at round values, with the values and the names of the axes beside them."""
+        (across, up), floor = self.names, self.height - 4.0
+        lines = [svg.text("", 2, y, name) for y, name in ((11.0, up), (floor, across)) if name]
+        for value in powers_of_ten(*self.x) if self.log else _round(self.steps[0], self.x):
+            x, text = self.px(value), value_text(value, (0.0, value) if self.log else self.x)
+            anchor = "end" if x > self.width - EDGE else "middle"
+            lines.append(self.upright(value, "grid"))
+            if not across or x - 0.5 * DIGIT * len(text) >= 2.0 + LETTER * len(across):
+                lines.append(svg.text("tick", x, floor, text, anchor))
+        for value in _round(self.steps[1], self.y):
             y = self.py(value)
-            lines.append(svg.path("grid", f"M{self.left:g} {y:.1f}H{right:g}"))
-            if y >= top:
+            lines.append(svg.path("grid", f"M{self.left:g} {y:.1f}H{self.width:g}"))
+            if not up or y >= NAME:
                 lines.append(svg.text("tick", self.left - 4.0, y + 4.0, value_text(value, self.y), "end"))
         return lines
+
+    def upright(self, x: float, kind: str, **looks: Attribute) -> Markup:
+        """Return a line from top to bottom, such as a cursor."""
+        return tag(f"path.{kind}", d=f"M{self.px(x):.1f} 0V{self.height - self.bottom:g}", **looks)
 
     def zero(self) -> Markup:
         """Return the line on which y is zero."""
@@ -80,14 +114,23 @@ class Chart:
         return tag("path", clip_path=f"url(#{self.key}-clip)", d=d, **looks)
 
     def line(self, points: Iterable[tuple[float, float]], **looks: Attribute) -> Markup:
-        """Return straight pieces between points, cut at the edge of the rectangle."""
-        return self.cut("M" + "L".join(f"{self.px(x):.1f} {self.py(y):.1f}" for x, y in points), **looks)
+        """Return straight pieces between points, cut at the edge of the rectangle and broken where y is not finite."""
+        pieces, pen = list[str](), "M"
+        for x, y in points:
+            if math.isfinite(y):
+                pieces.append(f"{pen}{self.px(x):.1f} {self.py(y):.1f}")
+            pen = "L" if math.isfinite(y) else "M"
+        return self.cut("".join(pieces), fill="none", **looks)
 
     def picture(self, label: str, *inside: Inside) -> Markup:
         """Return the whole picture; its class is the key, and the label is read aloud."""
         wide, tall = self.width - self.left, self.height - self.bottom
         clip = tag("clipPath", svg.shape("rect", x=self.left, y=0, width=wide, height=tall), id=f"{self.key}-clip")
         return svg.drawing(f"chart.{self.key}", self.width, self.height, label, clip, *inside)
+
+
+def _round(step: float, span: Range) -> list[float]:
+    return multiples(step, *span) if step else ticks(*span)
 
 
 def value_text(value: float, span: Range) -> str:
@@ -99,4 +142,4 @@ def value_text(value: float, span: Range) -> str:
     wide = span[1] - span[0]
     if abs(value) >= LARGE or wide < SMALL:
         return f"{value:.0e}".replace("e+0", "e").replace("e-0", "e-").replace("-", "−") if value else "0"
-    return trimmed(value, max(0, 1 - math.floor(math.log10(wide / 2.0))))
+    return trimmed(value, max(0, 2 - math.floor(math.log10(wide / 2.0))))

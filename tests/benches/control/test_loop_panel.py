@@ -1,8 +1,10 @@
 """The pages of the velocity loop and of the matrix exponential as a browser gets them."""
 
+import math
 import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from armlab.benches.control.exponential.examples import EXAMPLES as MATRICES
@@ -39,13 +41,14 @@ def test_the_pictures_of_the_loop_are_drawn_of_numbers(key):
         assert "nan" not in diagram(part, t)
     picture = bode(part, units)
     assert "nan" not in picture
-    assert picture.count('class="here"') == (3 if part.kind == "sine" else 0)
-    # The curve begins at 0 dB, the top of the picture, and falls.
-    gains, phases = re.findall(r'<polyline points="([^"]+)"', picture)
-    heights = [float(point.split(",")[1]) for point in gains.split()]
-    assert heights == sorted(heights)
-    assert heights[0] == pytest.approx(8.0, abs=0.5)
-    assert [float(point.split(",")[1]) for point in phases.split()][-1] <= 174.0
+    assert picture.count('class="here"') == (4 if part.kind == "sine" else 0)
+    # Both curves begin at zero, which has a number, and fall.
+    gains, phases = curves(picture)
+    zeros = re.findall(r'y="([\d.]+)" text-anchor="end">0</text>', picture)
+    for heights, zero in zip((gains[:, 1], phases[:, 1]), zeros, strict=True):
+        assert (np.diff(heights) >= 0.0).all()
+        assert 0.0 <= heights[0] + 4.0 - float(zero) < 6.0  # a number stands 4 pixels below its line
+    assert phases[-1, 1] <= 80.0
 
 
 def test_extreme_loops_are_drawn_too():
@@ -151,12 +154,20 @@ def test_random_and_degenerate_systems_are_drawn_of_numbers(rng):
             assert not re.search(r"\bnan\b|\binf\b", page)
 
 
+def curves(picture):
+    """Return the pixels of the gain's and the phase's curve."""
+    found = re.findall(r'd="M([^"]+)" fill="none" stroke="[^"]+" stroke-width="1.8"', picture)
+    return [np.array([point.split() for point in each.split("L")], dtype=float) for each in found]
+
+
 def test_the_frequency_response_is_drawn_from_edge_to_edge():
     part = Loop()
     picture = bode(part, Units(Notation()))
-    for line in re.findall(r'<polyline points="([^"]+)"', picture):
-        across = [float(point.split(",")[0]) for point in line.split()]
-        assert (across[0], across[-1]) == (36.0, 312.0)
+    for points in curves(picture):
+        assert (points[0, 0], points[-1, 0]) == (36.0, 320.0)
     # 0.1 to 100 rad/s: the cutoff of 10 rad/s is at two thirds, the 2 rad/s of the sine at log 20 / 3.
-    assert 'class="cut" d="M36 8H220.0' in picture
-    assert 'class="here" d="M155.7 ' in picture
+    assert f'd="M36.0 23.1L{36 + 284 * 2 / 3:.1f} 23.1L320.0 ' in picture
+    assert picture.count(f'class="here" d="M{36 + 284 * math.log10(20.0) / 3:.1f} 0V') == 2
+    assert [name in picture for name in (">dB<", ">°<", ">ω, rad/s<")] == [True] * 3
+    assert ">−90<" in picture
+    assert ">−1.57<" in bode(part, Units(Notation(angle="rad")))

@@ -1,21 +1,25 @@
 """The page Pictures: two lines, the norm against det J, the square and the torus, as markup and over the wire."""
 
 import math
+import re
 
 import numpy as np
 import pytest
 
 from armlab.benches.velocity.pictures.ui import page as pictures
 from armlab.benches.velocity.solve.examples import ChooseSolveExample
-from armlab.benches.velocity.solve.pictures import DragTo, StandAt, flat, square
+from armlab.benches.velocity.solve.pictures import DragTo, StandAt, flat, norm_curve, square
 from armlab.benches.velocity.solve.state import Solve
-from armlab.benches.velocity.solve.ui.pictures import lines_svg, lines_words, marks_style, nice
+from armlab.benches.velocity.solve.ui.pictures import ROWS, lines_svg, lines_words, marks_style, nice, norm_svg
 from armlab.benches.velocity.solve.ui.torus import HIGH, WIDE, pressed, projected, torus_markup, torus_style
+from armlab.benches.velocity.solve.ui.words import dotted
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
+from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
+from armlab.ui.colours import css
 from armlab.ui.form import Marks
 from armlab.ui.html import joined
 from armlab.ui.units import Units, units_of
@@ -67,14 +71,50 @@ def test_two_lines_meet_are_parallel_or_one():
         two, units = flat(state), units_of(state)
         assert words in lines_words(state, two, units)
         drawing = lines_svg(state, two, units)
-        assert drawing.count('class="row') == (1 if key == "stretched_90" else 2)
+        assert sum(f'stroke="{css(colour)}"' in drawing for colour in ROWS) == (1 if key == "stretched_90" else 2)
         assert ('class="nearest"' in drawing) == (key == "stretched_30")
 
 
 def test_the_determinant_of_the_pictures_has_its_unit():
     state = example("one")
     assert f"det J = {math.sin(math.radians(55.0)):.4f} m²" in pictures.norm_markup(state, UNITS)
-    assert "det J: 1 m²" in pictures.norm_markup(state, UNITS)
+    assert ">det J, m²</text>" in pictures.norm_markup(state, UNITS)
+
+
+def test_the_arm_is_marked_in_both_charts_where_the_numbers_say():
+    state = example("one")
+    two, curve = flat(state), norm_curve(state)
+    (speed,) = np.degrees([np.linalg.norm(two.answer.qdot)])
+    size = norm_svg(curve, (two.determinant, math.radians(speed)), UNITS)
+    for drawing, point in (
+        (lines_svg(state, two, UNITS), np.degrees(two.answer.qdot)),
+        (size, (two.determinant, speed)),
+    ):
+        x, y = at_numbers(drawing, point)
+        cx, cy = re.search(r'class="answer" cx="([\d.]+)" cy="([\d.]+)"', drawing).groups()
+        assert (float(cx), float(cy)) == pytest.approx((x, y), abs=0.3)
+
+
+def at_numbers(drawing, point):
+    """Return the pixel of a point from the numbers of the axes that are farthest apart."""
+    found = re.findall(r'<text class="tick" x="([\d.]+)" y="([\d.]+)" text-anchor="(\w+)">([^<]+)<', drawing)
+    read = [(float(x), float(y) - 4.0, float(words.replace("−", "-"))) for x, y, _, words in found]
+    base = max(y for _, y, _ in read)
+    across = [(value, x) for x, y, value in read if y == base]
+    up = [(value, y) for _, y, value in read if y != base]
+    return tuple(
+        low[1] + (value - low[0]) / (high[0] - low[0]) * (high[1] - low[1])
+        for value, (low, *_, high) in zip(point, (across, up), strict=True)
+    )
+
+
+def test_the_axes_of_both_charts_are_in_the_units_on_screen():
+    state = example("one")
+    for units, unit in ((UNITS, "°/s"), (Units(Notation(angle="rad")), "rad/s")):
+        lines = lines_svg(state, flat(state), units)
+        names = [f"{dotted(k, state[Joints].arm, units)}, {unit}" for k in (1, 0)]
+        assert re.findall(r">([^<]+/s)</text>", lines) == names
+        assert f">‖q̇‖, {unit}</text>" in pictures.norm_markup(state, units)
 
 
 def test_the_mark_in_the_square_is_where_the_arm_stands():

@@ -13,8 +13,7 @@ from armlab.ui.html import Inside, Markup
 
 WIDTH, HEIGHT = 320, 200
 LEFT, BOTTOM = 30, 16
-NAME = 18.0
-"""Room at the left and at the bottom for numbers, and at the top for the name of the ordinate, pixels."""
+"""Size of the picture, and room for numbers at its left and bottom edges, pixels."""
 
 LEAST = 1e-9
 """Units of x in a pixel, for a curve that stands still."""
@@ -38,7 +37,7 @@ def _chart(points: Array) -> Chart:
     box = np.array([WIDTH - LEFT, HEIGHT - BOTTOM])
     half = 0.5 * box * max(float((room / box).max()), LEAST)
     (x0, y0), (x1, y1) = (middle - half).tolist(), (middle + half).tolist()
-    return Chart("exp-plane", (x0, x1), (y0, y1), WIDTH, HEIGHT, LEFT, BOTTOM)
+    return Chart("exp-plane", (x0, x1), (y0, y1), WIDTH, HEIGHT, LEFT, BOTTOM, ("x₁", "x₂"))
 
 
 def plane(part: Exponential) -> Markup:
@@ -49,12 +48,10 @@ def plane(part: Exponential) -> Markup:
     start, end = ((chart.px(float(x)), chart.py(float(y))) for x, y in (curve.x[0], here))
     return chart.picture(
         "The curve of x(t) in the plane of x1 and x2",
-        chart.grid(top=NAME),
-        svg.text("", 2, 11, "x₂"),
-        svg.text("", 2, HEIGHT - 4, "x₁"),
+        chart.grid(),
         _eigenvectors(part, chart),
-        chart.line(curve.x.tolist(), fill="none", stroke=css(BLUE), stroke_width="1.2", opacity="0.4"),
-        chart.line(done.tolist(), fill="none", stroke=css(BLUE), stroke_width="2.2"),
+        chart.line(curve.x.tolist(), stroke=css(BLUE), stroke_width="1.2", opacity="0.4"),
+        chart.line(done.tolist(), stroke=css(BLUE), stroke_width="2.2"),
         _name(*start, "x(0)", css(BLUE), 3.0),
         _name(*end, "x(t)" if part.t > 0.0 else "", css(VERMILLION), 4.5),
     )

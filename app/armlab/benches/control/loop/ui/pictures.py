@@ -6,14 +6,18 @@ import math
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from armlab.benches.control.loop.state import Loop
 from armlab.session.amounts import amount
 from armlab.ui import svg
+from armlab.ui.chart import Chart
 from armlab.ui.colours import BLUE, GREEN, ORANGE, PURPLE, VERMILLION, Rgb, css
-from armlab.ui.format import number, trimmed
-from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.format import trimmed
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.units import Units
+
+Array = NDArray[np.float64]
 
 WISH, REACHED, ERROR, FORCE = BLUE, GREEN, VERMILLION, ORANGE
 """Colours of the wanted velocity, the velocity, their difference, and the force; also in the plots."""
@@ -22,11 +26,11 @@ WIDTH = 320
 LINE, BACK = 44, 80
 """Width of the pictures, and heights of the forward and of the feedback line of the diagram, pixels."""
 
-LEFT, RIGHT = 36, 8
-"""Room for numbers on both sides of the frequency response, pixels."""
+LEFT, BOTTOM = 36, 18
+"""Room for numbers at the left and at the bottom of each part of the frequency response, pixels."""
 
-GAIN_TOP, GAIN_HIGH, PHASE_TOP, PHASE_HIGH = 8, 84, 112, 62
-BODE_HIGH = 192
+GAIN, PHASE, ABOVE = 118, 98, 0.3
+"""Heights of the pictures of gain and phase, pixels, and the room above zero, in parts of what lies below."""
 
 DECIMALS = 3
 """Number of decimals in the diagram."""
@@ -82,100 +86,43 @@ def _arrow(start: int, end: int) -> Inside:
 
 def bode(part: Loop, units: Units) -> Markup:
     """Return gain and phase over the frequency, with the cutoff and the frequency of a sine marked."""
-    scale = _Scale(part)
-    omega = np.logspace(scale.low, scale.high, POINTS)
-    gains = 20.0 * np.log10(part.loop.closed_gain(omega))
-    phases = np.degrees(part.loop.phase(omega))
-    return svg.drawing(
-        "chart.loop-bode",
-        WIDTH,
-        BODE_HIGH,
-        f"Gain and phase of W over the frequency; cutoff at {amount(part.loop.cutoff)} rad/s",
-        _grid(scale, units),
-        _asymptotes(scale),
-        _curve(omega, gains, scale.x, scale.gain_y, css(BLUE)),
-        _curve(omega, phases, scale.x, scale.phase_y, css(PURPLE)),
-        _mark(part, scale) if part.kind == "sine" else None,
+    loop, factor = part.loop, units.factor(True)
+    seen = [math.log10(loop.cutoff), math.log10(part.omega if part.kind == "sine" else loop.cutoff)]
+    low, high = math.floor(min(seen) - AROUND + 1e-9), math.ceil(max(seen) + AROUND - 1e-9)
+    across, fall = (10.0**low, 10.0**high), 20.0 * (high - seen[0])
+    deepest, step = 20.0 * math.ceil(fall / 20.0), 0.25 * math.pi / factor
+
+    def chart(key: str, names: tuple[str, str], deep: float, step: float, tall: float) -> Chart:
+        up = -deep, ABOVE * deep
+        return Chart(key, across, up, WIDTH, tall, LEFT, BOTTOM, names, (0.0, step), log=True)
+
+    gain = chart("loop-gain", ("", "dB"), deepest, 20.0 if deepest <= 80.0 else 40.0, GAIN)
+    phase = chart("loop-phase", ("ω, rad/s", units.angle_unit), 2.0 * step, step, PHASE)
+    asymptotes = gain.line([(across[0], 0.0), (loop.cutoff, 0.0), (across[1], -fall)], class_="cut")
+    return tag(
+        "div.loop-bode",
+        _response(part, gain, "Gain", BLUE, lambda omega: 20.0 * np.log10(loop.closed_gain(omega)), asymptotes),
+        _response(part, phase, "Phase", PURPLE, lambda omega: loop.phase(omega) / factor),
     )
 
 
-class _Scale:
-    """The scales for frequencies, decibels and degrees."""
-
-    def __init__(self, part: Loop) -> None:
-        cutoff = math.log10(part.loop.cutoff)
-        here = math.log10(part.omega) if part.kind == "sine" else cutoff
-        self.cutoff = cutoff
-        self.low = math.floor(min(cutoff, here) - AROUND + 1e-9)
-        self.high = math.ceil(max(cutoff, here) + AROUND - 1e-9)
-        self.deepest = 20.0 * math.ceil(max(self.high - cutoff, 1.0))
-
-    def x(self, omega: float) -> float:
-        """Return the pixel of a frequency in rad/s."""
-        return LEFT + (WIDTH - LEFT - RIGHT) * (math.log10(omega) - self.low) / (self.high - self.low)
-
-    def gain_y(self, decibels: float) -> float:
-        """Return the pixel of a gain in dB."""
-        return GAIN_TOP - GAIN_HIGH * decibels / self.deepest
-
-    def phase_y(self, degrees: float) -> float:
-        """Return the pixel of a phase in degrees."""
-        return PHASE_TOP - PHASE_HIGH * degrees / 90.0
-
-
-def _grid(scale: _Scale, units: Units) -> Inside:
-    lines: list[Inside] = []
-    every = max(1, math.ceil((scale.high - scale.low) / 6))
-    for power in range(scale.low, scale.high + 1):
-        x = scale.x(10.0**power)
-        for top, high in ((GAIN_TOP, GAIN_HIGH), (PHASE_TOP, PHASE_HIGH)):
-            lines.append(svg.path("grid", f"M{x:.1f} {top}v{high}"))
-        if (power - scale.low) % every == 0:
-            text = number(10.0**power, max(0, -power)) if -3 <= power <= 4 else f"10^{power}".replace("-", "−")
-            anchor = "end" if x > WIDTH - 20 else "middle"
-            lines.append(svg.text("tick", x, PHASE_TOP + PHASE_HIGH + 13, text, anchor))
-    step = 20 if scale.deepest <= 80 else 40
-    lines += [_level(scale.gain_y(-db), number(-float(db), 0)) for db in range(0, round(scale.deepest) + 1, step)]
-    lines += [
-        _level(scale.phase_y(degrees), units.text(math.radians(degrees), True).removesuffix(".0"))
-        for degrees in (0.0, -45.0, -90.0)
-    ]
-    x = scale.x(10.0**scale.cutoff)
-    lines.append(svg.path("cut", f"M{x:.1f} {GAIN_TOP}V{PHASE_TOP + PHASE_HIGH}"))
-    side, at = ("end", x - 3) if x > WIDTH - 60 else ("start", x + 3)
-    lines.append(svg.text("tick", at, PHASE_TOP - 8, "K/M", side))
-    lines.append(svg.text("tick", 2, PHASE_TOP - 8, "dB"))
-    lines.append(svg.text("tick", 2, BODE_HIGH - 5, units.angle_unit))
-    lines.append(svg.text("tick", LEFT, PHASE_TOP - 8, "ω, rad/s"))
-    return lines
-
-
-def _level(y: float, text: str) -> Inside:
-    return svg.path("grid", f"M{LEFT} {y:.1f}H{WIDTH - RIGHT}"), svg.text("tick", LEFT - 4, y + 3.5, text, "end")
-
-
-def _asymptotes(scale: _Scale) -> Markup:
-    """Return 0 dB up to the cutoff, and 20 dB a decade down from there."""
-    x, end = scale.x(10.0**scale.cutoff), scale.x(10.0**scale.high)
-    down = scale.gain_y(-20.0 * (scale.high - scale.cutoff))
-    return svg.path("cut", f"M{LEFT} {GAIN_TOP}H{x:.1f}L{end:.1f} {down:.1f}")
-
-
-def _curve(
-    omega: np.ndarray[tuple[int], np.dtype[np.float64]],
-    values: np.ndarray[tuple[int], np.dtype[np.float64]],
-    x: Callable[[float], float],
-    y: Callable[[float], float],
-    colour: str,
+def _response(
+    part: Loop, chart: Chart, name: str, colour: Rgb, at: Callable[[Array], Array], more: Inside = None
 ) -> Markup:
-    points = " ".join(f"{x(at):.1f},{y(value):.1f}" for at, value in zip(omega.tolist(), values.tolist(), strict=True))
-    return svg.shape("polyline", points=points, fill="none", stroke=colour, stroke_width=1.8)
-
-
-def _mark(part: Loop, scale: _Scale) -> Markup:
-    """Return the mark of the sine's frequency on both curves."""
-    x = scale.x(part.omega)
-    gain = scale.gain_y(20.0 * math.log10(float(part.loop.closed_gain(part.omega))))
-    phase = scale.phase_y(math.degrees(float(part.loop.phase(part.omega))))
-    line = tag("path.here", d=f"M{x:.1f} {GAIN_TOP}V{PHASE_TOP + PHASE_HIGH}", stroke=css(WISH))
-    return joined(line, [svg.shape("circle.here", cx=x, cy=y, r=4, fill=css(WISH)) for y in (gain, phase)])
+    """Return the chart of one part of the frequency response, with its curve and the marks."""
+    cutoff = part.loop.cutoff
+    omega = np.geomspace(*chart.x, POINTS)
+    x = chart.px(cutoff)
+    side, beside = ("end", x - 3) if x > WIDTH - 60 else ("start", x + 3)
+    shapes = [
+        chart.grid(),
+        chart.upright(cutoff, "cut"),
+        svg.text("tick", beside, 11, "K/M", side),
+        more,
+        chart.line(zip(omega.tolist(), at(omega).tolist(), strict=True), stroke=css(colour), stroke_width="1.8"),
+    ]
+    if part.kind == "sine":
+        y = chart.py(float(at(np.array(part.omega))))
+        shapes.append(chart.upright(part.omega, "here", stroke=css(WISH)))
+        shapes.append(svg.shape("circle.here", cx=chart.px(part.omega), cy=y, r=4, fill=css(WISH)))
+    return chart.picture(f"{name} of W over the frequency; cutoff at {amount(cutoff)} rad/s", shapes)

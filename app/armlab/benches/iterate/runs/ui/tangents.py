@@ -90,7 +90,11 @@ def picture(solved: Solved, place: Place) -> Markup:
     """Return the picture as SVG."""
     view, k = View.of(solved, place), place.k
     chart = view.chart
-    parts: list[Inside] = [chart.grid(), chart.zero(), _path(view), _iterates(chart, solved, k)]
+    # The curve is interrupted where f has no value, and beside poles.
+    drawn = zip(view.at.tolist(), view.curve.tolist(), strict=True)
+    near = [(x, y if abs(chart.py(y)) < 4.0 * HEIGHT else math.nan) for x, y in drawn]
+    curve = chart.line(near, stroke=css(BLUE), stroke_width=2)
+    parts: list[Inside] = [chart.grid(), chart.zero(), curve, _iterates(chart, solved, k)]
     here = solved.iterates[k]
     after = solved.iterates[k + 1] if k < solved.last else None
     if k:
@@ -135,20 +139,6 @@ def _iterates(chart: Chart, solved: Solved, k: int) -> list[Inside]:
             anchor = "end" if x > WIDTH - 14 else "middle"
             marks.append(svg.text("", x, y, subscript("x", i), anchor))
     return marks
-
-
-def _path(view: View) -> Markup:
-    """Return the curve, interrupted where f has no value, and beside poles."""
-    pieces, pen = [], False
-    high = 4.0 * HEIGHT
-    for x, y in zip(view.at.tolist(), view.curve.tolist(), strict=True):
-        at = view.chart.py(y) if math.isfinite(y) else math.inf
-        if not -high < at < high:
-            pen = False
-            continue
-        pieces.append(f"{'L' if pen else 'M'}{view.chart.px(x):.1f} {at:.1f}")
-        pen = True
-    return view.chart.cut("".join(pieces), fill="none", stroke=css(BLUE), stroke_width=2)
 
 
 def _line(

@@ -15,16 +15,22 @@ from armlab.kin.arm import Arm
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui import svg
+from armlab.ui.chart import Chart
+from armlab.ui.colours import BLUE, GREEN, ORANGE, css
 from armlab.ui.form import Marks
-from armlab.ui.format import number, trimmed
+from armlab.ui.format import number
 from armlab.ui.html import Inside, Markup, classes, joined, styles, tag
 from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units
 
 Array = NDArray[np.float64]
 
-WIDE, HIGH = 296, 216
-"""Width and height of a drawing, pixels."""
+WIDE, HIGH = 320, 232
+LEFT, BOTTOM = 40, 20
+"""Width and height of a chart, and what the numbers take of it, pixels."""
+
+ROWS = (BLUE, ORANGE)
+"""Colours of the two equations."""
 
 SIDE = 250
 """Side of the square, pixels."""
@@ -58,32 +64,27 @@ def nice(value: float) -> float:
 def lines_svg(state: State, found: Flat, units: Units) -> Markup:
     """Return the two equations as lines in the plane of the joint speeds, with the shortest answer."""
     arm, pair = state[Joints].arm, state[Solve].pair
-    half = _window(found)
-    scale = 0.5 * min(WIDE, HIGH) / half
-
-    def at(point: Array) -> tuple[float, float]:
-        return 0.5 * WIDE + scale * float(point[0]), 0.5 * HIGH - scale * float(point[1])
-
-    middle = WIDE / 2, HIGH / 2
-    parts = [svg.line("axis", 0, HIGH / 2, WIDE, HIGH / 2), svg.line("axis", WIDE / 2, 0, WIDE / 2, HIGH)]
+    turning = [bool(arm.revolute[k]) for k in pair]
+    # The same scale in both directions, in rad/s and m/s; the numbers are in the units on screen.
+    half, factor = _window(found), np.array([units.factor(each) for each in turning])
+    (x, y) = (half * np.array([(WIDE - LEFT) / (HIGH - BOTTOM), 1.0]) / factor).tolist()
+    names = [f"{dotted(k, arm, units)}, {units.unit(each)}/s" for k, each in zip(pair, turning, strict=True)]
+    chart = Chart("so-lines", (-x, x), (-y, y), WIDE, HIGH, LEFT, BOTTOM, (names[0], names[1]))
+    rows = []
     for k in (0, 1):
         ends = _ends(found.J[k], float(found.v[k]), half)
         if ends is not None:
-            parts.append(svg.line(f"row{k + 1}", *at(ends[0]), *at(ends[1])))
-    x, y = at(found.answer.qdot)
+            rows.append(chart.line((ends / factor).tolist(), stroke=css(ROWS[k]), stroke_width=2))
+    answer: list[float] = (found.answer.qdot / factor).tolist()
     shown = "answer" if found.answer.verdict != "none" else "nearest"
-    first, second = (dotted(k, arm, units) for k in pair)
-    return svg.drawing(
-        "so-lines",
-        WIDE,
-        HIGH,
+    return chart.picture(
         "The two equations of J q̇ = v as lines",
-        parts,
-        svg.line("shortest", *middle, x, y),
-        svg.circle(shown, x, y, 5),
-        svg.text("", WIDE - 4, HIGH / 2 - 5, first, "end"),
-        svg.text("", WIDE / 2 + 6, 12, second),
-        _scale_mark(half, scale, state, units),
+        chart.grid(),
+        chart.zero(),
+        chart.upright(0.0, "axis"),
+        rows,
+        chart.line([(0.0, 0.0), (answer[0], answer[1])], stroke=css(GREEN), stroke_width="1.5", stroke_dasharray="4 3"),
+        svg.circle(shown, chart.px(answer[0]), chart.py(answer[1]), 5),
     )
 
 
@@ -102,19 +103,6 @@ def _ends(row: Array, value: float, half: float) -> Array | None:
         return None
     foot, way = row * (value / size**2), np.array([-row[1], row[0]]) / size
     return np.array([foot - 4.0 * half * way, foot + 4.0 * half * way])
-
-
-def _scale_mark(half: float, scale: float, state: State, units: Units) -> Markup:
-    """Return a bar of a round length with its size."""
-    arm, pair = state[Joints].arm, state[Solve].pair
-    kind = bool(arm.revolute[pair[0]])
-    length = nice(0.4 * half / units.factor(kind)) * units.factor(kind)
-    if kind != bool(arm.revolute[pair[1]]):
-        text = f"{trimmed(length, 3)} rad/s, m/s"
-    else:
-        text = f"{trimmed(length / units.factor(kind), 3)} {units.unit(kind)}/s"
-    y = HIGH - 8
-    return joined(svg.line("rule", 6, y, 6 + length * scale, y), svg.text("", 6, y - 5, text))
 
 
 def lines_words(state: State, found: Flat, units: Units) -> Markup:
@@ -158,46 +146,25 @@ def _equation(row: Array, value: float, name: Markup, pair: tuple[int, int], arm
 # -- norm against det J ----------------------------------------------------------------------------------------------
 
 
-def at_all(curve: NormCurve, most: float, top: float, height: float) -> tuple[Array, Array]:
-    """Return the pixels of the curve, with NaN where it is too high for the picture."""
-    low = np.where(curve.norm <= 1.3 * top, curve.norm, np.nan)
-    return 0.5 * WIDE + 0.47 * WIDE * curve.determinant / most, height - 14.0 - (height - 22.0) * low / top
-
-
-def _path(x: Array, y: Array) -> str:
-    """Return the path commands of a line through points in tenths of pixels, broken at NaN."""
-    seen = np.isfinite(y)
-    begins = seen & ~np.concatenate([[False], seen[:-1]])
-    return "".join(
-        f"{'M' if first else 'L'}{px} {py}"
-        for px, py, first in zip(
-            np.round(x[seen], 1).tolist(), np.round(y[seen], 1).tolist(), begins[seen].tolist(), strict=True
-        )
-    )
-
-
 def norm_svg(curve: NormCurve, here: tuple[float, float], units: Units) -> Markup:
     """Return the size of the joint speeds over det J; ``here`` is the point of the arm."""
-    most = float(np.abs(curve.determinant).max()) or 1.0
-    finite = curve.norm[np.isfinite(curve.norm) & (curve.norm > 0.0)]
-    top = units.factor(True) * nice(HIGHEST * float(finite.min()) / units.factor(True)) if len(finite) else 1.0
-    height = 130.0
-    base, below = height - 14.0, height - 3.0
-    parts = [
-        svg.line("axis", 0, base, WIDE, base),
-        svg.line("zero", WIDE / 2, 4, WIDE / 2, base),
-        svg.path("curve", _path(*at_all(curve, most, top, height))),
-    ]
-    if math.isfinite(here[1]):
-        x, y = 0.5 * WIDE + 0.47 * WIDE * here[0] / most, base - (height - 22.0) * min(here[1] / top, 1.02)
-        parts.append(svg.circle("answer", x, y, 4.5))
-    parts += [
-        svg.text("", WIDE - 3, below, f"det J: {trimmed(most, 3)} m²", "end"),
-        svg.text("", 3, below, f"−{trimmed(most, 3)}"),
-        svg.text("", WIDE / 2, below, "0", "middle"),
-        svg.text("", 3, 12, speed_text(top, True, units)),
-    ]
-    return svg.drawing("so-norm", WIDE, height, "Size of the joint speeds against det J", parts)
+    most, factor = 1.06 * float(np.abs(curve.determinant).max()) or 1.0, units.factor(True)
+    size = curve.norm / factor
+    finite = size[np.isfinite(size) & (size > 0.0)]
+    top = nice(HIGHEST * float(finite.min())) if len(finite) else 1.0
+    names = "det J, m²", f"‖q̇‖, {units.unit(True)}/s"
+    chart = Chart("so-norm", (-most, most), (0.0, 1.06 * top), WIDE, 150, LEFT, BOTTOM, names)
+    low = np.where(size <= 1.3 * top, size, np.nan)
+    points = zip(curve.determinant.tolist(), low.tolist(), strict=True)
+    mark = chart.px(here[0]), chart.py(min(here[1] / factor, 1.02 * top))
+    return chart.picture(
+        "Size of the joint speeds against det J",
+        chart.grid(),
+        chart.zero(),
+        chart.upright(0.0, "zero"),
+        chart.line(points, stroke=css(BLUE), stroke_width="1.6"),
+        svg.circle("answer", *mark, 4.5) if math.isfinite(here[1]) else None,
+    )
 
 
 # -- the square ------------------------------------------------------------------------------------------------------
