@@ -43,7 +43,7 @@ def test_a_longer_link_is_previewed_compared_and_taken_over(visit):
     lab.page.locator(".al .verdict", has_text="The volume is larger").wait_for()
     assert lab.page.locator(".wi-changes b").count() == 1
     lab.until(lambda: points(lab, "gained") > 100)
-    assert lab.page.locator(".wi-section path").count() == 2
+    assert lab.page.locator(".wi-section :is(.was, .then)").count() == 2
     assert lab.page.evaluate(CUT) == 0
     lab.type_into("value", "900")
     lab.page.locator(".wi-changes b", has_text="900.0 mm").wait_for()

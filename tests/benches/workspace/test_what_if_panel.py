@@ -5,6 +5,7 @@ import re
 from dataclasses import replace
 from functools import cache
 
+import numpy as np
 import pytest
 
 from armlab.benches.workspace.section.ui.words import across
@@ -201,11 +202,16 @@ def test_sections_are_drawn_one_over_the_other_of_arms_in_space():
     state = known("elbow_3r", Suppose(1, "a", 0.5))
     found, units = state[WhatIf].found, units_of(state)
     drawn = joined(picture(found, units))
-    assert drawn.count("<path") == 2
-    numbers = [float(each) for each in re.findall(r"[ML](-?[\d.]+) ", drawn)]
-    assert min(numbers) >= 0.0
-    assert max(numbers) <= 320.0
-    assert joined(picture(known("elbow_3r")[WhatIf].found, units)).count("<path") == 1
+    assert re.findall(r'class="(was|then)"', drawn) == ["was", "then"]
+    (was,) = re.findall(r'd="([^"]+)" fill="none" class="was"', drawn)
+    points = np.array(re.findall(r"[ML]([\d.]+) ([\d.]+)", was), dtype=float)
+    # As wide and as high as the numbers of both axes say, which have one scale: the elbow reaches 1.3 m from (0, 0.6).
+    zero, one = (float(re.search(rf'x="([\d.]+)" y="[\d.]+" text-anchor="middle">{x}<', drawn)[1]) for x in (0, 1000))
+    assert points.min(axis=0)[0] == pytest.approx(zero, abs=0.5)
+    assert np.ptp(points, axis=0) == pytest.approx([1.3 * (one - zero), 2.6 * (one - zero)], abs=1.0)
+    assert [name in drawn for name in (">ρ, mm<", ">z, mm<")] == [True, True]
+    assert points.max() <= 320.0
+    assert re.findall(r'class="(was|then)"', joined(picture(known("elbow_3r")[WhatIf].found, units))) == ["was"]
     assert joined(picture(replace(found, sections=None), units)) == ""
     assert joined(picture(known("planar_2r")[WhatIf].found, units)) == ""
 

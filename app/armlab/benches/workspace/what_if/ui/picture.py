@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from armlab.benches.workspace.what_if.found import Compared
 from armlab.kin.workspace.section import Section
-from armlab.ui import svg
+from armlab.ui.chart import Chart
 from armlab.ui.html import Markup, tag
 from armlab.ui.units import Units
 
-Floats = NDArray[np.float64]
+WIDTH, HIGHEST = 320.0, 246.0
+LEFT, BOTTOM = 40.0, 18.0
+"""Width and largest height of the drawing, and what the numbers take of it, in its own units (about one pixel)."""
 
-WIDTH, HIGHEST = 320.0, 230.0
-"""Width and largest height of the drawing, in its own units (about one pixel)."""
-
-EDGE = 16.0
-"""Margin on each side for the names of the axes, in units of the drawing."""
+MARGIN = 0.03
+"""Room around the sections, relative to their extent."""
 
 SPARE = 1e-9
+
+GAP = (math.nan, math.nan)
+"""Point between two lines."""
 
 
 def picture(found: Compared, units: Units) -> Markup | None:
@@ -32,31 +33,22 @@ def picture(found: Compared, units: Units) -> Markup | None:
     turning = sections[0].joint.revolute
     corners = np.concatenate([line for section in sections for line in section.contours] or [np.zeros((1, 2))])
     corners = np.concatenate([corners, np.zeros((1, 2))]) if turning else corners
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    wide, tall = np.maximum(high - low, SPARE)
-    scale = min((WIDTH - 2 * EDGE) / wide, (HIGHEST - 2 * EDGE) / tall)
-    left = (WIDTH - scale * wide) / 2
-    height = scale * tall + 2 * EDGE
-
-    def at(points: Floats) -> Floats:
-        return np.column_stack([left + scale * (points[:, 0] - low[0]), EDGE + scale * (high[1] - points[:, 1])])
-
-    shapes = [svg.path(kind, _path(at, section)) for kind, section in zip(("was", "then"), sections, strict=False)]
-    x, y = at(np.zeros((1, 2)))[0].tolist()
-    axis = (
-        svg.line("axis", x, 2.0, x, height - 2.0),
-        svg.line("axis", x, y, WIDTH, y),
-        svg.text("", x - 10.0, 11.0, "z"),
-        svg.text("end", WIDTH, y - 4.0, "ρ"),
-        svg.circle("", x, y, 2.5),
-    )
-    said = f"Side view: {units.length(float(wide))} wide, {units.length(float(tall))} high"
-    return svg.drawing("wi-section", WIDTH, height, said, tag("title", said), axis if turning else None, shapes)
+    low, high, factor = corners.min(axis=0), corners.max(axis=0), units.factor(False)
+    wide, tall = np.maximum(high - low, SPARE).tolist()
+    room = MARGIN * max(wide, tall)
+    (x0, y0), (x1, y1) = ((low - room) / factor).tolist(), ((high + room) / factor).tolist()
+    # Both directions have one scale: high sections leave room on the right.
+    x1 = max(x1, x0 + (y1 - y0) * (WIDTH - LEFT) / (HIGHEST - BOTTOM))
+    height = BOTTOM + (WIDTH - LEFT) * (y1 - y0) / (x1 - x0)
+    rho, z = (f"{name}{units.length_unit}" for name in (("ρ, ", "z, ") if turning else ("", "")))
+    chart = Chart("wi-section", (x0, x1), (y0, y1), WIDTH, height, LEFT, BOTTOM, (rho, z))
+    axes = (chart.zero(), chart.upright(0.0, "axis")) if turning else None
+    shapes = [_outline(chart, kind, section, factor) for kind, section in zip(("was", "then"), sections, strict=False)]
+    said = f"Side view: {units.length(wide)} wide, {units.length(tall)} high"
+    return chart.picture(said, tag("title", said), chart.grid(), axes, shapes)
 
 
-def _path(at: Callable[[Floats], Floats], section: Section) -> str:
-    return "".join(f"M{_points(at(line))}Z" for line in section.contours)
-
-
-def _points(line: Iterable[Floats]) -> str:
-    return "L".join(f"{x:.1f} {y:.1f}" for x, y in line)
+def _outline(chart: Chart, kind: str, section: Section, factor: float) -> Markup:
+    """Return the closed lines around a section, one after the other."""
+    lines = [np.concatenate([line, line[:1], [GAP]]) / factor for line in section.contours]
+    return chart.line((point for line in lines for point in line.tolist()), class_=kind)
