@@ -10,7 +10,15 @@ from armlab.benches.velocity.pictures.ui import page as pictures
 from armlab.benches.velocity.solve.examples import ChooseSolveExample
 from armlab.benches.velocity.solve.pictures import DragTo, StandAt, flat, norm_curve, square
 from armlab.benches.velocity.solve.state import Solve
-from armlab.benches.velocity.solve.ui.pictures import ROWS, lines_svg, lines_words, marks_style, nice, norm_svg
+from armlab.benches.velocity.solve.ui.pictures import (
+    ROWS,
+    lines_svg,
+    lines_words,
+    marks_style,
+    nice,
+    norm_svg,
+    square_markup,
+)
 from armlab.benches.velocity.solve.ui.torus import HIGH, WIDE, pressed, projected, torus_markup, torus_style
 from armlab.benches.velocity.solve.ui.words import dotted
 from armlab.content.robots import catalogue
@@ -115,6 +123,23 @@ def test_the_axes_of_both_charts_are_in_the_units_on_screen():
         names = [f"{dotted(k, state[Joints].arm, units)}, {unit}" for k in (1, 0)]
         assert re.findall(r">([^<]+/s)</text>", lines) == names
         assert f">‖q̇‖, {unit}</text>" in pictures.norm_markup(state, units)
+
+
+def test_the_square_has_its_numbers_in_the_units_on_screen():
+    state = example("one")
+    for units, names, right in (
+        (UNITS, ("q₁, °", "q₂, °"), ["−180", "−90", "0", "90", "180"]),
+        (Units(Notation(angle="rad")), ("q₁, rad", "q₂, rad"), ["−1.57", "0", "1.57", "3.14"]),
+    ):
+        drawing = square_markup(Marks(), state, square(state), units)
+        assert re.findall(r">(q[^<]+)</text>", drawing) == [names[1], names[0]]
+        assert re.findall(r'y="266.0" text-anchor="\w+">([^<]+)<', drawing) == right
+        # The elbow is singular stretched and folded: at 0 and at ±180°, over the whole width of the square.
+        (singular,) = re.findall(r'd="([^"]+)" class="singular"', drawing)
+        points = np.array(re.findall(r"([\d.]+) ([\d.]+)", singular), dtype=float)
+        assert {*points[:, 1].tolist()} <= {0.0, 125.0, 250.0}
+        assert 125.0 in points[:, 1]
+        assert (points[:, 0].min(), points[:, 0].max()) == pytest.approx((46.0, 296.0), abs=2.0)
 
 
 def test_the_mark_in_the_square_is_where_the_arm_stands():

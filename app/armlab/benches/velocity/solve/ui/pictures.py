@@ -19,7 +19,7 @@ from armlab.ui.chart import Chart
 from armlab.ui.colours import BLUE, GREEN, ORANGE, css
 from armlab.ui.form import Marks
 from armlab.ui.format import number
-from armlab.ui.html import Inside, Markup, classes, joined, styles, tag
+from armlab.ui.html import Inside, Markup, joined, styles, tag
 from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units
 
@@ -32,8 +32,8 @@ LEFT, BOTTOM = 40, 20
 ROWS = (BLUE, ORANGE)
 """Colours of the two equations."""
 
-SIDE = 250
-"""Side of the square, pixels."""
+SIDE, BESIDE = 250, 46
+"""Side of the square, and what the numbers take beside it, pixels."""
 
 FARTHEST = 8.0
 """Largest half width of the picture of the two lines, in multiples of their distance from the origin."""
@@ -173,22 +173,20 @@ def norm_svg(curve: NormCurve, here: tuple[float, float], units: Units) -> Marku
 def square_markup(place: Marks, state: State, found: Square, units: Units) -> Markup:
     """Return the square of the two joint values with the singular set; `place` of a form makes it clickable."""
     arm, pair = state[Joints].arm, state[Solve].pair
-    span = found.high - found.low
+    turning = [bool(arm.revolute[k]) for k in pair]
+    factor = np.array([units.factor(each) for each in turning])
+    x, y = zip((found.low / factor).tolist(), (found.high / factor).tolist(), strict=True)
+    across, up = (f"{units.variable(k, each)}, {units.unit(each)}" for k, each in zip(pair, turning, strict=True))
+    step_x, step_y = (0.5 * math.pi / units.factor(True) if each else 0.0 for each in turning)
+    size = BESIDE + SIDE, SIDE + BOTTOM
+    chart = Chart("so-torus", x, y, *size, BESIDE, BOTTOM, (across, up), (step_x, step_y))
     pieces = "".join(
-        f"M{SIDE * a[0]:.1f} {SIDE * (1.0 - a[1]):.1f}L{SIDE * b[0]:.1f} {SIDE * (1.0 - b[1]):.1f}"
-        for a, b in (found.singular - found.low) / span
+        f"M{chart.px(a[0]):.1f} {chart.py(a[1]):.1f}L{chart.px(b[0]):.1f} {chart.py(b[1]):.1f}"
+        for a, b in (found.singular / factor).tolist()
     )
-    ticks = []
-    for side, k in enumerate(pair):
-        turns = bool(arm.revolute[k])
-        for part in (0.0, 0.5, 1.0):
-            value = (found.low[side] + part * span[side]) / units.factor(turns)
-            text = number(value, 0 if units.in_degrees or not turns else 2)
-            ticks.append(tag(classes("i", up=side == 1), text, style=f"--at:{100.0 * part:.0f}%"))
-    names = [f"{units.variable(k, bool(arm.revolute[k]))}, {units.unit(bool(arm.revolute[k]))}" for k in pair]
-    seen = svg.drawing("so-torus", SIDE, SIDE, "Where det J is zero", svg.path("singular", pieces))
-    plane = tag("div.so-map", seen, ticks, tag("b.so-way"), tag("b.so-here"), title=HINT, **place)
-    return tag("div.so-square", tag("span.up", names[1]), plane, tag("span", names[0]))
+    seen = chart.picture("Where det J is zero", chart.grid(), chart.cut(pieces, class_="singular"))
+    plane = tag("div.so-map", tag("b.so-way"), tag("b.so-here"), title=HINT, **place)
+    return tag("div.so-square", seen, plane)
 
 
 def marks_style(state: State, found: Square, answer: Flat) -> Markup:
