@@ -90,7 +90,7 @@ def bode(part: Loop, units: Units) -> Markup:
     seen = [math.log10(loop.cutoff), math.log10(part.omega if part.kind == "sine" else loop.cutoff)]
     low, high = math.floor(min(seen) - AROUND + 1e-9), math.ceil(max(seen) + AROUND - 1e-9)
     across, fall = (10.0**low, 10.0**high), 20.0 * (high - seen[0])
-    deepest, step = 20.0 * math.ceil(fall / 20.0), 0.25 * math.pi / factor
+    deepest, step = 20.0 * math.ceil(fall / 20.0 - 1e-9), 0.25 * math.pi / factor
 
     def chart(key: str, names: tuple[str, str], deep: float, step: float, tall: float) -> Chart:
         up = -deep, ABOVE * deep

@@ -26,14 +26,14 @@ from armlab.ui.units import Units
 Array = NDArray[np.float64]
 
 WIDE, HIGH = 320, 232
-LEFT, BOTTOM = 40, 20
+LEFT, BOTTOM = 46, 20
 """Width and height of a chart, and what the numbers take of it, pixels."""
 
 ROWS = (BLUE, ORANGE)
 """Colours of the two equations."""
 
-SIDE, BESIDE = 250, 46
-"""Side of the square, and what the numbers take beside it, pixels."""
+SIDE = 250
+"""Side of the square, pixels."""
 
 FARTHEST = 8.0
 """Largest half width of the picture of the two lines, in multiples of their distance from the origin."""
@@ -178,8 +178,8 @@ def square_markup(place: Marks, state: State, found: Square, units: Units) -> Ma
     x, y = zip((found.low / factor).tolist(), (found.high / factor).tolist(), strict=True)
     across, up = (f"{units.variable(k, each)}, {units.unit(each)}" for k, each in zip(pair, turning, strict=True))
     step_x, step_y = (0.5 * math.pi / units.factor(True) if each else 0.0 for each in turning)
-    size = BESIDE + SIDE, SIDE + BOTTOM
-    chart = Chart("so-torus", x, y, *size, BESIDE, BOTTOM, (across, up), (step_x, step_y))
+    size = LEFT + SIDE, SIDE + BOTTOM
+    chart = Chart("so-torus", x, y, *size, LEFT, BOTTOM, (across, up), (step_x, step_y))
     pieces = "".join(
         f"M{chart.px(a[0]):.1f} {chart.py(a[1]):.1f}L{chart.px(b[0]):.1f} {chart.py(b[1]):.1f}"
         for a, b in (found.singular / factor).tolist()
