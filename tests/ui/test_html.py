@@ -56,6 +56,11 @@ def test_markup_stands_as_it_is_and_once():
     assert joined() == ""
 
 
+def test_markup_is_no_value_of_an_attribute():
+    with pytest.raises(TypeError, match=r"title: expected a text, got markup Markup\('<b>'\)"):
+        tag("p", title=Markup("<b>"))
+
+
 def test_attributes_are_there_or_not():
     made = tag("input.field", value="", disabled=True, hidden=False, title=None, data_most=3, class_x="y", for_="z")
     assert made == '<input class="field" value="" disabled data-most="3" class-x="y" for="z">'
