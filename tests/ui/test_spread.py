@@ -125,12 +125,16 @@ def test_what_is_put_from_inside_a_call_comes_after_it(clock):
     assert run(story()) == ["outer", "inner"]
 
 
+class Unforeseen(Exception):
+    pass
+
+
 def test_a_call_that_fails_is_logged_and_keeps_nothing_from_those_behind_it(clock, caplog):
     async def story():
         spread, done = Spread(clock), []
 
         def fails():
-            raise ValueError("no")
+            raise Unforeseen("no")
 
         spread.put("long", lambda: clock.work(2.0 * PIECE))
         spread.put("fails", fails)
