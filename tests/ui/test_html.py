@@ -52,8 +52,14 @@ def test_markup_stands_as_it_is_and_once():
     assert tag("p", inner) == "<p><i>a &amp; b</i></p>"
     assert joined(joined(inner), [inner]) == inner + inner
     assert joined("a", None, ["<", inner], between=" · ") == f"a · &lt; · {inner}"
+    assert joined("a", "b", between=" < ") == "a &lt; b"
     assert isinstance(joined(), Markup)
     assert joined() == ""
+
+
+def test_markup_is_no_value_of_an_attribute():
+    with pytest.raises(TypeError, match=r"title: expected a text, got markup Markup\('<b>'\)"):
+        tag("p", title=Markup("<b>"))
 
 
 def test_attributes_are_there_or_not():
@@ -72,5 +78,6 @@ def test_a_kind_that_is_no_element_is_refused(kind):
 
 def test_a_rule_of_style_cannot_end_its_element():
     assert styles([".a>b{x:1}", ".c{y:'2'}"]) == "<style>.a>b{x:1}.c{y:'2'}</style>"
-    with pytest.raises(ValueError, match="expected rules of a style sheet"):
-        styles(["</style><script>"])
+    for rule in ("</style><script>", "<!--", "</"):
+        with pytest.raises(ValueError, match="expected rules of a style sheet"):
+            styles([rule])

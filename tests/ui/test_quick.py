@@ -90,9 +90,9 @@ def test_what_is_said_between_two_turns_of_the_loop_goes_together_and_at_once():
         await some_turns()
         buffer.set_done()
         await listening
-        return sent
+        return sent, buffer.generator_cursors[0] == buffer.message_counter - 1
 
-    assert run(story()) == [[("a", 0.0), ("b", 0.0), ("c", 0.0)], [("d", 0.0)]]
+    assert run(story()) == ([[("a", 0.0), ("b", 0.0), ("c", 0.0)], [("d", 0.0)]], True)
 
 
 def test_nothing_leaves_an_atomic_block_before_its_end():

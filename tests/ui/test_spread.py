@@ -125,21 +125,25 @@ def test_what_is_put_from_inside_a_call_comes_after_it(clock):
     assert run(story()) == ["outer", "inner"]
 
 
+class Unforeseen(Exception):
+    pass
+
+
 def test_a_call_that_fails_is_logged_and_keeps_nothing_from_those_behind_it(clock, caplog):
     async def story():
         spread, done = Spread(clock), []
 
         def fails():
-            raise ValueError("no")
+            raise Unforeseen("no")
 
+        spread.put("at once", fails)
         spread.put("long", lambda: clock.work(2.0 * PIECE))
         spread.put("fails", fails)
         spread.put("a", lambda: done.append("a"))
         await turns_until(lambda: done == ["a"])
 
     run(story())
-    (logged,) = caplog.records
-    assert str(logged.exc_info[1]) == "no"
+    assert [(logged.name, str(logged.exc_info[1])) for logged in caplog.records] == 2 * [("armlab.ui.spread", "no")]
 
 
 def test_whoever_puts_a_call_does_not_do_what_waits_of_others(clock):

@@ -39,6 +39,13 @@ def tag(kind: str, /, *inside: Inside, **attributes: Attribute) -> Markup:
     **attributes : str, int, bool or None
         ``_`` stands for ``-``; one at the end is left out, as in ``for_``.
 
+    Raises
+    ------
+    ValueError
+        The kind is none.
+    TypeError
+        The value of an attribute is markup, whose quotes would end it.
+
     Examples
     --------
     >>> print(tag("p.dim", "a < b, ", tag("b", "c"), title='"'))
@@ -91,6 +98,8 @@ def _ends(kind: str) -> tuple[str, str]:
 def _attribute(name: str, value: Attribute) -> str:
     if value is None or value is False:
         return ""
+    if type(value) is Markup:  # would stand as it is, with its quotes
+        raise TypeError(f"{name}: expected a text, got markup {value!r}")
     name = name.rstrip("_").replace("_", "-")
     return f" {name}" if value is True else f' {name}="{escape(value)}"'
 
