@@ -32,7 +32,7 @@ class Asked(NamedTuple):
 
 
 class Found(NamedTuple):
-    """What has been planned so far."""
+    """The motions planned so far."""
 
     planned: Planned | None = None
     other: Planned | None = None
