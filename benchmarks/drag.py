@@ -65,6 +65,16 @@ def script() -> tuple[np.ndarray, np.ndarray]:
     return np.array(points), np.array(angles)
 
 
+def to_and_fro(points: np.ndarray, angles: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Yield points and angles of one drag after the other: the first ends where the script begins, the next returns.
+
+    A lab that stands still during a drag takes its last pose alone. It answers even so, as the arm was elsewhere.
+    """
+    while True:
+        points, angles = points[::-1], angles[::-1]
+        yield points, angles
+
+
 Reader = Callable[[Message], int | None]
 """Returns the event a message answers, if it answers one."""
 

@@ -72,7 +72,7 @@ async def story(server: servers.Server) -> tuple[dict[str, Drags], int, int, str
 
     Returns the times, what was sent, how much was answered, whether the arm is where it was, and the memory.
     """
-    points, angles = drag.script()
+    ways = drag.to_and_fro(*drag.script())
     student = server.browser()
     await student.connect()
     await student.until(lambda: drag.is_open(student))
@@ -80,6 +80,7 @@ async def story(server: servers.Server) -> tuple[dict[str, Drags], int, int, str
     drags: dict[str, Drags] = {name: ([], []) for name in ("alone before", "beside strangers", "alone after")}
 
     async def once(name: str) -> None:
+        points, angles = next(ways)
         reader, (seconds, used) = drag.by_first_joint(student, angles), drags[name]
         seconds += await drag.one_student(student, points, reader, 0.0, server.used, used)
 

@@ -5,6 +5,7 @@
 
 import asyncio
 import contextlib
+import http.client
 import json
 import os
 import re
@@ -30,7 +31,7 @@ RATE = 100.0
 """Frames a second, a little fewer than are slowed down: who sends more is cut off, and does not send for a minute."""
 
 OPENING = 3.0
-"""Seconds a stranger waits for the page, and for a bench: a socket that was closed shows none."""
+"""Seconds a stranger waits for a bench: what was typed may have led to a page that hides it."""
 
 NICENESS = 10
 """Of strangers: the processor time they need is that of other machines."""
@@ -80,8 +81,9 @@ class Stranger:
         # Each time as somebody new: who was thrown out has to wait for a minute.
         self._browser = browser = FakeBrowser(self._url, cookie_of(self._url))
         await browser.connect()
-        await asyncio.wait_for(browser.until(lambda: is_open(browser)), OPENING)
-        with contextlib.suppress(TimeoutError):  # what was typed may have led to a page that hides the bench
+        # As long as it takes: strangers that came again and again to a lab that is slow would send nothing at all.
+        await browser.until(lambda: is_open(browser) or browser.close_code is not None)
+        with contextlib.suppress(TimeoutError):
             await asyncio.wait_for(browser.open(str(self._rng.choice(BENCHES))), OPENING)
         while self.sent < count and browser.close_code is None:
             self._cells = re.findall(r'data-chan="([^"]*)"[^>]*data-cell="([^"]*)"', browser.html())
@@ -146,6 +148,8 @@ def ask(url: str, rng: np.random.Generator, count: int) -> int:
                 answered += 1
         except urllib.error.HTTPError:
             answered += 1
+        except (OSError, http.client.HTTPException):
+            continue  # a visitor who is slow is hung up on
     return answered
 
 

@@ -11,13 +11,20 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import Robot, catalogue
+from support.order import ordered
 
 DATA = Path(__file__).parent / "data"
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Begin with browsers: they take longest, and wait half of the time, in which others are done."""
-    items.sort(key=lambda item: item.get_closest_marker("browser") is None)
+@pytest.hookimpl(trylast=True)  # after tests that were not asked for have been left out
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Let every worker begin with browsers; see `support.order`."""
+    workers = getattr(config, "workerinput", {}).get("workercount", 1)
+    items[:] = ordered(items, _has_browser, lambda item: item.path, workers)
+
+
+def _has_browser(item: pytest.Item) -> bool:
+    return item.get_closest_marker("browser") is not None
 
 
 @pytest.fixture

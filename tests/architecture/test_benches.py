@@ -207,5 +207,5 @@ def test_every_file_the_page_about_the_house_names_is_there():
     named = {name for name in re.findall(r"`((?:app|tests|benchmarks)/[\w./]+)`", text) if name == name.lower()}
     assert len(named) > 20
     assert [name for name in sorted(named) if not (TOP / name).exists()] == []
-    for word in ("DragTarget", "OpenLesson", "View"):
+    for word in ("DragTarget", "OpenLesson", "Registry", "View"):
         assert any(f"class {word}" in file.read_text() for file in PACKAGE.rglob("*.py")), word

@@ -4,7 +4,7 @@ import ast
 
 import pytest
 
-from support.sources import PACKAGE, TOP, imports_of, tree_of
+from support.sources import PACKAGE, TOP, imports_of, statements, tree_of
 
 LEVELS = {
     "errors": 0,
@@ -124,7 +124,7 @@ def test_private_parts_of_viser_are_touched_in_the_adapter_and_in_what_is_quicke
 
 def silent_handlers(path):
     """Yield the lines of except clauses that do nothing."""
-    for node in ast.walk(tree_of(path)):
+    for node in statements(tree_of(path)):
         if isinstance(node, ast.ExceptHandler) and all(isinstance(statement, ast.Pass) for statement in node.body):
             yield node.lineno
 

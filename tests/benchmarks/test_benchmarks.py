@@ -5,11 +5,16 @@ import json
 import re
 import subprocess
 import sys
+from itertools import islice
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from armlab.content.robots import catalogue
+
 HERE = Path(__file__).resolve().parents[2] / "benchmarks"
+sys.path.append(str(HERE))
 
 
 def loaded(name):
@@ -151,3 +156,10 @@ def test_what_cannot_be_measured_is_one_line(arguments, says):
     command = [sys.executable, str(HERE / "report.py"), *arguments]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout, done.stderr) == (2, "", f"benchmarks: {says}\n")
+
+
+def test_each_of_several_drags_ends_where_the_arm_was_not():
+    drag = loaded("drag")
+    ends = [angles[-1] for _, angles in islice(drag.to_and_fro(*drag.script()), 4)]
+    # Far more than a drag moves from one event to the next, so that the end of one is no event of another's beginning.
+    assert np.abs(np.diff([catalogue()["puma560"].home[0], *ends])).min() > 0.3

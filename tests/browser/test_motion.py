@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.plan.job import with_planned
-from armlab.benches.motion.plan.state import planned
+from armlab.benches.motion.plan.state import planned_now
 from armlab.content.robots import catalogue
 from armlab.session.state import State
 
@@ -57,16 +57,16 @@ def test_a_waypoint_is_added_where_the_arm_stands_and_dragged(visit):
 
 
 def test_the_motion_is_played_and_scrubbed_and_the_arm_comes_back(visit):
-    plan = planned(with_planned(State.initial(catalogue()["planar_2r"])))
+    planned = planned_now(with_planned(State.initial(catalogue()["planar_2r"])))
     lab = at_plan(visit, "planar_2r")
     stood = turned(lab)
     lab.page.locator('.al button[data-cell="play-motion"]').click()
     lab.page.locator(".al-time").wait_for()
-    lab.until(lambda: off(lab, plan.motion.at(plan.duration)) < 1e-3)
+    lab.until(lambda: off(lab, planned.motion.at(planned.duration)) < 1e-3)
     lab.page.locator('.al-time button[data-cell="play"][title^="Play"]').wait_for()  # it stands at its end
     for share in (0.25, 0.6):
         lab.page.locator('.al-time input[data-cell="seek"]').fill(str(share))
-        q = plan.motion.at(share * plan.duration)
+        q = planned.motion.at(share * planned.duration)
         lab.until(lambda q=q: off(lab, q) < 1e-3)
     lab.page.locator('.al-time button[data-cell="close"]').click()
     lab.until(lambda: off(lab, stood) < 1e-3)

@@ -16,7 +16,7 @@ from armlab.benches.motion.plan.limits import LastFor, LimitJoint, UseShare
 from armlab.benches.motion.plan.measured import measuring
 from armlab.benches.motion.plan.planning import making
 from armlab.benches.motion.plan.points import AddWaypoint
-from armlab.benches.motion.plan.state import Plan, planned
+from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
@@ -145,7 +145,7 @@ def test_an_example_comes_through_the_locks_of_the_lesson(own):
     played = after(state, OpenClip("motion"), Seek(1.0))
     assert not np.array_equal(played[Joints].q, state[Joints].q)
     shorter = worked(after(played, LastFor(0.5)))
-    np.testing.assert_allclose(shorter[Joints].q, planned(shorter).motion.at(0.5), rtol=0, atol=1e-9)
+    np.testing.assert_allclose(shorter[Joints].q, planned_now(shorter).motion.at(0.5), rtol=0, atol=1e-9)
     assert shorter[Timeline].time == 0.5
 
 
@@ -200,13 +200,13 @@ def test_the_check_looks_again_when_the_plan_is_delivered(corners):
 
 def test_what_is_seen_of_a_plan(corners):
     state = worked(after(corners, GoToStep(1), *FLY, UseShare(0.5, 0.25)))
-    found, plan = observed(state).motion, planned(state)
+    found, planned = observed(state).motion, planned_now(state)
     assert (found.waypoints, found.planned, found.whole, found.within, found.played) == (5, True, True, True, False)
     assert {(move.space, move.path, move.law) for move in found.moves} == {("cartesian", "overfly", "trapezoidal")}
-    assert (found.duration, found.fastest) == (plan.duration, plan.fastest)
+    assert (found.duration, found.fastest) == (planned.duration, planned.fastest)
     assert found.velocity <= 0.5 + 1e-6
     assert 0.2 < found.acceleration <= 0.25 + 1e-6
-    assert found.deviation == plan.legs[0].deviation > 0.0
+    assert found.deviation == planned.legs[0].deviation > 0.0
     assert found.time is None
     short = observed(worked(after(state, LastFor(1.0)))).motion
     assert (short.whole, short.within) == (True, False)
@@ -219,7 +219,7 @@ def test_a_motion_that_cannot_be_run_says_why(own):
     state = worked(after(State.initial(PUMA), OpenLesson("c"), GoToStep(2)))
     found = observed(state).motion
     assert (found.planned, found.whole, found.within, found.fastest, found.time) == (True, False, False, 0.0, None)
-    assert found.trouble == planned(state).trouble
+    assert found.trouble == planned_now(state).trouble
     assert check_line(state)[1].startswith("The motion cannot be run to its end: move 1 → 2: ")
 
 
@@ -331,8 +331,8 @@ def test_a_player_who_does_not_plan_is_told_so(own):
     own(c=MOTION)
     player = Player(lesson("c"), planning=False)
     player.go_to(2)
-    assert planned(player.session.state) is None
-    assert planned(with_planned(player.session.state)) is not None
+    assert planned_now(player.session.state) is None
+    assert planned_now(with_planned(player.session.state)) is not None
 
 
 def test_a_plan_of_another_state_is_not_seen(corners):

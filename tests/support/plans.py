@@ -4,7 +4,7 @@ from armlab.benches.motion.files.read import motion_csv
 from armlab.benches.motion.plan.commands import SetMove
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.points import AddWaypoint
-from armlab.benches.motion.plan.state import planned
+from armlab.benches.motion.plan.state import planned_now
 from armlab.content.robots import catalogue
 from armlab.session.parts.joints import Joints, RandomPose
 from armlab.session.state import State, apply
@@ -25,4 +25,4 @@ def opened(key="puma560", points=2, law=None):
 
 def table(state, rate=200.0):
     """Return the planned motion as a table of joint samples."""
-    return motion_csv(state[Joints].arm, planned(state).motion, rate)
+    return motion_csv(state[Joints].arm, planned_now(state).motion, rate)

@@ -8,29 +8,42 @@ PACKAGE = Path(__file__).resolve().parents[2] / "app" / "armlab"
 TOP = PACKAGE.parents[1]
 
 
-@cache
 def tree_of(path):
-    """Return the syntax tree of a file."""
+    """Return the syntax tree of a file.
+
+    It is not kept: Python would look for garbage in the trees of all files, which takes longer than to read them again.
+    """
     return ast.parse(path.read_text(encoding="utf-8"))
 
 
+def statements(tree, skipped=lambda statement: False):
+    """Yield the statements of a tree and their clauses, at any depth, without what is skipped and all inside it."""
+    waiting = [tree]
+    while waiting:
+        nodes = [node for node in ast.iter_child_nodes(waiting.pop()) if not isinstance(node, ast.expr)]
+        inside = [node for node in nodes if not skipped(node)]
+        waiting += inside
+        yield from inside
+
+
+@cache
 def imports_of(path, types=False):
     """Return the dotted names a file imports, also inside functions; or only at its top, then also for types."""
-    tree = tree_of(path)
-    skipped = [
-        block
-        for block in ast.walk(tree)
-        if (isinstance(block, ast.FunctionDef) and types)
-        or (isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING" and not types)
-    ]
-    left_out = {id(node) for block in skipped for node in ast.walk(block)}
-    for node in ast.walk(tree):
-        if id(node) in left_out:
-            continue
+    found = []
+    for node in statements(tree_of(path), _is_function if types else _is_for_types):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            found += [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{path}: relative import"
             if node.module != "armlab":
-                yield node.module
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+                found.append(node.module)
+            found += [f"{node.module}.{alias.name}" for alias in node.names]
+    return tuple(found)
+
+
+def _is_function(statement):
+    return isinstance(statement, ast.FunctionDef)
+
+
+def _is_for_types(statement):
+    return isinstance(statement, ast.If) and getattr(statement.test, "id", "") == "TYPE_CHECKING"

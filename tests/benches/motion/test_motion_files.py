@@ -17,7 +17,7 @@ from armlab.benches.motion.files.read import column_names, motion_csv, plan_json
 from armlab.benches.motion.files.ui.page import size_text
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.points import SelectWaypoint
-from armlab.benches.motion.plan.state import planned
+from armlab.benches.motion.plan.state import planned_now
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import Trajectory, law_type, path_type
@@ -35,7 +35,7 @@ def opened(key="puma560"):
 
 
 def scenario(state):
-    return Scenario(state, planned(state).motion, 0.4, 0.3)
+    return Scenario(state, planned_now(state).motion, 0.4, 0.3)
 
 
 def messages_of(recorded):
@@ -53,7 +53,7 @@ def messages_of(recorded):
 @pytest.mark.parametrize("key", ["puma560", "scara"])
 def test_a_recording_moves_the_bodies_as_the_motion_does_in_real_time(key):
     state = opened(key)
-    arm, motion = state[Joints].arm, planned(state).motion
+    arm, motion = state[Joints].arm, planned_now(state).motion
     duration, messages = messages_of(record(scenario(state), "viser"))
     assert duration == pytest.approx(motion.duration, abs=1e-9)
     bodies = anatomy_of(arm).bodies
@@ -83,7 +83,7 @@ def test_a_page_holds_its_recording_and_needs_nothing_else():
     text = record(scenario(state), "html").decode()
     embedded = re.search(r'window\.__VISER_EMBED_DATA__="([^"]+)"', text)[1]
     duration, _ = messages_of(base64.b64decode(embedded))
-    assert duration == pytest.approx(planned(state).duration, abs=1e-9)
+    assert duration == pytest.approx(planned_now(state).duration, abs=1e-9)
     assert f"<title>{catalogue()['planar_2r'].name}: motion</title>" in text
     assert len(text) < 2e6
     # Nothing is fetched from elsewhere: every source is in the page.
@@ -148,14 +148,14 @@ def test_each_file_is_saved_with_what_it_should_hold(url):
         await browser.press("rate", "50")
         await browser.until(lambda: 'value="50"' in browser.html())
         table = await saved(browser, "csv", "puma_560_motion.csv")
-        assert table.decode() == motion_csv(state[Joints].arm, planned(state).motion, 50.0)
+        assert table.decode() == motion_csv(state[Joints].arm, planned_now(state).motion, 50.0)
         plan = json.loads(await saved(browser, "json", "puma_560_motion.json"))
         assert plan == json.loads(plan_json(state))
         script = await saved(browser, "python", "puma_560_motion.py")
         assert b"RATE = 50.0" in script
         assert b"puma_560_motion.csv" in script
         duration, _ = messages_of(await saved(browser, "viser", "puma_560_motion.viser"))
-        assert duration == pytest.approx(planned(state).duration, abs=1e-9)
+        assert duration == pytest.approx(planned_now(state).duration, abs=1e-9)
         page = await saved(browser, "html", "puma_560_motion.html")
         assert b"__VISER_EMBED_DATA__" in page
         await browser.close()

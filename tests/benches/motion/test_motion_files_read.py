@@ -19,7 +19,7 @@ from armlab.benches.motion.files.read import MOST_SAMPLES
 from armlab.benches.motion.files.table import MOST_BYTES, MOST_COLUMNS, MOST_ROWS
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import LastFor
-from armlab.benches.motion.plan.state import Plan, planned
+from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
@@ -39,7 +39,7 @@ def sines(arm, t):
 
 def test_a_table_has_units_in_its_header_and_the_motion_in_its_rows():
     state = opened("scara")
-    arm, motion = state[Joints].arm, planned(state).motion
+    arm, motion = state[Joints].arm, planned_now(state).motion
     head, *rows = csv.reader(io.StringIO(table(state, 50.0)))
     assert head[:5] == ["time_s", "q1_rad", "q2_rad", "q3_m", "q4_rad"]
     assert head[5:] == [f"qdot{i}_{u}_s" for i, u in zip("1234", ["rad", "rad", "m", "rad"], strict=True)] + [
@@ -68,18 +68,18 @@ def test_too_many_samples_are_refused_with_their_number():
 
 def test_a_motion_at_its_limits_read_again_keeps_them_and_without_rates_but_for_the_jumps():
     state = with_planned(apply(opened(), LastFor(2.0)))
-    again = planned(with_planned(apply(state, ReadMotion(table(state)))))
+    again = planned_now(with_planned(apply(state, ReadMotion(table(state)))))
     assert again.violations == ()
     # A table with its rates is believed at its samples.
     fast = opened()
-    with_rates = planned(with_planned(apply(fast, ReadMotion(table(fast)))))
+    with_rates = planned_now(with_planned(apply(fast, ReadMotion(table(fast)))))
     assert with_rates.violations == ()
-    assert with_rates.fastest == pytest.approx(planned(fast).fastest, rel=1e-6)
+    assert with_rates.fastest == pytest.approx(planned_now(fast).fastest, rel=1e-6)
     # Without them its acceleration swings over where it jumps.
     names, *rows = table(fast).splitlines()
     only = "\n".join(",".join(row.split(",")[: 1 + fast[Joints].arm.n]) for row in (names, *rows))
-    jumps = planned(fast).motion.edges
-    over = planned(with_planned(apply(fast, ReadMotion(only)))).violations
+    jumps = planned_now(fast).motion.edges
+    over = planned_now(with_planned(apply(fast, ReadMotion(only)))).violations
     assert over
     assert all(np.abs(jumps - 0.5 * (each.start + each.end)).min() < 0.06 for each in over)
     assert max(each.end - each.start for each in over) < 0.1
@@ -88,9 +88,9 @@ def test_a_motion_at_its_limits_read_again_keeps_them_and_without_rates_but_for_
 @pytest.mark.parametrize("key", ROBOTS)
 def test_a_table_read_again_is_the_same_motion(key):
     state = opened(key, points=3, law="quintic")
-    motion = planned(state).motion
+    motion = planned_now(state).motion
     again = with_planned(apply(state, ReadMotion(table(state))))
-    found = planned(again).motion
+    found = planned_now(again).motion
     assert found.duration == pytest.approx(motion.duration, abs=1e-8)
     t = motion.sample(rate=200.0).t
     np.testing.assert_allclose(found.at(t), motion.at(t), rtol=0, atol=1e-6)
@@ -102,8 +102,8 @@ def test_a_table_read_again_is_the_same_motion(key):
 
 def test_a_smooth_motion_is_the_same_between_its_samples_too():
     state = opened(law="septic")
-    motion = planned(state).motion
-    found = planned(with_planned(apply(state, ReadMotion(table(state))))).motion
+    motion = planned_now(state).motion
+    found = planned_now(with_planned(apply(state, ReadMotion(table(state))))).motion
     t = np.linspace(0.0, motion.duration, 5003)
     np.testing.assert_allclose(found.at(t), motion.at(t), rtol=0, atol=1e-6)
 
@@ -224,9 +224,9 @@ def test_a_recorded_motion_plays_in_its_own_time_and_the_waypoints_wait():
     text = table(opened())
     read = apply(state, ReadMotion(text))
     assert (read[Plan].duration, read[Plan].example) == (None, "")
-    plan = planned(with_planned(apply(read, OpenClip("motion"))))
-    assert plan.legs[0].stretch is None
-    assert plan.duration == pytest.approx(planned(opened()).duration, abs=1e-8)
+    planned = planned_now(with_planned(apply(read, OpenClip("motion"))))
+    assert planned.legs[0].stretch is None
+    assert planned.duration == pytest.approx(planned_now(opened()).duration, abs=1e-8)
     back = apply(read, BackToWaypoints())
     assert (back[Plan].waypoints, back[Plan].moves) == (state[Plan].waypoints, state[Plan].moves)
     assert back[Plan].recorded is None
@@ -254,7 +254,7 @@ def test_waypoints_are_samples_of_the_motion_and_the_more_the_closer(by):
         away = np.linalg.norm(knots[:, None] - q, axis=2)
         assert away.min(axis=1).max() < 1e-9
         assert (np.diff(away.argmin(axis=1)) > 0).all()
-        curve = planned(with_planned(apply(read, MakeWaypoints(count, by)))).samples.q
+        curve = planned_now(with_planned(apply(read, MakeWaypoints(count, by)))).samples.q
         missed.append(np.linalg.norm(q[:, None] - curve, axis=2).min(axis=1).max())
     assert missed[2] < 0.15 < missed[1] < missed[0]
 

@@ -24,7 +24,7 @@ from armlab.benches.motion.plan.commands import SetMove
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import LastFor, LimitJerk, LimitTool, UseShare
 from armlab.benches.motion.plan.moves import Waypoint
-from armlab.benches.motion.plan.state import Plan, planned, question
+from armlab.benches.motion.plan.state import Plan, planned_now, question
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin import ik
@@ -68,7 +68,7 @@ def test_a_plan_of_another_arm_brings_its_arm_along():
     state = apply(State.initial(catalogue()["puma560"]), reading("\ufeff\n" + text))
     assert state[RobotPart].robot is catalogue()["ur10e"]
     assert plan_json(state) == text
-    assert planned(with_planned(state)).whole
+    assert planned_now(with_planned(state)).whole
 
 
 def test_a_plan_of_an_own_table_brings_the_table_along():
@@ -158,7 +158,7 @@ def run_here(folder):
 
 def table_of_script(state, folder, run, rate=40.0):
     """Run the script of a plan; returns its header and the numbers it has written."""
-    text = motion_script(state[RobotPart], planned(state), rate, "motion.csv")
+    text = motion_script(state[RobotPart], planned_now(state), rate, "motion.csv")
     (folder / "again.py").write_text(text, encoding="utf-8")
     assert run(folder) == ""
     head, *rows = (folder / "motion.csv").read_text().splitlines()
@@ -167,7 +167,7 @@ def table_of_script(state, folder, run, rate=40.0):
 
 def assert_same(state, folder, run):
     head, found = table_of_script(state, folder, run)
-    arm, motion = state[Joints].arm, planned(state).motion
+    arm, motion = state[Joints].arm, planned_now(state).motion
     assert tuple(head.split(",")) == column_names(arm)
     samples = motion.sample(rate=40.0)
     assert len(found) == len(samples.t)
@@ -269,14 +269,14 @@ def recorded():
 )
 def test_a_script_makes_the_same_motion_and_says_nothing(make, tmp_path):
     state = with_planned(make())
-    assert planned(state).whole
+    assert planned_now(state).whole
     assert_same(state, tmp_path, run_alone if make is in_space else run_here)
 
 
 def test_a_script_holds_only_what_it_needs_and_no_words_of_a_student():
     state = with_planned(own_table())
     robot = replace(state[RobotPart].robot, name='x"""\nimport os')
-    text = motion_script(replace(state[RobotPart], robot=robot), planned(state), 40.0, "motion.csv")
+    text = motion_script(replace(state[RobotPart], robot=robot), planned_now(state), 40.0, "motion.csv")
     assert "import os" not in text
     compile(text, "again.py", "exec")
     assert re.search(r"^from armlab\.kin\.motion import Limits, Trajectory, law_type, path_type$", text, re.MULTILINE)
@@ -289,5 +289,5 @@ def test_of_a_plan_that_ends_early_the_script_makes_what_can_be_run(tmp_path):
     far = replace(state[Plan].waypoints[2], pose=tuple(away.ravel().tolist()))
     state = state.replace(replace(state[Plan], waypoints=(*state[Plan].waypoints[:2], far)))
     state = with_planned(apply(state, SetMove(2, space="cartesian")))
-    assert not planned(state).whole
+    assert not planned_now(state).whole
     assert_same(state, tmp_path, run_alone)

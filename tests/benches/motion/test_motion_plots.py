@@ -74,9 +74,9 @@ def state_of(key, points=None, *commands, space="joint", path="line"):
 
 
 def lines(state, quantity, of="", other=None, units=UNITS):
-    plan = state[Plan].planned
-    slot = next(s for s in slots(plan.question.arm, units) if (s.quantity, s.of) == (quantity, of))
-    return slot, lines_of(slot, plan, plan.samples, other, plan.overruns, units)
+    planned = state[Plan].planned
+    slot = next(s for s in slots(planned.question.arm, units) if (s.quantity, s.of) == (quantity, of))
+    return slot, lines_of(slot, planned, planned.samples, other, planned.overruns, units)
 
 
 def by_label(chart, label):
@@ -285,8 +285,8 @@ def test_sentences_put_joints_together_that_exceed_a_limit_together():
 
 def test_the_page_says_what_keeps_a_motion_from_being_run_or_from_being_faster():
     def said(state):
-        plan = state[Plan].planned
-        return status(plan, plan.figures, plan.overruns)
+        planned = state[Plan].planned
+        return status(planned, planned.figures, planned.overruns)
 
     assert "being planned" in status(None, None, ())
     assert "One waypoint is no motion" in said(state_of("planar_2r", [[0.1, 0.2]]))
@@ -318,9 +318,9 @@ def out_of_reach(k):
 def test_the_comparison_says_who_is_faster_and_why():
     def said(key, *commands):
         state = state_of(key, None, CompareMoves(True), *commands)
-        plan = state[Plan].planned
-        other = compared(state, plan)
-        return comparison(plan, plan.figures, other, other.figures, UNITS)
+        planned = state[Plan].planned
+        other = compared(state, planned)
+        return comparison(planned, planned.figures, other, other.figures, UNITS)
 
     slides = said("cartesian_3p")
     assert "all joints slide, so that a straight line in joint space is a straight line of the tool" in slides
@@ -332,19 +332,19 @@ def test_the_comparison_says_who_is_faster_and_why():
     assert "Within the limits joint moves are faster" in given
     assert "<td>within limits, s</td>" in given
     assert "held back" not in given
-    plan = state_of("puma560")[Plan].planned
-    assert "…" in comparison(plan, plan.figures, None, None, UNITS)
+    planned = state_of("puma560")[Plan].planned
+    assert "…" in comparison(planned, planned.figures, None, None, UNITS)
 
 
 def test_the_table_of_peaks_marks_what_is_above_a_limit():
-    plan = state_of("scara")[Plan].planned
-    table = peaks_table(plan, plan.figures, UNITS)
+    planned = state_of("scara")[Plan].planned
+    table = peaks_table(planned, planned.figures, UNITS)
     assert table.count("<tr>") == 5
     assert "✕" not in table
     assert "100 %" in table
     assert re.search(r"\d mm/s²</td>", table)
-    plan = state_of("scara", None, LastFor(0.2))[Plan].planned
-    assert '<td class="no">✕ ' in peaks_table(plan, plan.figures, UNITS)
+    planned = state_of("scara", None, LastFor(0.2))[Plan].planned
+    assert '<td class="no">✕ ' in peaks_table(planned, planned.figures, UNITS)
 
 
 def charts(browser):

@@ -27,7 +27,7 @@ from armlab.session.chosen import Chosen
 from armlab.session.state import State, apply
 
 
-def planned(key, points=None, *commands, law="trapezoidal", space="joint", **changes):
+def planned_state(key, points=None, *commands, law="trapezoidal", space="joint", **changes):
     """Return a state with a plan through configurations, worked out."""
     state = State.initial(catalogue()[key])
     part = state[Plan]
@@ -50,7 +50,7 @@ TWO = [[0.0, 0.5], [1.2, 0.5]]
 
 def test_the_figures_of_a_bang_bang_move_are_those_computed_by_hand():
     """With T = 1 s and D = 1.2 rad the velocity is 2 D / T at T/2 and the acceleration 4 D / T² throughout."""
-    state = planned("planar_2r", TWO, LastFor(1.0), law="bang_bang", velocity=(2.0, 2.0), acceleration=(6.0, 6.0))
+    state = planned_state("planar_2r", TWO, LastFor(1.0), law="bang_bang", velocity=(2.0, 2.0), acceleration=(6.0, 6.0))
     found = state[Plan].planned.figures
     np.testing.assert_allclose(found.velocity, [2.4, 0.0], atol=1e-9)
     np.testing.assert_allclose(found.acceleration, [4.8, 0.0], atol=1e-9)
@@ -65,7 +65,7 @@ def test_the_figures_of_a_bang_bang_move_are_those_computed_by_hand():
 
 def test_exceeded_limits_are_told_with_their_times():
     """q̇ = 4 D t / T² passes v = 2 at t = v T² / 4 D = 5/12 s, and again as long before the end."""
-    state = planned("planar_2r", TWO, LastFor(1.0), law="bang_bang", velocity=(2.0, 2.0), acceleration=(6.0, 6.0))
+    state = planned_state("planar_2r", TWO, LastFor(1.0), law="bang_bang", velocity=(2.0, 2.0), acceleration=(6.0, 6.0))
     (only,) = state[Plan].planned.overruns
     assert (only.joint, only.quantity) == (1, "velocity")
     np.testing.assert_allclose(only.spans, [(5 / 12, 7 / 12)], atol=1e-5)
@@ -74,19 +74,19 @@ def test_exceeded_limits_are_told_with_their_times():
 def test_the_tool_is_too_fast_where_its_speed_passes_the_limit():
     radius = float(np.hypot(*catalogue()["planar_2r"].arm.position([0.0, 0.5])[:2]))
     limits = {"velocity": (9.0, 9.0), "acceleration": (9.0, 9.0)}
-    state = planned("planar_2r", TWO, LimitTool(1.2 * radius), LastFor(1.0), law="bang_bang", **limits)
+    state = planned_state("planar_2r", TWO, LimitTool(1.2 * radius), LastFor(1.0), law="bang_bang", **limits)
     (only,) = state[Plan].planned.overruns
     assert (only.joint, only.quantity) == (TOOL, "tool speed")
     np.testing.assert_allclose(only.spans, [(0.25, 0.75)], atol=1e-3)
     # As fast as allowed it meets its limit and does not exceed it.
-    state = planned("planar_2r", TWO, LimitTool(1.2 * radius), law="bang_bang", **limits)
+    state = planned_state("planar_2r", TWO, LimitTool(1.2 * radius), law="bang_bang", **limits)
     assert state[Plan].planned.overruns == ()
     assert state[Plan].planned.figures.binding == Binding(TOOL, "tool speed")
 
 
 def test_limits_exceeded_in_several_legs_are_told_once_for_each_joint():
     points = [[0.0, 0.5], [1.0, 0.5], [0.0, 0.5], [1.0, 0.9]]
-    state = planned("planar_2r", points, LastFor(1.0), velocity=(1.0, 1.0), acceleration=(90.0, 90.0))
+    state = planned_state("planar_2r", points, LastFor(1.0), velocity=(1.0, 1.0), acceleration=(90.0, 90.0))
     found = [each for each in state[Plan].planned.overruns if each.quantity == "velocity"]
     assert [each.joint for each in found] == [1, 2]
     assert [len(each.spans) for each in found] == [3, 1]
@@ -103,57 +103,57 @@ def test_what_is_as_fast_as_allowed_meets_a_limit_and_exceeds_none(key, space):
     start = inside(robot, rng, 1)[0]
     # Near to each other, so that a Cartesian move can be run.
     points = [start, start + 0.04 * (inside(robot, rng, 1)[0] - start)]
-    plan = planned(key, points, space=space)[Plan].planned
-    assert plan.whole, plan.trouble
-    found = plan.figures
-    assert plan.overruns == ()
+    planned = planned_state(key, points, space=space)[Plan].planned
+    assert planned.whole, planned.trouble
+    found = planned.figures
+    assert planned.overruns == ()
     most = max(found.velocity_share.max(), found.acceleration_share.max())
     assert most == pytest.approx(1.0, abs=1e-6)
     assert found.binding is not None
     quantity = {"velocity": found.velocity_share, "acceleration": found.acceleration_share}[found.binding.quantity]
     assert quantity[found.binding.joint - 1] == pytest.approx(1.0, abs=1e-6)
     # The peaks are above all samples, and not by more than those can miss.
-    for values, peak in ((plan.samples.qdot, found.velocity), (plan.samples.qddot, found.acceleration)):
+    for values, peak in ((planned.samples.qdot, found.velocity), (planned.samples.qddot, found.acceleration)):
         sampled = np.abs(values).max(axis=0)
         assert (sampled <= peak * (1.0 + 1e-9) + 1e-12).all()
         assert (sampled >= 0.9 * peak - 1e-12).all()
-    assert found.way >= np.linalg.norm(plan.samples.tool[-1] - plan.samples.tool[0]) * (1.0 - 1e-9)
-    first, second = shares(plan)
+    assert found.way >= np.linalg.norm(planned.samples.tool[-1] - planned.samples.tool[0]) * (1.0 - 1e-9)
+    first, second = shares(planned)
     assert 0.0 <= min(first.min(), second.min()) <= max(first.max(), second.max()) <= 1.0 + 1e-6
 
 
 def test_a_motion_with_more_time_than_it_needs_is_held_back_by_nothing():
-    plan = planned("puma560", None, LastFor(30.0))[Plan].planned
-    assert plan.figures.binding is None
-    assert plan.overruns == ()
+    planned = planned_state("puma560", None, LastFor(30.0))[Plan].planned
+    assert planned.figures.binding is None
+    assert planned.overruns == ()
 
 
 def test_where_all_joints_slide_both_kinds_of_moves_are_one():
-    state = planned("cartesian_3p", None, CompareMoves(True))
-    plan = state[Plan].planned
-    other = compared(state, plan)
-    assert (kind_of(plan.question), kind_of(other.question)) == ("joint", "cartesian")
-    assert same_time(plan, other)
-    own, theirs = plan.figures, other.figures
+    state = planned_state("cartesian_3p", None, CompareMoves(True))
+    planned = state[Plan].planned
+    other = compared(state, planned)
+    assert (kind_of(planned.question), kind_of(other.question)) == ("joint", "cartesian")
+    assert same_time(planned, other)
+    own, theirs = planned.figures, other.figures
     assert own.way == pytest.approx(theirs.way, rel=1e-6)
-    assert own.way == pytest.approx(float(np.linalg.norm(plan.samples.tool[-1] - plan.samples.tool[0])), rel=1e-9)
+    assert own.way == pytest.approx(float(np.linalg.norm(planned.samples.tool[-1] - planned.samples.tool[0])), rel=1e-9)
 
 
 @pytest.mark.parametrize("key", ["planar_2r", "puma560", "scara"])
 def test_an_arm_with_turning_joints_is_slower_along_a_line_of_the_tool(key):
-    state = planned(key, None, CompareMoves(True))
-    plan = state[Plan].planned
-    other = compared(state, plan)
-    assert not same_time(plan, other)
-    assert plan.fastest < other.fastest
-    assert plan.figures.way > other.figures.way
+    state = planned_state(key, None, CompareMoves(True))
+    planned = state[Plan].planned
+    other = compared(state, planned)
+    assert not same_time(planned, other)
+    assert planned.fastest < other.fastest
+    assert planned.figures.way > other.figures.way
 
 
 def test_only_what_was_asked_for_and_belongs_to_the_plan_is_compared():
-    state = planned("planar_2r", None, CompareMoves(True))
-    plan = state[Plan].planned
-    assert compared(state, plan) is state[Plan].other
-    assert compared(apply(state, CompareMoves(False)), plan) is None
+    state = planned_state("planar_2r", None, CompareMoves(True))
+    planned = state[Plan].planned
+    assert compared(state, planned) is state[Plan].other
+    assert compared(apply(state, CompareMoves(False)), planned) is None
     changed = with_planned(apply(apply(state, CompareMoves(False)), LimitTool(0.5)))
     stale = apply(changed, CompareMoves(True))
     assert compared(stale, stale[Plan].planned) is None
@@ -162,7 +162,7 @@ def test_only_what_was_asked_for_and_belongs_to_the_plan_is_compared():
 
 def test_a_motion_from_a_file_has_no_other_kind_of_moves():
     recorded = Recorded((0.0, 1.0, 2.0), ((0.0, 0.1), (0.3, 0.2), (0.2, 0.5)))
-    state = planned("planar_2r", None, CompareMoves(True), recorded=recorded)
+    state = planned_state("planar_2r", None, CompareMoves(True), recorded=recorded)
     assert can_compare(State.initial(catalogue()["planar_2r"]))
     assert not can_compare(state)
     assert state[Plan].other is None
@@ -170,7 +170,7 @@ def test_a_motion_from_a_file_has_no_other_kind_of_moves():
 
 
 def test_nothing_is_told_of_a_plan_that_cannot_be_run():
-    state = planned("planar_2r", [[0.0, 0.5]])
+    state = planned_state("planar_2r", [[0.0, 0.5]])
     assert state[Plan].planned.figures is None
     assert state[Plan].planned.overruns == ()
     assert shares(state[Plan].planned) is None

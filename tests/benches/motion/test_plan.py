@@ -24,7 +24,7 @@ from armlab.benches.motion.plan.points import (
 )
 from armlab.benches.motion.plan.question import Feasible
 from armlab.benches.motion.plan.samples import fastest_tool
-from armlab.benches.motion.plan.state import Plan, planned
+from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.benches.motion.plan.words import judged
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -53,22 +53,22 @@ def with_points(state, count):
 
 
 def worked_out(state):
-    return planned(with_planned(state))
+    return planned_now(with_planned(state))
 
 
 @pytest.mark.parametrize("robot", list(catalogue().robots))
 def test_every_arm_opens_with_a_motion_that_can_be_run(robot):
-    plan = worked_out(opened(robot))
-    assert plan.whole
-    assert 0.05 < plan.duration < 60.0
-    assert judged(plan).kind == "ok"
+    planned = worked_out(opened(robot))
+    assert planned.whole
+    assert 0.05 < planned.duration < 60.0
+    assert judged(planned).kind == "ok"
 
 
 @pytest.mark.parametrize("key", list(EXAMPLES))
 def test_every_example_is_what_it_says(key):
     state = with_planned(after(opened("puma560"), TakeExample(key)))
     kind = {"out_of_reach": "no", "given_time": "no"}.get(key, "ok")
-    assert judged(planned(state)).kind == kind
+    assert judged(planned_now(state)).kind == kind
     assert np.allclose(state[Joints].q, state[Plan].waypoints[0].q)
     assert (state[Plan].other is not None) == EXAMPLES[key].compared
 
@@ -77,9 +77,9 @@ def test_every_example_is_what_it_says(key):
 @pytest.mark.parametrize("path", ["line", "spline", "interpolating", "blends"])
 def test_as_fast_as_allowed_meets_one_limit_and_exceeds_none(robot, path):
     state = after(with_points(opened(robot), 4), SetMove(1, path=path), UseShare(0.7, 0.4))
-    plan = worked_out(state)
+    planned = worked_out(state)
     part = state[Plan]
-    for leg in plan.legs:
+    for leg in planned.legs:
         loads = [
             peaks(leg.motion, order).peak / limits
             for order, limits in ((1, 0.7 * np.array(part.velocity)), (2, 0.4 * np.array(part.acceleration)))
@@ -89,44 +89,44 @@ def test_as_fast_as_allowed_meets_one_limit_and_exceeds_none(robot, path):
 
 def test_the_motion_goes_through_every_waypoint():
     state = after(with_points(opened("puma560"), 5), SetMove(1, path="spline"))
-    plan = worked_out(state)
-    t = np.linspace(0.0, plan.duration, 20001)
-    q = plan.motion.at(t)
+    planned = worked_out(state)
+    t = np.linspace(0.0, planned.duration, 20001)
+    q = planned.motion.at(t)
     for point in state[Plan].waypoints:
         assert np.abs(q - np.array(point.q)).max(axis=1).min() < 1e-3
 
 
 def test_a_cartesian_move_keeps_the_tool_on_its_line_and_the_joints_together():
     state = after(opened("puma560"), SetMove(1, space="cartesian"))
-    plan = worked_out(state)
+    planned = worked_out(state)
     arm, part = state[Joints].arm, state[Plan]
     a, b = (point.wanted(arm)[:3, 3] for point in part.waypoints)
-    way = plan.samples.tool - a
+    way = planned.samples.tool - a
     along = (b - a) / np.linalg.norm(b - a)
     assert np.abs(way - (way @ along)[:, None] * along).max() < 1e-6
-    assert np.allclose(plan.samples.tool[-1], b, atol=1e-9)
+    assert np.allclose(planned.samples.tool[-1], b, atol=1e-9)
     # The samples of the rates are derivatives of those of the positions.
-    step = plan.samples.t[1]
-    slopes = np.gradient(plan.samples.q, step, axis=0)[2:-2]
-    assert np.abs(slopes - plan.samples.qdot[2:-2]).max() < 0.02 * np.abs(plan.samples.qdot).max()
-    speeds = np.linalg.norm(np.gradient(plan.samples.tool, step, axis=0), axis=1)
-    assert np.abs(speeds - plan.samples.tool_speed)[2:-2].max() < 0.02 * speeds.max()
+    step = planned.samples.t[1]
+    slopes = np.gradient(planned.samples.q, step, axis=0)[2:-2]
+    assert np.abs(slopes - planned.samples.qdot[2:-2]).max() < 0.02 * np.abs(planned.samples.qdot).max()
+    speeds = np.linalg.norm(np.gradient(planned.samples.tool, step, axis=0), axis=1)
+    assert np.abs(speeds - planned.samples.tool_speed)[2:-2].max() < 0.02 * speeds.max()
 
 
 def test_a_given_time_is_kept_and_what_it_exceeds_is_said():
     state = after(opened(), LastFor(0.3))
-    plan = worked_out(state)
-    assert plan.duration == pytest.approx(0.3)
-    assert plan.fastest > 0.3
-    said = judged(plan)
+    planned = worked_out(state)
+    assert planned.duration == pytest.approx(0.3)
+    assert planned.fastest > 0.3
+    said = judged(planned)
     assert said.kind == "no"
     assert any("velocity" in line for line in said.lines)
     least = re.search(r"takes ([\d.]+) s at least", " ".join(said.lines))
-    assert plan.fastest <= float(least[1]) < plan.fastest + 0.01
+    assert planned.fastest <= float(least[1]) < planned.fastest + 0.01
     assert judged(worked_out(after(state, LastFor(float(least[1]))))).kind == "ok"
-    assert Feasible.OVER_LIMIT in plan.legs[0].worth
+    assert Feasible.OVER_LIMIT in planned.legs[0].worth
     # The time that is said to be enough is enough.
-    slow = worked_out(after(state, LastFor(float(np.ceil(100 * plan.fastest * 1.3) / 100))))
+    slow = worked_out(after(state, LastFor(float(np.ceil(100 * planned.fastest * 1.3) / 100))))
     assert not slow.violations
 
 
@@ -164,17 +164,17 @@ def test_a_joint_move_to_a_waypoint_out_of_reach_cannot_be_run():
     state = opened("planar_2r")
     far = state[Plan].waypoints[1].wanted(state[Joints].arm)
     far[:3, 3] *= 3.0
-    plan = worked_out(after(state, DragWaypoint(1, far, object())))
-    assert re.search(r"waypoint 2: \d+\.\d mm out of reach", plan.trouble)
-    assert plan.motion is None
-    assert set(plan.legs[0].worth) == {Feasible.NOT_REACHED}
+    planned = worked_out(after(state, DragWaypoint(1, far, object())))
+    assert re.search(r"waypoint 2: \d+\.\d mm out of reach", planned.trouble)
+    assert planned.motion is None
+    assert set(planned.legs[0].worth) == {Feasible.NOT_REACHED}
 
 
 def test_too_fast_a_tool_is_red_where_it_is():
-    plan = worked_out(after(opened("puma560"), LastFor(20.0), LimitTool(0.03)))
-    assert not plan.violations
-    red = plan.legs[0].worth == Feasible.OVER_LIMIT
-    fast = np.interp(plan.legs[0].times, plan.samples.t, plan.samples.tool_speed) > 0.03
+    planned = worked_out(after(opened("puma560"), LastFor(20.0), LimitTool(0.03)))
+    assert not planned.violations
+    red = planned.legs[0].worth == Feasible.OVER_LIMIT
+    fast = np.interp(planned.legs[0].times, planned.samples.t, planned.samples.tool_speed) > 0.03
     assert red.any()
     assert np.mean(red != fast) < 0.02
 
@@ -222,9 +222,9 @@ def test_a_stretch_goes_through_equal_moves_and_a_stop_divides_it():
     assert [stretch.title for stretch in state[Plan].parts] == ["1 → 4"]
     state = after(state, SetMove(2, stop=True))
     assert [stretch.title for stretch in state[Plan].parts] == ["1 → 3", "3 → 4"]
-    plan = worked_out(state)
-    at = plan.legs[1].start
-    assert np.abs(plan.motion.at(at, 1)).max() < 1e-9
+    planned = worked_out(state)
+    at = planned.legs[1].start
+    assert np.abs(planned.motion.at(at, 1)).max() < 1e-9
     state = after(state, SetMove(4 - 1, path="line"), AllMovesLike(3))
     assert [stretch.title for stretch in state[Plan].parts] == ["1 → 2", "2 → 3", "3 → 4"]
 
@@ -274,15 +274,15 @@ def test_a_dragged_waypoint_follows_and_out_of_reach_it_is_kept_and_said():
     assert worked_out(near).whole
     away = after(near, DragWaypoint(1, far, drag))
     assert np.allclose(away[Plan].waypoints[1].wanted(arm), far)
-    plan = worked_out(away)
-    assert "out of reach" in plan.trouble
-    assert Feasible.NOT_REACHED in plan.legs[0].worth
+    planned = worked_out(away)
+    assert "out of reach" in planned.trouble
+    assert Feasible.NOT_REACHED in planned.legs[0].worth
     # What is in front of the leg that cannot be run is still a motion.
     later = with_planned(
         after(with_points(opened("planar_2r"), 3), SetMove(2, space="cartesian"), DragWaypoint(2, far, drag))
     )
-    assert planned(later).motion is not None
-    assert not planned(later).whole
+    assert planned_now(later).motion is not None
+    assert not planned_now(later).whole
 
 
 @pytest.mark.parametrize(
@@ -336,12 +336,12 @@ def test_there_are_not_more_waypoints_than_can_be_told_apart():
 def test_the_clip_moves_the_arm_and_puts_it_back():
     state = with_planned(after(opened(), RandomPose()))
     stood = state[Joints].q
-    plan = planned(state)
+    planned = planned_now(state)
     on = after(state, OpenClip("motion"))
-    assert duration(on) == plan.duration
-    assert np.allclose(on[Joints].q, plan.motion.at(0.0))
-    half = after(on, Seek(0.5 * plan.duration))
-    assert np.allclose(half[Joints].q, plan.motion.at(0.5 * plan.duration))
+    assert duration(on) == planned.duration
+    assert np.allclose(on[Joints].q, planned.motion.at(0.0))
+    half = after(on, Seek(0.5 * planned.duration))
+    assert np.allclose(half[Joints].q, planned.motion.at(0.5 * planned.duration))
     assert np.array_equal(after(half, OpenClip(""))[Joints].q, stood)
     moved = after(half, RandomPose())
     assert np.array_equal(after(moved, OpenClip(""))[Joints].q, moved[Joints].q)
@@ -351,7 +351,7 @@ def test_a_new_plan_takes_the_arm_along_while_it_is_on():
     state = after(with_planned(opened()), OpenClip("motion"), Seek(100.0))
     changed = with_planned(after(state, LastFor(9.0), SetWaypointJoint(1, 0, 0.1)))
     assert duration(changed) == pytest.approx(9.0)
-    assert np.allclose(changed[Joints].q, planned(changed).motion.at(changed[Timeline].time))
+    assert np.allclose(changed[Joints].q, planned_now(changed).motion.at(changed[Timeline].time))
 
 
 def test_what_is_written_is_read_back():

@@ -5,20 +5,20 @@ import numpy as np
 from armlab.benches.motion.plan.examples import TakeExample
 from armlab.benches.motion.plan.frame import trihedron
 from armlab.benches.motion.plan.job import with_planned
-from armlab.benches.motion.plan.state import planned
+from armlab.benches.motion.plan.state import planned_now
 from armlab.content.robots import catalogue
 from armlab.session.state import State, apply
 
 
 def example(key):
-    return planned(with_planned(apply(State.initial(catalogue()["puma560"]), TakeExample(key))))
+    return planned_now(with_planned(apply(State.initial(catalogue()["puma560"]), TakeExample(key))))
 
 
 def test_on_an_arc_it_is_that_of_the_circle():
-    plan = example("circle")
-    circle = plan.legs[0].tool_path.position
-    for time in np.linspace(0.0, plan.duration, 9):
-        p, t, n, b, curvature = trihedron(plan, float(time))
+    planned = example("circle")
+    circle = planned.legs[0].tool_path.position
+    for time in np.linspace(0.0, planned.duration, 9):
+        p, t, n, b, curvature = trihedron(planned, float(time))
         np.testing.assert_allclose(curvature, 1.0 / circle.radius, rtol=1e-3)
         inwards = (circle.centre - p) / circle.radius
         np.testing.assert_allclose(n, inwards, atol=2e-3)
@@ -26,8 +26,8 @@ def test_on_an_arc_it_is_that_of_the_circle():
 
 
 def test_on_a_line_there_is_no_normal_and_no_curvature():
-    plan = example("corner_stop")
-    found = trihedron(plan, 0.4 * plan.legs[0].motion.duration)
+    planned = example("corner_stop")
+    found = trihedron(planned, 0.4 * planned.legs[0].motion.duration)
     assert found.curvature == 0.0
     assert not found.n.any()
     np.testing.assert_allclose(found.t, [0.0, 1.0, 0.0], atol=1e-6)

@@ -14,7 +14,7 @@ from armlab.benches.motion.plan.paths import places
 from armlab.benches.motion.plan.points import DRAG_TRAVEL, AddWaypoint, DragWaypoint, RemoveWaypoint, SetWaypointJoint
 from armlab.benches.motion.plan.question import Feasible, Recorded
 from armlab.benches.motion.plan.samples import fastest_tool
-from armlab.benches.motion.plan.state import CLIP_KEY, Plan, planned
+from armlab.benches.motion.plan.state import CLIP_KEY, Plan, planned_now
 from armlab.benches.motion.plan.words import judged
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -49,7 +49,7 @@ def through(state, rows):
 
 
 def worked_out(state):
-    return planned(with_planned(state))
+    return planned_now(with_planned(state))
 
 
 def speeds(arm, motion):
@@ -69,12 +69,12 @@ def test_the_tool_is_nowhere_faster_than_its_limit(robot, apart):
         state = opened(robot)
         low, high = state[Joints].arm.limits.T
         rows = low + np.random.default_rng(seed).uniform(0.2, 0.8, (2, len(low))) * (high - low)
-        plan = worked_out(after(through(state, rows), SetMove(1, law="quintic", apart=apart), LimitTool(0.1)))
-        arm = plan.question.arm
-        most = speeds(arm, plan.motion).max()
+        planned = worked_out(after(through(state, rows), SetMove(1, law="quintic", apart=apart), LimitTool(0.1)))
+        arm = planned.question.arm
+        most = speeds(arm, planned.motion).max()
         assert most <= 0.1 * (1.0 + 1e-8)
         assert most >= 0.1 * (1.0 - 1e-4)
-        assert fastest_tool(arm, plan.motion) == pytest.approx(0.1, rel=1e-9)
+        assert fastest_tool(arm, planned.motion) == pytest.approx(0.1, rel=1e-9)
 
 
 # -- what is known of a leg ------------------------------------------------------------------------------------------
@@ -82,9 +82,9 @@ def test_the_tool_is_nowhere_faster_than_its_limit(robot, apart):
 
 def test_a_tool_path_is_marked_where_the_wrist_is_nearly_singular_and_only_there():
     ends = [[0.2, 0.6, -2.6, 0.3, 0.7, 0.4], [0.3, 0.6, -2.6, 0.3, 0.1, 0.4]]
-    plan = worked_out(after(through(opened("puma560"), ends), SetMove(1, space="cartesian")))
-    assert plan.whole, plan.trouble
-    leg = plan.legs[0]
+    planned = worked_out(after(through(opened("puma560"), ends), SetMove(1, space="cartesian")))
+    assert planned.whole, planned.trouble
+    leg = planned.legs[0]
     near = leg.worth == int(Feasible.NEAR_SINGULAR)
     assert near[-1]
     assert not near[0]
@@ -95,9 +95,9 @@ def test_a_tool_path_is_marked_where_the_wrist_is_nearly_singular_and_only_there
 
 
 def test_the_path_parameter_of_the_samples_is_where_on_its_leg_the_arm_is():
-    plan = worked_out(opened("puma560", points=3))
-    samples = plan.samples
-    for leg in plan.legs:
+    planned = worked_out(opened("puma560", points=3))
+    samples = planned.samples
+    for leg in planned.legs:
         on = (samples.t > leg.start + 1e-9) & (samples.t < leg.start + leg.motion.duration - 1e-9)
         start, end = leg.path.at(0.0), leg.path.at(1.0)
         np.testing.assert_allclose(samples.q[on], start + samples.s[on, None] * (end - start), rtol=0, atol=1e-9)
@@ -112,9 +112,9 @@ def test_a_tool_path_begins_where_the_move_before_has_ended():
     near = q + np.array([[0.0] * 6, [0.1, 0.05, 0.05, 0.0, 0.3, 0.2], [0.2, 0.0, 0.1, 0.1, 0.1, 0.0]])
     state = after(opened("puma560", points=3), SetMove(1, stop=True))
     state = after(through(state, near), SetMove(1, space="cartesian", turning="kept"), SetMove(2, space="cartesian"))
-    plan = worked_out(state)
-    assert plan.whole, plan.trouble
-    arm, (first, second) = plan.question.arm, plan.legs
+    planned = worked_out(state)
+    assert planned.whole, planned.trouble
+    arm, (first, second) = planned.question.arm, planned.legs
     end = first.motion.at(first.motion.duration)
     assert np.abs(end - near[1]).max() > 0.1
     np.testing.assert_allclose(second.motion.at(0.0), end, rtol=0, atol=1e-9)
@@ -190,7 +190,7 @@ def test_a_joint_that_the_arm_has_not_is_refused(joint):
 def test_the_plan_beside_one_in_a_given_time_is_as_fast_as_it_can():
     state = with_planned(after(opened(), LastFor(25.0), CompareMoves(True)))
     other = state[Plan].other
-    assert planned(state).duration == pytest.approx(25.0)
+    assert planned_now(state).duration == pytest.approx(25.0)
     assert other.question.duration is None
     assert other.duration == pytest.approx(other.fastest)
     assert other.duration < 20.0
@@ -219,19 +219,22 @@ def shaking(count):
 
 
 def test_of_very_many_times_at_which_a_limit_is_exceeded_the_first_are_kept_and_all_are_counted():
-    plan = worked_out(shaking(400))
-    (velocity,) = (each for each in plan.overruns if each.quantity == "velocity")
-    every = [violation for violation in plan.violations if violation.quantity == "velocity"]
+    planned = worked_out(shaking(400))
+    (velocity,) = (each for each in planned.overruns if each.quantity == "velocity")
+    every = [violation for violation in planned.violations if violation.quantity == "velocity"]
     assert len(every) > MOST_SPANS == len(velocity.spans)
     assert velocity.count == len(every)
     assert velocity.spans == tuple(sorted((each.start, each.end) for each in every)[:MOST_SPANS])
-    assert f"and {len(every) - 2} more times" in " ".join(judged(plan).lines)
+    assert f"and {len(every) - 2} more times" in " ".join(judged(planned).lines)
 
 
 def test_a_plan_comes_measured():
-    plan = worked_out(opened(points=4))
-    for of, rates in ((plan.figures.velocity, plan.samples.qdot), (plan.figures.acceleration, plan.samples.qddot)):
+    planned = worked_out(opened(points=4))
+    for of, rates in (
+        (planned.figures.velocity, planned.samples.qdot),
+        (planned.figures.acceleration, planned.samples.qddot),
+    ):
         most = np.abs(rates).max(axis=0)
         assert (most <= of + 1e-9).all()
         np.testing.assert_allclose(most, of, rtol=0.1)
-    assert plan.overruns == ()
+    assert planned.overruns == ()

@@ -11,7 +11,7 @@ from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.moves import Move, Stretch, Waypoint
 from armlab.benches.motion.plan.paths import joint_path, joint_scales
 from armlab.benches.motion.plan.points import SetWaypointJoint
-from armlab.benches.motion.plan.state import Plan, planned
+from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import path_types
@@ -133,9 +133,9 @@ def test_the_script_of_a_plan_lays_the_same_way(rng, tmp_path, monkeypatch):
     points = tuple(Waypoint(tuple(q)) for q in rng.uniform(*(0.5 * arm.limits.T), size=(4, arm.n)).tolist())
     moves = (Move(path=Chosen("overfly", (("speed", (0.7,)),))),) * 3
     state = with_planned(state.replace(replace(part, waypoints=points, moves=moves, example="")))
-    motion = planned(state).motion
+    motion = planned_now(state).motion
     monkeypatch.chdir(tmp_path)
     made = {"__name__": "script"}
-    exec(motion_script(state[RobotPart], planned(state), 40.0, "motion.csv"), made)
+    exec(motion_script(state[RobotPart], planned_now(state), 40.0, "motion.csv"), made)
     rows = np.loadtxt(tmp_path / "motion.csv", delimiter=",", skiprows=1)
     np.testing.assert_allclose(rows[:, 1 : 1 + arm.n], motion.sample(rate=40.0).q, rtol=0, atol=1e-9)

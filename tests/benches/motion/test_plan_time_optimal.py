@@ -10,7 +10,7 @@ import pytest
 from armlab.benches.motion.plan.commands import SetMove, SetMoveOption
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import LastFor, LimitJerk, LimitTool
-from armlab.benches.motion.plan.state import Plan, planned
+from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.benches.motion.plan.words import judged
 from armlab.kin.motion import Limits, Trajectory, follow, law_type, path_type, peaks, violations
 from armlab.session.parts.robot import RobotPart
@@ -28,7 +28,7 @@ def after(state, *commands):
 @pytest.mark.parametrize("space", ["joint", "cartesian"])
 def test_the_time_optimal_law_is_within_the_limits_and_the_fastest(robot, space):
     state = after(opened(robot), SetMove(1, space=space))
-    slow, fast = planned(state), planned(after(state, SetMove(1, law="time_optimal")))
+    slow, fast = planned_now(state), planned_now(after(state, SetMove(1, law="time_optimal")))
     if not slow.whole:
         return
     assert judged(fast).kind == "ok"
@@ -37,7 +37,7 @@ def test_the_time_optimal_law_is_within_the_limits_and_the_fastest(robot, space)
     assert fast.duration <= slow.duration * (1.0 + 1e-6)
     shares = np.maximum(fast.figures.velocity_share, fast.figures.acceleration_share)
     assert shares.max() == pytest.approx(1.0, abs=1e-6)
-    given = planned(after(state, SetMove(1, law="time_optimal"), LastFor(2.0 * fast.duration)))
+    given = planned_now(after(state, SetMove(1, law="time_optimal"), LastFor(2.0 * fast.duration)))
     assert given.duration == pytest.approx(2.0 * fast.duration)
     assert judged(given).kind == "ok"
 
@@ -45,16 +45,16 @@ def test_the_time_optimal_law_is_within_the_limits_and_the_fastest(robot, space)
 def test_its_options_and_limits_are_used_and_written():
     state = after(opened("puma560", points=4), SetMove(1, path="spline"), SetMove(2, path="spline"))
     state = after(state, SetMove(1, law="time_optimal"), SetMove(2, law="time_optimal"))
-    whole = planned(state)
-    coarse = planned(after(state, SetMoveOption(1, "law", "steps", 50), SetMoveOption(2, "law", "steps", 50)))
+    whole = planned_now(state)
+    coarse = planned_now(after(state, SetMoveOption(1, "law", "steps", 50), SetMoveOption(2, "law", "steps", 50)))
     assert coarse.duration == pytest.approx(whole.duration, rel=0.05)
     assert coarse.duration != whole.duration
     read = Plan.from_json(state[Plan].to_json(), state[RobotPart].robot)
     assert (read.moves, read.waypoints) == (state[Plan].moves, state[Plan].waypoints)
     # The figure is of samples, between which the peak of the tool lies.
-    tool = planned(after(state, LimitTool(0.2)))
+    tool = planned_now(after(state, LimitTool(0.2)))
     assert tool.figures.tool_speed == pytest.approx(0.2, rel=1e-2)
-    jerk = planned(after(state, LimitJerk(0.2)))
+    jerk = planned_now(after(state, LimitJerk(0.2)))
     assert "the acceleration jumps, so the limit of jerk cannot be kept" in jerk.unkept
 
 
@@ -62,29 +62,31 @@ def test_a_corner_is_told_with_its_time_and_the_time_optimal_law_stops_there():
     state = opened("scara", points=3)
     for k in (1, 2):
         state = apply(state, SetMove(k, path="polyline"))
-    plan = planned(with_planned(state))
-    (corner,) = {each.start for each in plan.violations if each.quantity == "acceleration" and each.start == each.end}
-    assert plan.legs[0].trajectory.law.at(corner) == pytest.approx(plan.legs[0].path.pieces[0], abs=1e-9)
-    said = judged(plan)
+    planned = planned_now(with_planned(state))
+    (corner,) = {
+        each.start for each in planned.violations if each.quantity == "acceleration" and each.start == each.end
+    }
+    assert planned.legs[0].trajectory.law.at(corner) == pytest.approx(planned.legs[0].path.pieces[0], abs=1e-9)
+    said = judged(planned)
     assert said.kind == "no"
     assert f"acceleration limits at {corner:.2f} s" in " ".join(said.lines)
     assert "the velocity jumps at a corner" in " ".join(said.lines)
-    stopping = planned(after(state, SetMove(1, law="time_optimal"), SetMove(2, law="time_optimal")))
+    stopping = planned_now(after(state, SetMove(1, law="time_optimal"), SetMove(2, law="time_optimal")))
     assert judged(stopping).kind == "ok"
 
 
-def looked_at(plan):
-    return plan.duration, peaks(plan.motion, 1).peak, plan.figures.way
+def looked_at(planned):
+    return planned.duration, peaks(planned.motion, 1).peak, planned.figures.way
 
 
 @pytest.mark.parametrize("law", ["trapezoidal", "double_s", "time_optimal", "cosine"])
 def test_a_plan_is_copied_and_sent_to_another_process(law):
-    plan = planned(after(opened("puma560"), SetMove(1, space="cartesian"), SetMove(1, law=law)))
-    for again in (copy.deepcopy(plan), pickle.loads(pickle.dumps(plan))):
-        for mine, theirs in zip(looked_at(plan), looked_at(again), strict=True):
+    planned = planned_now(after(opened("puma560"), SetMove(1, space="cartesian"), SetMove(1, law=law)))
+    for again in (copy.deepcopy(planned), pickle.loads(pickle.dumps(planned))):
+        for mine, theirs in zip(looked_at(planned), looked_at(again), strict=True):
             np.testing.assert_array_equal(mine, theirs)
     with ProcessPoolExecutor(1) as pool:
-        for mine, theirs in zip(looked_at(plan), pool.submit(looked_at, plan).result(), strict=True):
+        for mine, theirs in zip(looked_at(planned), pool.submit(looked_at, planned).result(), strict=True):
             np.testing.assert_allclose(mine, theirs, rtol=1e-12)
 
 
@@ -101,6 +103,6 @@ def test_motions_and_limits_are_copied():
 
 def test_following_a_line_can_be_copied():
     state = after(opened("puma560"), SetMove(1, space="cartesian"))
-    leg = planned(state).legs[0]
+    leg = planned_now(state).legs[0]
     found = follow(leg.followed.arm, pickle.loads(pickle.dumps(leg.tool_path)), leg.followed.q[0], 21)
     np.testing.assert_allclose(pickle.loads(pickle.dumps(found)).q, found.q, rtol=0, atol=0)

@@ -19,7 +19,7 @@ PANEL = "control"
 
 
 class Todo(NamedTuple):
-    """The runs that are still to be made, by colour, the selected one first, and the known plan of the motion."""
+    """The runs that are still to be made, by colour, the selected one first, and the planned motion if it is known."""
 
     runs: tuple[tuple[int, Question], ...]
     known: Planned | None = None

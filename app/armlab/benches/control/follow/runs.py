@@ -116,7 +116,7 @@ class Outcome:
 
 
 def making(question: Question, known: Planned | None = None) -> Generator[None, None, Outcome]:
-    """Make a run in pieces of some 20 ms; ``known`` is the plan of its motion if that has been made."""
+    """Make a run in pieces of some 20 ms; ``known`` is its motion if that has been planned."""
     try:
         return (yield from _made(question, known))
     except InputError as refusal:
@@ -176,12 +176,12 @@ def reference_points(arm: Arm, setup: Setup) -> Floats:
 
 
 def _planned(question: PlanQuestion) -> Generator[None, None, Planned]:
-    plan: Planned | None = None
+    planned: Planned | None = None
     for found in planning(question):
-        plan = found
+        planned = found
         yield
-    assert plan is not None
-    return plan
+    assert planned is not None
+    return planned
 
 
 def direction(arm: Arm, setup: Setup) -> Floats:

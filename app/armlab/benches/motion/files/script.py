@@ -62,14 +62,14 @@ NAMES = (
 """Names of `armlab.kin.motion` that a script may need."""
 
 
-def motion_script(part: RobotPart, plan: Planned, rate: float, file: str) -> str:
-    """Return the script of the part of a plan that can be run.
+def motion_script(part: RobotPart, planned: Planned, rate: float, file: str) -> str:
+    """Return the script of the part of a planned motion that can be run.
 
     Parameters
     ----------
     part : RobotPart
-        The arm of the plan.
-    plan : Planned
+        The arm of the motion.
+    planned : Planned
     rate : float
         Samples a second of the table it writes.
     file : str
@@ -78,13 +78,13 @@ def motion_script(part: RobotPart, plan: Planned, rate: float, file: str) -> str
     Raises
     ------
     InputError
-        Nothing of the plan can be run, or the table would be too long.
+        Nothing of it can be run, or the table would be too long.
     """
-    if plan.motion is None:
-        raise InputError(f"script: there is no motion to write ({plan.trouble})")
-    refuse_long(plan.duration, rate)
-    question = plan.question
-    body = _legs(plan) if question.recorded is None else _recorded(question, plan.duration)
+    if planned.motion is None:
+        raise InputError(f"script: there is no motion to write ({planned.trouble})")
+    refuse_long(planned.duration, rate)
+    question = planned.question
+    body = _legs(planned) if question.recorded is None else _recorded(question, planned.duration)
     made = f"{_arm(part)}\n{body}"
     used = [name for name in NAMES if f"{name}(" in made]
     imports = ["import numpy as np", "", "import armlab", f"from armlab.kin.motion import {', '.join(used)}"]
@@ -122,9 +122,9 @@ def _arm(part: RobotPart) -> str:
 # -- the legs --------------------------------------------------------------------------------------------------------
 
 
-def _legs(plan: Planned) -> str:
-    question, lines = plan.question, ["legs = []"]
-    running = list(takewhile(lambda leg: leg.motion is not None, plan.legs))
+def _legs(planned: Planned) -> str:
+    question, lines = planned.question, ["legs = []"]
+    running = list(takewhile(lambda leg: leg.motion is not None, planned.legs))
     q = np.array(question.waypoints[0].q)
     for k, leg in enumerate(running):
         lines += ["", *_leg(question, leg, q, first=k == 0)]

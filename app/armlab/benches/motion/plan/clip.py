@@ -19,20 +19,23 @@ Floats = NDArray[np.float64]
 
 def duration(state: State) -> float:
     """Return the duration of the motion, seconds."""
-    plan = last_planned(state)
-    return WAITING if plan is None or plan.motion is None else plan.duration
+    planned = last_planned(state)
+    return WAITING if planned is None or planned.motion is None else planned.duration
 
 
 def stops(state: State) -> tuple[float, ...]:
     """Return the times at which one leg ends and the next begins."""
-    plan = last_planned(state)
-    return () if plan is None else tuple(leg.start for leg in plan.legs if leg.motion is not None and leg.start > 0.0)
+    planned = last_planned(state)
+    legs = () if planned is None else planned.legs
+    return tuple(leg.start for leg in legs if leg.motion is not None and leg.start > 0.0)
 
 
 def configuration(state: State, time: float) -> Floats | None:
     """Return the joint values at a time, (n,), inside the limits, or None while there is no motion."""
-    plan = last_planned(state)
-    return None if plan is None or plan.motion is None else np.asarray(state[Joints].arm.clip(plan.motion.at(time)))
+    planned = last_planned(state)
+    if planned is None or planned.motion is None:
+        return None
+    return np.asarray(state[Joints].arm.clip(planned.motion.at(time)))
 
 
 ARM = ArmOnClip(CLIP_KEY, Plan, duration, configuration)

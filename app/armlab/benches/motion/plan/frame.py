@@ -32,7 +32,7 @@ class Trihedron(NamedTuple):
     curvature: float
 
 
-def trihedron(plan: Planned, time: float) -> Trihedron | None:
+def trihedron(planned: Planned, time: float) -> Trihedron | None:
     """Return the Frenet frame of the tool's path, or None if there is no motion.
 
     From velocity and acceleration of the tool: t = v / |v|, kappa b = (v x a) / |v|^3, n = b x t.
@@ -41,15 +41,15 @@ def trihedron(plan: Planned, time: float) -> Trihedron | None:
     ----------
     Notes 6.136-6.141, in time instead of the path parameter.
     """
-    leg, arm = plan.leg_at(time), plan.question.arm
-    if leg is None or leg.motion is None or plan.samples is None:
+    leg, arm = planned.leg_at(time), planned.question.arm
+    if leg is None or leg.motion is None or planned.samples is None:
         return None
     T = leg.motion.duration
     inside = np.array([min(max(time - leg.start, INSIDE * T), (1.0 - INSIDE) * T)])
     v, a = (each[0] for each in tool_rates(arm, *leg.motion.derivatives(inside, (0, 1, 2))))
     here = np.asarray(arm.position(leg.motion.at(min(max(time - leg.start, 0.0), T))), dtype=np.float64)
     speed, nothing = float(np.linalg.norm(v)), np.zeros(3)
-    if speed <= STANDS * max(float(plan.samples.tool_speed.max()), 1e-12):
+    if speed <= STANDS * max(float(planned.samples.tool_speed.max()), 1e-12):
         return Trihedron(here, nothing, nothing, nothing, 0.0)
     bend = np.cross(v, a) / speed**3
     curvature = float(np.linalg.norm(bend))

@@ -1,4 +1,4 @@
-"""The job that computes the plan of the motion, while it is seen, played, or requested by a lesson."""
+"""The job that plans the motion, while it is seen, played, or requested by a lesson."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 
 MOTION = "motion"
-"""Name by which lessons request the plan."""
+"""Name by which lessons request the planned motion."""
 
 PANELS = "motion"
-"""Prefix of the keys of panels that show the plan."""
+"""Prefix of the keys of panels that show the planned motion."""
 
 
 class Asked(NamedTuple):
@@ -32,14 +32,14 @@ class Asked(NamedTuple):
 
 
 class Found(NamedTuple):
-    """Plans computed so far."""
+    """The motions planned so far."""
 
-    plan: Planned | None = None
+    planned: Planned | None = None
     other: Planned | None = None
 
 
 def asked(state: State) -> Asked:
-    """Return the plans that are still to be computed."""
+    """Return the plans whose motions are still to be computed."""
     part, whole = state[Plan], state.derived(question)
     other = other_way(whole) if part.compared else None
     return Asked(
@@ -49,7 +49,7 @@ def asked(state: State) -> Asked:
 
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
-    """Return the missing plans while they are seen, played, or requested by a lesson."""
+    """Return the plans whose motions are missing while they are seen, played, or requested by a lesson."""
     seen = any(key.startswith(PANELS) for key in panels)
     if not (seen or state[Timeline].clip == CLIP_KEY or MOTION in state[LessonPart].asked):
         return None
@@ -62,24 +62,24 @@ def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
 def run(missing: Asked) -> Iterator[Found | None]:
     """Yield all results so far; only the newest delivery counts."""
     found = Found()
-    for name, whole in zip(missing._fields, missing, strict=True):
+    for name, whole in zip(Found._fields, missing, strict=True):
         if whole is None:
             continue
-        for plan in measuring(making(whole)):
-            found = found if plan is None else found._replace(**{name: plan})
-            yield None if plan is None else found
+        for planned in measuring(making(whole)):
+            found = found if planned is None else found._replace(**{name: planned})
+            yield None if planned is None else found
 
 
 def delivered(state: State, missing: Asked, found: Found) -> State:
     """Return the state with the results; the arm moves to the new motion if the old one had moved it."""
     part = state[Plan]
     here = ARM.untouched(state)
-    now = state.replace(replace(part, planned=found.plan or part.planned, other=found.other or part.other))
+    now = state.replace(replace(part, planned=found.planned or part.planned, other=found.other or part.other))
     return ARM.shown(now) if here else now
 
 
 def with_planned(state: State) -> State:
-    """Return the state with its plan computed, at once, for tests and for callers that can wait."""
+    """Return the state with its motion planned, at once, for tests and for callers that can wait."""
     missing = asked(state)
     for found in run(missing):
         state = state if found is None else delivered(state, missing, found)

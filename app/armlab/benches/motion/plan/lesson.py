@@ -8,7 +8,7 @@ from dataclasses import replace
 from armlab.benches.motion.plan import commands, limits, points
 from armlab.benches.motion.plan.job import JOB, with_planned
 from armlab.benches.motion.plan.seen import asks_for_motion, checks_motion, motion_changed, seen_motion
-from armlab.benches.motion.plan.state import CLIP_KEY, Plan, planned
+from armlab.benches.motion.plan.state import CLIP_KEY, Plan, planned_now
 from armlab.content import evidence
 from armlab.content.actions import Action
 from armlab.content.motion_actions import EditWaypoint, SetDuration, SetLimits, SetMoveKind
@@ -26,7 +26,7 @@ MOST_POSES = 30_000
 def ended(before: State, now: State) -> bool:
     """Return whether the planned motion has reached its end."""
     # What has moved is else the motion before the last change; or a shorter one has come to where the old one stood.
-    return planned(now) is not None and now[Timeline].time > before[Timeline].time
+    return planned_now(now) is not None and now[Timeline].time > before[Timeline].time
 
 
 def again(data: Json, told: SeenMotion, robot: Robot) -> SeenMotion:

@@ -1,4 +1,4 @@
-"""Measures of a computed plan, taken once with the planning, so that panels only read them."""
+"""Measures of a planned motion, taken once with the planning, so that panels only read them."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ AT_LIMIT = 0.995
 
 
 def measuring(work: Iterator[Planned | None]) -> Iterator[Planned | None]:
-    """Yield the plans of a computation with their measures, and None between pieces of the work."""
-    for plan in work:
-        if plan is None:
+    """Yield the motions of a planning with their measures, and None between pieces of the work."""
+    for planned in work:
+        if planned is None:
             yield None
             continue
         yield None
-        found = replace(plan, overruns=_overruns(plan))
+        found = replace(planned, overruns=_overruns(planned))
         yield None
         figures = yield from _figures(found)
         yield replace(found, figures=figures)
 
 
-def _figures(plan: Planned) -> Generator[None, None, Figures | None]:
-    """Return the largest values of the part of a plan that can be run, or None if there is none, with pauses."""
-    samples, limits = plan.samples, plan.question.limits
-    if plan.motion is None or samples is None:
+def _figures(planned: Planned) -> Generator[None, None, Figures | None]:
+    """Return the largest values of what can be run of a planned motion, or None if there is none, with pauses."""
+    samples, limits = planned.samples, planned.question.limits
+    if planned.motion is None or samples is None:
         return None
     peaks_of: dict[int, list[Floats]] = {1: [], 2: []}
     times_of: dict[int, list[Floats]] = {1: [], 2: []}
     met = []
-    for leg in plan.legs:
+    for leg in planned.legs:
         if leg.motion is None:
             continue
         for order in (1, 2):
@@ -48,7 +48,7 @@ def _figures(plan: Planned) -> Generator[None, None, Figures | None]:
             peaks_of[order].append(found.peak)
             times_of[order].append(leg.start + found.peak_at)
             yield
-        met.append((leg.motion.duration, _met(plan, leg.start, leg.motion, peaks_of[1][-1], peaks_of[2][-1])))
+        met.append((leg.motion.duration, _met(planned, leg.start, leg.motion, peaks_of[1][-1], peaks_of[2][-1])))
         yield
     velocity, velocity_at = _largest(np.array(peaks_of[1]), np.array(times_of[1]))
     acceleration, acceleration_at = _largest(np.array(peaks_of[2]), np.array(times_of[2]))
@@ -71,17 +71,17 @@ def _largest(values: Floats, times: Floats) -> tuple[Floats, Floats]:
     return values[leg, joints], times[leg, joints]
 
 
-def _met(plan: Planned, start: float, motion: Motion, velocity: Floats, acceleration: Floats) -> Binding | None:
+def _met(planned: Planned, start: float, motion: Motion, velocity: Floats, acceleration: Floats) -> Binding | None:
     """Return the limit that a leg comes nearest to, if the leg meets it."""
-    limits = plan.question.limits
+    limits = planned.question.limits
     shares: dict[Binding, float] = {}
     _note(shares, "velocity", velocity / np.array(limits.velocity))
     _note(shares, "acceleration", acceleration / np.array(limits.acceleration))
     if limits.jerk_time is not None:
         _note(shares, "jerk", peaks(motion, 3).peak / limits.jerk())
-    if limits.tool_speed is not None and plan.samples is not None:
-        on = (plan.samples.t >= start) & (plan.samples.t <= start + motion.duration)
-        shares[Binding(TOOL, "tool speed")] = float(plan.samples.tool_speed[on].max(initial=0.0)) / limits.tool_speed
+    if limits.tool_speed is not None and planned.samples is not None:
+        on = (planned.samples.t >= start) & (planned.samples.t <= start + motion.duration)
+        shares[Binding(TOOL, "tool speed")] = float(planned.samples.tool_speed[on].max(initial=0.0)) / limits.tool_speed
     most = max(shares, key=lambda binding: shares[binding])
     return most if shares[most] >= AT_LIMIT else None
 
@@ -100,12 +100,12 @@ def _longest(met: list[tuple[float, Binding | None]]) -> Binding | None:
     return max(lasting, key=lambda binding: lasting[binding]) if lasting else None
 
 
-def _overruns(plan: Planned) -> tuple[Overrun, ...]:
+def _overruns(planned: Planned) -> tuple[Overrun, ...]:
     """Return the limits that are exceeded, each once, in the order of time, including that of the tool speed."""
     found: dict[tuple[int, Limited], list[tuple[float, float]]] = {}
-    for violation in plan.violations:
+    for violation in planned.violations:
         found.setdefault((violation.joint, violation.quantity), []).append((violation.start, violation.end))
-    fast = [] if plan.samples is None else too_fast(plan.samples, plan.question.limits.tool_speed)
+    fast = [] if planned.samples is None else too_fast(planned.samples, planned.question.limits.tool_speed)
     if fast:
         found[TOOL, "tool speed"] = fast
     every = [Overrun.of(joint, quantity, sorted(spans)) for (joint, quantity), spans in found.items()]

@@ -1,4 +1,4 @@
-"""The computation of a plan: paths, inverse kinematics, laws; in pieces, because it takes longer than a command may."""
+"""The planning of a motion: paths, inverse kinematics, laws; in pieces, because it takes longer than a command may."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ APART = 1e-6
 
 
 def making(question: Question) -> Iterator[Planned | None]:
-    """Compute a plan; yield None between pieces of the work, and finally the plan."""
+    """Plan a motion; yield None between pieces of the work, and finally the planned motion."""
     if question.recorded is not None:
         yield from recorded_motion(question)
         return
@@ -145,7 +145,7 @@ def _other_way(question: Question, stretch: Stretch, q: Floats) -> tuple[str, ..
 
 
 def _together(question: Question, legs: Sequence[Leg]) -> Planned:
-    """Return the plan of legs in sequence, in the requested time."""
+    """Return the planned motion of legs in sequence, in the requested time."""
     running = list(takewhile(lambda leg: leg.motion is not None, legs))
     within = sum(leg.motion.duration for leg in running if leg.motion is not None)
     start, placed = 0.0, []

@@ -1,4 +1,4 @@
-"""The arguments of a plan, and its results."""
+"""A plan, and the motion that is planned from it."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ class Recorded(NamedTuple):
 
 
 class Question(NamedTuple):
-    """All arguments of a plan; equal questions have equal answers."""
+    """All that a motion is planned from; equal questions have equal answers."""
 
     arm: Arm
     waypoints: tuple[Waypoint, ...]
@@ -120,7 +120,7 @@ class Leg:
     worth : ndarray of int, shape (k,)
         `Feasible` of each point.
     times : ndarray, shape (k,), or None
-        Seconds from the beginning of the plan; None when it cannot be run.
+        Seconds from the beginning of the motion; None when it cannot be run.
     trouble : str
         Why it cannot be run; empty when it can.
     remarks : tuple of str
@@ -189,7 +189,7 @@ class Samples:
 
 @dataclass(frozen=True, eq=False)
 class Planned:
-    """A computed plan.
+    """A planned motion: what has become of a plan, also where it cannot be run.
 
     Attributes
     ----------

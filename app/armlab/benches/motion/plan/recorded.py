@@ -1,4 +1,4 @@
-"""The plan of a motion read from a file: in its own time or another, judged at its samples."""
+"""The planning of a motion read from a file: in its own time or another, judged at its samples."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 
 
 def recorded_motion(question: Question) -> Iterator[Planned | None]:
-    """Yield None between pieces of the work, and finally the plan of a question's recorded motion."""
+    """Yield None between pieces of the work, and finally a question's recorded motion, planned."""
     recorded = question.recorded
     assert recorded is not None
     own = _motion(recorded)

@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 
 from armlab.benches.motion.plan.question import Planned
-from armlab.benches.motion.plan.state import CLIP_KEY, Plan, default_limits, planned, question
+from armlab.benches.motion.plan.state import CLIP_KEY, Plan, default_limits, planned_now, question
 from armlab.content.lesson import Lesson, Step
 from armlab.content.live import OF_MOTION
 from armlab.content.seen_motion import SeenMotion, SeenMove
@@ -48,11 +48,11 @@ def seen_motion(state: State, played: bool) -> SeenMotion:
     played : bool
         Whether it was played to its end, as it is.
     """
-    part, timeline, plan = state[Plan], state[Timeline], planned(state)
+    part, timeline, planned = state[Plan], state[Timeline], planned_now(state)
     points = () if part.recorded is not None else part.waypoints
     moves = () if part.recorded is not None else part.moves
     return replace(
-        SeenMotion() if plan is None else _facts(plan, part.velocity, part.acceleration),
+        SeenMotion() if planned is None else _facts(planned, part.velocity, part.acceleration),
         waypoints=len(points),
         moves=tuple(SeenMove(move.space, move.path.key, move.law.key) for move in moves),
         played=played,
@@ -73,19 +73,19 @@ def _raised(state: State) -> str:
 
 
 @lru_cache(maxsize=KEPT)
-def _facts(plan: Planned, velocity: tuple[float, ...], acceleration: tuple[float, ...]) -> SeenMotion:
-    """Return the facts of a computed plan, relative to the full limits of the joints."""
-    samples = plan.samples
+def _facts(planned: Planned, velocity: tuple[float, ...], acceleration: tuple[float, ...]) -> SeenMotion:
+    """Return the facts of a planned motion, relative to the full limits of the joints."""
+    samples = planned.samples
     return SeenMotion(
         planned=True,
-        whole=plan.whole,
-        within=plan.whole and not plan.overruns,
-        duration=plan.duration,
-        fastest=plan.fastest if math.isfinite(plan.fastest) else 0.0,
+        whole=planned.whole,
+        within=planned.whole and not planned.overruns,
+        duration=planned.duration,
+        fastest=planned.fastest if math.isfinite(planned.fastest) else 0.0,
         velocity=0.0 if samples is None else _share(samples.qdot, velocity),
         acceleration=0.0 if samples is None else _share(samples.qddot, acceleration),
-        deviation=max((leg.deviation for leg in plan.legs), default=0.0),
-        trouble=plan.trouble,
+        deviation=max((leg.deviation for leg in planned.legs), default=0.0),
+        trouble=planned.trouble,
     )
 
 

@@ -1,4 +1,4 @@
-"""The plan of a motion: waypoints, the moves between them, the limits, and the computed plan."""
+"""The plan of a motion: waypoints, the moves between them, the limits, and the motion planned from them."""
 
 from __future__ import annotations
 
@@ -156,7 +156,7 @@ class Plan(Part):
         return stretch_at(self.moves, max(self.selected - 1, 0)) if self.moves else None
 
     def to_json(self) -> Json:
-        """Write all but the computed plan."""
+        """Write all but the planned motions."""
         recorded = self.recorded
         return {
             "waypoints": [point.to_json() for point in self.waypoints],
@@ -238,15 +238,15 @@ def question(state: State) -> Question:
     )
 
 
-def planned(state: State) -> Planned | None:
-    """Return the computed plan, or None while it is not up to date."""
+def planned_now(state: State) -> Planned | None:
+    """Return the planned motion, or None while it is not that of the present plan."""
     part = state[Plan]
     known = part.planned is not None and part.planned.question == state.derived(question)
     return part.planned if known else None
 
 
 def last_planned(state: State) -> Planned | None:
-    """Return the plan of this arm that was computed last, which is played and drawn until there is a newer one."""
+    """Return the motion of this arm that was planned last, which is played and drawn until there is a newer one."""
     found = state[Plan].planned
     return found if found is not None and found.question.arm is state[Joints].arm else None
 

@@ -1,4 +1,4 @@
-"""The verdict on a plan, in words."""
+"""The verdict on a planned motion, in words."""
 
 from __future__ import annotations
 
@@ -23,28 +23,28 @@ class Said(NamedTuple):
     lines: tuple[str, ...]
 
 
-def judged(plan: Planned) -> Said:
-    """Return the verdict on a plan: whether it can be run within its limits, and further remarks."""
-    remarks = tuple(_with_move(leg, remark) for leg in plan.legs for remark in leg.remarks)
-    if not plan.legs:
+def judged(planned: Planned) -> Said:
+    """Return the verdict on a planned motion: whether it can be run within its limits, and further remarks."""
+    remarks = tuple(_with_move(leg, remark) for leg in planned.legs for remark in leg.remarks)
+    if not planned.legs:
         return Said("warn", "no motion yet", ("move the arm and add where it stands: a motion needs two waypoints",))
-    troubles = tuple(leg.trouble for leg in plan.legs if leg.trouble)
+    troubles = tuple(leg.trouble for leg in planned.legs if leg.trouble)
     if troubles:
         return Said("no", "cannot be run to its end", (*troubles, *remarks))
-    over = exceeded_words(plan)
+    over = exceeded_words(planned)
     if over:
         least = (
             ()
-            if np.isnan(plan.fastest) or plan.question.duration is None
-            else (f"within the limits it takes {rounded_up(plan.fastest):.2f} s at least",)
+            if np.isnan(planned.fastest) or planned.question.duration is None
+            else (f"within the limits it takes {rounded_up(planned.fastest):.2f} s at least",)
         )
         return Said("no", "exceeds limits", (*over, *least, *remarks))
-    return Said("ok", f"runs in {plan.duration:.2f} s within all limits", remarks)
+    return Said("ok", f"runs in {planned.duration:.2f} s within all limits", remarks)
 
 
-def exceeded_words(plan: Planned) -> list[str]:
-    """Return the limits a plan exceeds in words, without full stops."""
-    return [*sentences(plan.overruns), *plan.unkept]
+def exceeded_words(planned: Planned) -> list[str]:
+    """Return the limits a planned motion exceeds in words, without full stops."""
+    return [*sentences(planned.overruns), *planned.unkept]
 
 
 def rounded_up(seconds: float) -> float:

@@ -1,4 +1,4 @@
-"""Curves of the plots of a motion besides its samples: shares of the limits, and the comparison with another plan."""
+"""Curves of the plots of a motion besides its samples: shares of the limits, and the comparison with another one."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ SAME = 1e-4
 """Relative difference of the durations of motions that count as equally long: one follows its path by samples."""
 
 
-def boundaries(plan: Planned) -> tuple[float, ...]:
+def boundaries(planned: Planned) -> tuple[float, ...]:
     """Return the times at which one leg ends and the next begins."""
-    return tuple(leg.start for leg in plan.legs if leg.motion is not None and leg.start > 0.0)
+    return tuple(leg.start for leg in planned.legs if leg.motion is not None and leg.start > 0.0)
 
 
-def shares(plan: Planned) -> tuple[Floats, Floats] | None:
-    """Return |qdot_i| / v_i and |qddot_i| / a_i at the samples of a plan, (k, n) each, or None if it cannot be run."""
-    if plan.samples is None:
+def shares(planned: Planned) -> tuple[Floats, Floats] | None:
+    """Return |qdot_i| / v_i and |qddot_i| / a_i at the samples, (k, n) each, or None if the motion cannot be run."""
+    if planned.samples is None:
         return None
-    limits: Limits = plan.question.limits
-    first = np.abs(plan.samples.qdot) / np.array(limits.velocity)
-    return first, np.abs(plan.samples.qddot) / np.array(limits.acceleration)
+    limits: Limits = planned.question.limits
+    first = np.abs(planned.samples.qdot) / np.array(limits.velocity)
+    return first, np.abs(planned.samples.qddot) / np.array(limits.acceleration)
 
 
 def kind_of(question: Question) -> Kind:
@@ -46,14 +46,14 @@ def can_compare(state: State) -> bool:
     return part.recorded is None and bool(part.moves)
 
 
-def compared(state: State, plan: Planned) -> Planned | None:
-    """Return the plan for comparison that belongs to a plan, or None while it is not wanted or not ready."""
+def compared(state: State, planned: Planned) -> Planned | None:
+    """Return the motion for comparison that belongs to a planned one, or None while it is not wanted or not ready."""
     part = state[Plan]
     if not part.compared or part.other is None or part.other.question.arm is not state[Joints].arm:
         return None
-    return part.other if part.other.question == other_way(plan.question) else None
+    return part.other if part.other.question == other_way(planned.question) else None
 
 
 def same_time(one: Planned, other: Planned) -> bool:
-    """Return whether two plans are equally fast within the limits."""
+    """Return whether two planned motions are equally fast within the limits."""
     return abs(one.fastest - other.fastest) <= SAME * max(one.fastest, other.fastest)

@@ -243,13 +243,13 @@ class Steps:
 
 
 def steps(state: State) -> Steps | None:
-    """Return the steps of the chosen stretch, in the plan computed last, or None while there are none."""
-    plan, chosen = last_planned(state), state[Plan].stretch
-    if plan is None or chosen is None:
+    """Return the steps of the chosen stretch, in the motion planned last, or None while there are none."""
+    planned, chosen = last_planned(state), state[Plan].stretch
+    if planned is None or chosen is None:
         return None
-    for leg in plan.legs:
+    for leg in planned.legs:
         if leg.stretch is not None and (leg.stretch.first, leg.stretch.last) == (chosen.first, chosen.last):
-            return Steps(plan.question, leg, leg.stretch)
+            return Steps(planned.question, leg, leg.stretch)
     return None
 
 

@@ -10,7 +10,7 @@ from armlab.benches.motion.files.commands import By
 from armlab.benches.motion.files.read import MOST_SAMPLES, count_of
 from armlab.benches.motion.files.table import MOST_BYTES, MOST_ROWS
 from armlab.benches.motion.plan.question import Planned
-from armlab.benches.motion.plan.state import Plan, planned
+from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
 from armlab.ui.form import Form
@@ -84,8 +84,8 @@ class Page(Protocol):
 
 def export_markup(form: Form, state: State, shown: Shown, page: Page) -> Markup:
     """Return the buttons that save files."""
-    plan = planned(state)
-    off = plan is None or plan.motion is None or bool(shown.busy)
+    planned = planned_now(state)
+    off = planned is None or planned.motion is None or bool(shown.busy)
 
     def save(kind: str, text: str, off: bool = off) -> Markup:
         return form.chip(kind, text, partial(page.save, kind), HINTS[kind], off=off)
@@ -94,7 +94,7 @@ def export_markup(form: Form, state: State, shown: Shown, page: Page) -> Markup:
     rate = tag("label.option", typed, tag("i", "/s"), title="Samples a second, at least")
     return joined(
         tag("h3", "Save"),
-        _motion_line(state, plan, shown.rate),
+        _motion_line(state, planned, shown.rate),
         _row("Samples", rate, save("csv", "CSV"), save("python", "Python")),
         _row("Recording", save("html", "Web page"), save("viser", ".viser")),
         _row("Plan", save("json", "JSON", bool(shown.busy))),
@@ -120,22 +120,22 @@ def import_markup(form: Form, state: State, shown: Shown, page: Page) -> Markup:
     return joined(tag("h3", "Read"), tag("div.bar", load), outcome, motion, tag("p.dim", says))
 
 
-def _motion_line(state: State, plan: Planned | None, rate: float) -> Markup:
+def _motion_line(state: State, planned: Planned | None, rate: float) -> Markup:
     """Return a line on the motion, and on the size of its table."""
-    if plan is None:
+    if planned is None:
         return tag("p.dim", "… working it out")
-    trouble = f"{plan.trouble.rstrip('.')}."
-    if plan.motion is None:
+    trouble = f"{planned.trouble.rstrip('.')}."
+    if planned.motion is None:
         return tag("p.no", f"✕ No motion: {trouble}")
     part = state[Plan]
     if part.recorded is not None:
         what = f"From a file: {len(part.recorded.t)} samples"
     else:
         what = f"Plan of {len(part.waypoints)} waypoints"
-    count = count_of(plan.duration, rate)
+    count = count_of(planned.duration, rate)
     many = f"{count} rows" if count <= MOST_SAMPLES else f"{count} rows are too many (at most {MOST_SAMPLES})"
-    line = tag("p.dim", f"{what}, {plan.duration:.2f} s; {many}.")
-    return line if plan.whole else joined(line, tag("p.warn", f"◐ Only what can be run: {trouble}"))
+    line = tag("p.dim", f"{what}, {planned.duration:.2f} s; {many}.")
+    return line if planned.whole else joined(line, tag("p.warn", f"◐ Only what can be run: {trouble}"))
 
 
 def _recorded(form: Form, state: State, shown: Shown, page: Page) -> Markup | None:

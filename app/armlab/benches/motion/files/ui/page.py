@@ -14,7 +14,7 @@ from armlab.benches.motion.files.script import motion_script
 from armlab.benches.motion.files.table import MOST_BYTES
 from armlab.benches.motion.files.ui.markup import Shown, export_markup, import_markup
 from armlab.benches.motion.plan.question import Planned
-from armlab.benches.motion.plan.state import Plan, planned
+from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.benches.motion.plan.ui.around import way_around, while_on
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
@@ -94,9 +94,9 @@ class MotionFiles:
         self._shown = self._shown.but(busy=kind)
         self._begin(make, lambda content: self._saved(f"{name}.{ending}", content), "export")
 
-    def _making(self, kind: str, plan: Planned, name: str) -> Callable[[], str | bytes]:
+    def _making(self, kind: str, planned: Planned, name: str) -> Callable[[], str | bytes]:
         """Return the function that makes a file of the motion; `InputError` if the file would be too large."""
-        state, rate, motion = self._state, self._shown.rate, plan.motion
+        state, rate, motion = self._state, self._shown.rate, planned.motion
         assert motion is not None
         if kind in ("html", "viser"):
             recording.refuse_long(motion.duration)
@@ -106,7 +106,7 @@ class MotionFiles:
         refuse_long(motion.duration, rate)
         if kind == "csv":
             return lambda: motion_csv(state[Joints].arm, motion, rate)
-        return lambda: motion_script(state[RobotPart], plan, rate, f"{name}.csv")
+        return lambda: motion_script(state[RobotPart], planned, rate, f"{name}.csv")
 
     def _saved(self, name: str, content: str | bytes) -> None:
         self._gui.save(name, content)
@@ -146,13 +146,13 @@ class MotionFiles:
 
 
 def _runs(state: State) -> Planned:
-    """Return the plan of a state; `InputError` if it cannot be run."""
-    plan = planned(state)
-    if plan is None:
+    """Return the planned motion of a state; `InputError` if it cannot be run."""
+    planned = planned_now(state)
+    if planned is None:
         raise InputError("the motion is still being worked out")
-    if plan.motion is None:
-        raise InputError(f"there is no motion to save: {plan.trouble}")
-    return plan
+    if planned.motion is None:
+        raise InputError(f"there is no motion to save: {planned.trouble}")
+    return planned
 
 
 def size_text(size: int) -> str:

@@ -16,8 +16,8 @@ HANDLE = ("gizmo", "gap")
 
 def way_around(state: State) -> Points:
     """Return the waypoints and the path between them, (k, 3), world."""
-    part, arm, plan = state[Plan], state[Joints].arm, last_planned(state)
-    ways = [] if plan is None else [leg.points for leg in plan.legs]
+    part, arm, planned = state[Plan], state[Joints].arm, last_planned(state)
+    ways = [] if planned is None else [leg.points for leg in planned.legs]
     return np.vstack([*(point.wanted(arm)[:3, 3] for point in part.waypoints), *ways])
 
 

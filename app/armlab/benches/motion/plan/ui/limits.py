@@ -49,8 +49,8 @@ def time_markup(form: Form, state: State) -> Markup:
 
 def _duration(form: Form, state: State) -> Markup:
     """Return the choice whether the motion is as fast as allowed or takes a given time, and that time."""
-    part, plan = state[Plan], last_planned(state)
-    now = 1.0 if plan is None or plan.motion is None else plan.duration
+    part, planned = state[Plan], last_planned(state)
+    now = 1.0 if planned is None or planned.motion is None else planned.duration
     as_given = LastFor(part.duration or max(rounded_up(now), 0.01))
     fastest = part.duration is None
     choice = (
@@ -62,9 +62,9 @@ def _duration(form: Form, state: State) -> Markup:
         shown = readable(part.duration, 3)
         typed = form.field("duration", shown, "Duration", lambda text: LastFor(plain_number(text, "duration")))
         told = None
-        if plan is not None and plan.motion is not None:
-            k = part.duration / plan.fastest
-            told = tag("span.dim", f"{k:.2f} times the fastest, {plan.fastest:.2f} s")
+        if planned is not None and planned.motion is not None:
+            k = part.duration / planned.fastest
+            told = tag("span.dim", f"{k:.2f} times the fastest, {planned.fastest:.2f} s")
         given = tag("label.option", typed, tag("i", "s")), told
     return joined(tag("div.bar", choice), tag("div.options", given))
 

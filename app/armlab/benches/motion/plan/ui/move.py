@@ -7,7 +7,7 @@ from typing import Literal
 
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption
 from armlab.benches.motion.plan.moves import TURNINGS, Move, Stretch
-from armlab.benches.motion.plan.state import Plan, planned
+from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.kin.field import Field
 from armlab.kin.motion import law_types, path_types
 from armlab.session.chosen import Chosen
@@ -84,8 +84,8 @@ def _together(form: Form, k: int, move: Move) -> Markup | None:
 
 def _bounds(state: State, stretch: Stretch) -> Markup | None:
     """Return the bounds of the law from the limits of the joints, as in section 6.1.1."""
-    plan = planned(state)
-    leg = None if plan is None else next((leg for leg in plan.legs if leg.stretch == stretch), None)
+    planned = planned_now(state)
+    leg = None if planned is None else next((leg for leg in planned.legs if leg.stretch == stretch), None)
     if leg is None or leg.bounds is None:
         return None
     bounds = leg.bounds

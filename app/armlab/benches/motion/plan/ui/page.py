@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from armlab.benches.motion.plan.examples import EXAMPLES, TakeExample
 from armlab.benches.motion.plan.limits import CompareMoves
-from armlab.benches.motion.plan.state import CLIP_KEY, Plan, last_planned, planned
+from armlab.benches.motion.plan.state import CLIP_KEY, Plan, last_planned, planned_now
 from armlab.benches.motion.plan.ui.around import in_the_way, way_around
 from armlab.benches.motion.plan.ui.limits import time_markup
 from armlab.benches.motion.plan.ui.move import move_markup
@@ -54,7 +54,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 def head_markup(form: Form, state: State) -> Markup:
     """Return the choice of an example, the buttons of the film and of further drawings, and the verdict on the plan."""
     chooser = examples(form, EXAMPLES, state[Plan].example, TakeExample)
-    runs = planned(state) or last_planned(state)
+    runs = planned_now(state) or last_planned(state)
     play = play_button(form, state, CLIP_KEY, "motion", off=runs is None or runs.motion is None)
     return joined(chooser, tag("div.bar", play, _shown(form, state)), _held(state), _verdict(state))
 
@@ -74,10 +74,10 @@ def _held(state: State) -> Markup | None:
 
 def _verdict(state: State) -> Markup:
     """Return the verdict on the plan; while it is being computed the last one would be wrong."""
-    plan = planned(state)
-    if plan is None:
+    planned = planned_now(state)
+    if planned is None:
         return verdict_box("dim", "… working it out", sign="")
-    said = judged(plan)
+    said = judged(planned)
     lines = [tag("p", f"{capitalised(line)}.") for line in said.lines[:MOST_LINES]]
     more = len(said.lines) - MOST_LINES
     return verdict_box(said.kind, capitalised(said.head), lines, tag("p", f"… and {more} more.") if more > 0 else None)

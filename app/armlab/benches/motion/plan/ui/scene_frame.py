@@ -20,8 +20,8 @@ def build(canvas: LayerCanvas, state: State) -> Show:
     frame = FrenetFrame(canvas, "motion/frame", LENGTH * canvas.size)
 
     def show(state: State) -> None:
-        plan = last_planned(state) if state[Timeline].clip == CLIP_KEY else None
-        found = None if plan is None else trihedron(plan, state[Timeline].time)
+        planned = last_planned(state) if state[Timeline].clip == CLIP_KEY else None
+        found = None if planned is None else trihedron(planned, state[Timeline].time)
         if found is None:
             frame.hide()
         else:

@@ -1,4 +1,4 @@
-"""The path of the tool in the plan, coloured by the feasibility of each place, with words where it cannot be run."""
+"""The path of the tool in the planned motion, coloured by feasibility, with words where it cannot be run."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ WORDS = {"reach": "out of reach", "limit": "joint {} at its limit", "singularity
 
 
 class _Ways:
-    """The paths of a plan, whose nodes are rebuilt when the plan changes."""
+    """The paths of a planned motion, whose nodes are rebuilt when there is another one."""
 
     def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas = canvas
@@ -49,23 +49,23 @@ class _Ways:
         self._shown: tuple[Planned | None, Planned | None] = None, None
 
     def show(self, state: State) -> None:
-        """Show the plan computed last, and the one for comparison."""
-        part, plan = state[Plan], last_planned(state)
-        other = None if plan is None or not part.compared else compared(state, plan)
-        if self._shown[0] is plan and self._shown[1] is other:
+        """Show the motion planned last, and the one for comparison."""
+        part, planned = state[Plan], last_planned(state)
+        other = None if planned is None or not part.compared else compared(state, planned)
+        if self._shown[0] is planned and self._shown[1] is other:
             return
-        self._shown = plan, other
+        self._shown = planned, other
         for node in self._nodes:
             node.remove()
         self._nodes = []
-        if other is not None and plan is not None:
+        if other is not None and planned is not None:
             self._draw(other, "other", OTHER)
-        if plan is not None:
-            self._draw(plan, "way", THICKNESS)
-            self._mark(plan)
+        if planned is not None:
+            self._draw(planned, "way", THICKNESS)
+            self._mark(planned)
 
-    def _draw(self, plan: Planned, name: str, thickness: float) -> None:
-        legs = [leg for leg in plan.legs if len(leg.points) > 1]
+    def _draw(self, planned: Planned, name: str, thickness: float) -> None:
+        legs = [leg for leg in planned.legs if len(leg.points) > 1]
         if not legs:
             return
         lines = [_drawn(leg, ROUGHNESS * self._canvas.size) for leg in legs]
@@ -77,10 +77,10 @@ class _Ways:
         )
         self._nodes.append(node)
 
-    def _mark(self, plan: Planned) -> None:
+    def _mark(self, planned: Planned) -> None:
         """Write the reason at the end of the path, because a colour alone has no meaning."""
         scene, size = self._canvas.scene, self._canvas.size
-        stops = [stop for leg in plan.legs if leg.followed is not None for stop in leg.followed.stops[:1]]
+        stops = [stop for leg in planned.legs if leg.followed is not None for stop in leg.followed.stops[:1]]
         for k, stop in enumerate(stops):
             path = self._canvas.path(f"motion/stop{k}")
             node = scene.add_icosphere(

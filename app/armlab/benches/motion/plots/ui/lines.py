@@ -82,32 +82,32 @@ def from_zero(slot: Slot) -> bool:
 
 
 def lines_of(
-    slot: Slot, plan: Planned, samples: Samples, other: Planned | None, found: Sequence[Overrun], units: Units
+    slot: Slot, planned: Planned, samples: Samples, other: Planned | None, found: Sequence[Overrun], units: Units
 ) -> list[Line]:
     """Return the curves of a plot.
 
     Parameters
     ----------
     slot : Slot
-    plan : Planned
+    planned : Planned
     samples : Samples
         Its own.
     other : Planned or None
         What it is compared with.
     found : sequence of Overrun
-        The limits the plan exceeds.
+        The limits the motion exceeds.
     units : Units
     """
     beside = None if other is None else other.samples
     if slot.quantity in ORDERS:
-        return _of_joints(slot, plan, samples, beside, found, units)
+        return _of_joints(slot, planned, samples, beside, found, units)
     if slot.quantity == "load":
-        return _loads(slot, plan, other, found, units)
+        return _loads(slot, planned, other, found, units)
     if slot.quantity == "s":
         return [Line("s", GREY, samples.s, None if beside is None else beside.s)]
     if slot.quantity == "curvature":
         return [Line("curvature, 1/m", GREY, samples.curvature, None if beside is None else beside.curvature)]
-    factor, limit = units.factor(False), plan.question.limits.tool_speed
+    factor, limit = units.factor(False), planned.question.limits.tool_speed
     return [
         Line(
             f"tool speed, {units.length_unit}/s",
@@ -138,9 +138,9 @@ def derived_name(i: int, turns: bool, order: int, units: Units) -> str:
 
 
 def _of_joints(
-    slot: Slot, plan: Planned, samples: Samples, beside: Samples | None, found: Sequence[Overrun], units: Units
+    slot: Slot, planned: Planned, samples: Samples, beside: Samples | None, found: Sequence[Overrun], units: Units
 ) -> list[Line]:
-    arm, order, turns = plan.question.arm, ORDERS[slot.quantity], slot.of == "turn"
+    arm, order, turns = planned.question.arm, ORDERS[slot.quantity], slot.of == "turn"
     factor, unit = units.factor(turns), f"{units.unit(turns)}{TIMES[order]}"
     own, theirs = _derivative(samples, order), None if beside is None else _derivative(beside, order)
     return [
@@ -149,7 +149,7 @@ def _of_joints(
             joint_colour(i),
             own[:, i] / factor,
             None if theirs is None else theirs[:, i] / factor,
-            tuple(level / factor for level in _limits(plan, order, i)),
+            tuple(level / factor for level in _limits(planned, order, i)),
             _spans(found, i + 1, LIMITED[order]),
             order > 0,
             joint_dash(i),
@@ -163,18 +163,18 @@ def _derivative(samples: Samples, order: int) -> Array:
     return (samples.q, samples.qdot, samples.qddot, samples.qdddot)[order]
 
 
-def _limits(plan: Planned, order: int, i: int) -> tuple[float, ...]:
-    arm, limits = plan.question.arm, plan.question.limits
+def _limits(planned: Planned, order: int, i: int) -> tuple[float, ...]:
+    arm, limits = planned.question.arm, planned.question.limits
     if order == 0:
         return float(arm.limits[i, 0]), float(arm.limits[i, 1])
     most = (limits.velocity[i], limits.acceleration[i], float(limits.jerk()[i]))[order - 1]
     return (-most, most) if np.isfinite(most) else ()
 
 
-def _loads(slot: Slot, plan: Planned, other: Planned | None, found: Sequence[Overrun], units: Units) -> list[Line]:
+def _loads(slot: Slot, planned: Planned, other: Planned | None, found: Sequence[Overrun], units: Units) -> list[Line]:
     which, order = (0, 1) if slot.of == "velocity" else (1, 2)
-    own, theirs = shares(plan), None if other is None else shares(other)
-    arm, of = plan.question.arm, LIMITED[order]
+    own, theirs = shares(planned), None if other is None else shares(other)
+    arm, of = planned.question.arm, LIMITED[order]
     if own is None:
         return []
     return [

@@ -37,16 +37,16 @@ CHIPS: dict[Quantity, tuple[str, str]] = {
 
 
 class _Answer:
-    """The plan on screen, and the one for comparison."""
+    """The planned motion on screen, and the one for comparison."""
 
     def __init__(self) -> None:
-        self.plan: Planned | None = None
+        self.planned: Planned | None = None
         self.other: Planned | None = None
 
-    def of(self, plan: Planned | None, other: Planned | None) -> bool:
-        """Set these plans; return whether they have changed."""
-        same = plan is self.plan and other is self.other
-        self.plan, self.other = plan, other
+    def of(self, planned: Planned | None, other: Planned | None) -> bool:
+        """Set these motions; return whether they have changed."""
+        same = planned is self.planned and other is self.other
+        self.planned, self.other = planned, other
         return not same
 
 
@@ -69,9 +69,9 @@ class _Page:
 
     def show(self, state: State) -> None:
         """Show a state; curves are sent only if they have changed."""
-        plan = last_planned(state)
-        other = None if plan is None else compared(state, plan)
-        new = self._answer.of(plan, other)
+        planned = last_planned(state)
+        other = None if planned is None else compared(state, planned)
+        new = self._answer.of(planned, other)
         drawn = (state[MotionPlots], state[Plan].compared, can_compare(state))
         changed, self._drawn = new or drawn != self._drawn, drawn
         if changed or self._choice.stale:
@@ -82,12 +82,12 @@ class _Page:
         self._place_cursors(state)
 
     def _choose(self, state: State) -> None:
-        form, shown, plan = self._choice, state[MotionPlots].shown, self._answer.plan
+        form, shown, planned = self._choice, state[MotionPlots].shown, self._answer.planned
         chips = [
             form.chip(key, text, ShowMotionPlot(key, key not in shown), hint, key in shown)
             for key, (text, hint) in CHIPS.items()
         ]
-        name = OTHERS["mixed" if plan is None else kind_of(plan.question)]
+        name = OTHERS["mixed" if planned is None else kind_of(planned.question)]
         can = can_compare(state)
         hint = "Plan the same waypoints this way, too" if can else "A motion read from a file has no moves"
         on = state[Plan].compared
@@ -95,36 +95,37 @@ class _Page:
         form.show(row("Show", chips), row("Compare", compare))
 
     def _tell(self, state: State) -> None:
-        plan, other, units = self._answer.plan, self._answer.other, units_of(state)
+        planned, other, units = self._answer.planned, self._answer.other, units_of(state)
         on = state[Plan].compared and can_compare(state)
-        own, theirs = None if plan is None else plan.figures, None if other is None else other.figures
-        self._status.show(status(plan, own, () if plan is None else plan.overruns))
-        self._legend.show(None if plan is None or own is None else legend(plan, units, on))
-        self._peaks.show(None if plan is None or own is None else peaks_table(plan, own, units))
-        self._beside.show(None if plan is None or not on else comparison(plan, own, other, theirs, units))
+        own, theirs = None if planned is None else planned.figures, None if other is None else other.figures
+        self._status.show(status(planned, own, () if planned is None else planned.overruns))
+        self._legend.show(None if planned is None or own is None else legend(planned, units, on))
+        self._peaks.show(None if planned is None or own is None else peaks_table(planned, own, units))
+        self._beside.show(None if planned is None or not on else comparison(planned, own, other, theirs, units))
 
     def _draw(self, state: State) -> None:
-        plan, other, units = self._answer.plan, self._answer.other, units_of(state)
-        samples, shown = None if plan is None else plan.samples, state[MotionPlots].shown
+        planned, other, units = self._answer.planned, self._answer.other, units_of(state)
+        samples, shown = None if planned is None else planned.samples, state[MotionPlots].shown
         beside = None if other is None else other.samples
         for slot, plot in zip(self._slots, self._plots, strict=True):
-            there = plan is not None and samples is not None and slot.quantity in shown
-            # A motion read from a file runs along no path with a parameter.
-            there = there and not (slot.quantity == "s" and plan is not None and plan.question.recorded is not None)
+            there = planned is not None and samples is not None and slot.quantity in shown
+            if there and slot.quantity == "s" and planned is not None:
+                # A motion read from a file runs along no path with a parameter.
+                there = planned.question.recorded is None
             plot.visible(there)
-            if plan is None or samples is None or not there:
+            if planned is None or samples is None or not there:
                 continue
-            times = Times(samples.t, None if beside is None else beside.t, boundaries(plan))
-            lines = lines_of(slot, plan, samples, other, plan.overruns, units)
-            plot.draw(times, lines, most_of(slot, plan.question.arm, lines))
+            times = Times(samples.t, None if beside is None else beside.t, boundaries(planned))
+            lines = lines_of(slot, planned, samples, other, planned.overruns, units)
+            plot.draw(times, lines, most_of(slot, planned.question.arm, lines))
 
     def _place_cursors(self, state: State) -> None:
-        timeline, plan = state[Timeline], self._answer.plan
-        on = timeline.clip == CLIP_KEY and plan is not None
+        timeline, planned = state[Timeline], self._answer.planned
+        on = timeline.clip == CLIP_KEY and planned is not None
         shown = state[MotionPlots].shown
         for slot, plot in zip(self._slots, self._plots, strict=True):
             if slot.quantity in shown:
-                plot.at_time(timeline.time if on else None, 0.0 if plan is None else plan.duration)
+                plot.at_time(timeline.time if on else None, 0.0 if planned is None else planned.duration)
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:

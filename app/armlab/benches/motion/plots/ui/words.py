@@ -27,34 +27,34 @@ FULL = 1.0 + 1e-6
 """Share above which a limit is exceeded, and not by rounding."""
 
 
-def status(plan: Planned | None, figures: Figures | None, found: tuple[Overrun, ...]) -> Markup:
+def status(planned: Planned | None, figures: Figures | None, found: tuple[Overrun, ...]) -> Markup:
     """Return the sentences before the plots."""
-    if plan is None:
+    if planned is None:
         return tag("p.dim", "The motion is being planned …")
-    why = capitalised(plan.trouble)
+    why = capitalised(planned.trouble)
     if figures is None:
         missing = why or "One waypoint is no motion. Add another on the page Plan"
         return verdict_box("no", "There is nothing to plot.", f"{missing}.")
     parts = []
     if why:
         parts.append(verdict_box("no", "Only the moves before can be run, and are plotted.", f"{why}."))
-    if every := exceeded_words(plan):
+    if every := exceeded_words(planned):
         shown = [tag("p", f"✕ {capitalised(text)}.") for text in every[:MOST_SENTENCES]]
         if len(every) > MOST_SENTENCES:
             shown.append(tag("p", f"✕ And so on, {len(every) - MOST_SENTENCES} more."))
         many = max(len(found), len(every))
         head = "A limit is exceeded." if many == 1 else f"{many} limits are exceeded."
-        within = f"Within the limits this way takes {_seconds(plan.fastest)}."
+        within = f"Within the limits this way takes {_seconds(planned.fastest)}."
         parts.append(verdict_box("no.mp-over", head, shown, within, sign=SIGNS["no"]))
     elif not why:
-        parts.append(verdict_box("ok", "All limits are kept.", _kept(plan, figures)))
+        parts.append(verdict_box("ok", "All limits are kept.", _kept(planned, figures)))
     return joined(parts)
 
 
-def _kept(plan: Planned, figures: Figures) -> str:
+def _kept(planned: Planned, figures: Figures) -> str:
     if figures.binding is not None:
         return f"{capitalised(holder(figures.binding))} keeps the motion from being faster."
-    return f"None is met: as fast as allowed the motion takes {_seconds(plan.fastest)}."
+    return f"None is met: as fast as allowed the motion takes {_seconds(planned.fastest)}."
 
 
 def holder(binding: Binding) -> str:
@@ -65,20 +65,20 @@ def holder(binding: Binding) -> str:
 
 
 def comparison(
-    plan: Planned, own: Figures | None, other: Planned | None, theirs: Figures | None, units: Units
+    planned: Planned, own: Figures | None, other: Planned | None, theirs: Figures | None, units: Units
 ) -> Markup:
     """Return both kinds of moves side by side, and which one is faster and why.
 
     Parameters
     ----------
-    plan : Planned
+    planned : Planned
     own : Figures or None
     other : Planned or None
         None while it is not ready.
     theirs : Figures or None
     units : Units
     """
-    kind = kind_of(plan.question)
+    kind = kind_of(planned.question)
     names = capitalised(KINDS[kind]), capitalised(OTHERS[kind])
     title = tag("h3", f"{names[0]} and {OTHERS[kind]}")
     if other is None:
@@ -86,14 +86,14 @@ def comparison(
     heads = head_line("", (_mark("full"), _short(names[0])), (_mark("dotted"), _short(names[1])))
     both, length = (own, theirs), units.length_unit
     rows = [
-        _row("duration, s", [None if f is None else _time(p.duration) for p, f in ((plan, own), (other, theirs))]),
+        _row("duration, s", [None if f is None else _time(p.duration) for p, f in ((planned, own), (other, theirs))]),
         _row(f"way, {length}", [None if f is None else units.text(f.way, False) for f in both]),
         _row(f"tool speed, {length}/s", [None if f is None else units.text(f.tool_speed, False) for f in both]),
-        _row("joint speed", [None if f is None else _fastest_joint(plan, f, units) for f in both]),
+        _row("joint speed", [None if f is None else _fastest_joint(planned, f, units) for f in both]),
     ]
-    if plan.question.duration is not None:
-        rows.insert(1, _row("within limits, s", [_time(plan.fastest), _time(other.fastest)]))
-    return joined(title, tag("table.dh.mp-table", heads, rows), _who(plan, own, other, theirs))
+    if planned.question.duration is not None:
+        rows.insert(1, _row("within limits, s", [_time(planned.fastest), _time(other.fastest)]))
+    return joined(title, tag("table.dh.mp-table", heads, rows), _who(planned, own, other, theirs))
 
 
 def _row(name: str, values: list[str | None]) -> Markup:
@@ -105,27 +105,27 @@ def _short(name: str) -> str:
     return name.removesuffix(" moves")
 
 
-def _fastest_joint(plan: Planned, figures: Figures, units: Units) -> str:
+def _fastest_joint(planned: Planned, figures: Figures, units: Units) -> str:
     """Return the largest share of a joint's limit of velocity, and the joint."""
     i = figures.fastest_joint - 1
-    name = units.variable(i, bool(plan.question.arm.revolute[i]))
+    name = units.variable(i, bool(planned.question.arm.revolute[i]))
     return f"{_percent(figures.velocity_share[i])} ({name})"
 
 
-def _who(plan: Planned, own: Figures | None, other: Planned, theirs: Figures | None) -> Markup | None:
+def _who(planned: Planned, own: Figures | None, other: Planned, theirs: Figures | None) -> Markup | None:
     """Return the sentence on which one is faster and why."""
-    kind = kind_of(plan.question)
-    for each, name in ((plan, KINDS[kind]), (other, OTHERS[kind])):
+    kind = kind_of(planned.question)
+    for each, name in ((planned, KINDS[kind]), (other, OTHERS[kind])):
         if each.trouble:
             return tag("p.no", f"✕ {capitalised(name)} cannot be run through all waypoints: {each.trouble}.")
     if own is None or theirs is None:
         return None
-    if same_time(plan, other):
-        return tag("p", f"Both take {_seconds(plan.fastest)}{_affine(plan, own)}")
-    first = plan.fastest < other.fastest
-    every = ((plan, KINDS[kind], own), (other, OTHERS[kind], theirs))
+    if same_time(planned, other):
+        return tag("p", f"Both take {_seconds(planned.fastest)}{_affine(planned, own)}")
+    first = planned.fastest < other.fastest
+    every = ((planned, KINDS[kind], own), (other, OTHERS[kind], theirs))
     (quick, name, f), (slow, slow_name, g) = every if first else every[::-1]
-    given = "Within the limits " if plan.question.duration is not None else ""
+    given = "Within the limits " if planned.question.duration is not None else ""
     text = f"{given}{name} are faster: {_seconds(quick.fastest)} instead of {_seconds(slow.fastest)}"
     if f.way > g.way * LONGER:
         text += ", although the tool goes farther"
@@ -136,9 +136,9 @@ def _who(plan: Planned, own: Figures | None, other: Planned, theirs: Figures | N
     return tag("p", text)
 
 
-def _affine(plan: Planned, figures: Figures) -> str:
-    arm = plan.question.arm
-    known = figures.binding is not None and plan.question.duration is None
+def _affine(planned: Planned, figures: Figures) -> str:
+    arm = planned.question.arm
+    known = figures.binding is not None and planned.question.duration is None
     held = f" {capitalised(holder(figures.binding))} holds both back." if known and figures.binding else ""
     if arm.revolute.any():
         return f".{held}"
@@ -148,10 +148,10 @@ def _affine(plan: Planned, figures: Figures) -> str:
     )
 
 
-def peaks_table(plan: Planned, figures: Figures, units: Units) -> Markup:
+def peaks_table(planned: Planned, figures: Figures, units: Units) -> Markup:
     """Return the largest speed and acceleration of each joint, with their shares of the limits."""
     rows = []
-    for i, turns in enumerate(map(bool, plan.question.arm.revolute)):
+    for i, turns in enumerate(map(bool, planned.question.arm.revolute)):
         cells = (
             (figures.velocity[i], figures.velocity_share[i], figures.velocity_at[i], 1),
             (figures.acceleration[i], figures.acceleration_share[i], figures.acceleration_at[i], 2),
@@ -170,15 +170,16 @@ def _peak(units: Units, turns: bool, value: float, share: float, at: float, orde
     return tag("td", f"{text}{TIMES[order]}", title=f"at {number(at, 2)} s"), of
 
 
-def legend(plan: Planned, units: Units, compared: bool) -> Markup:
+def legend(planned: Planned, units: Units, compared: bool) -> Markup:
     """Return the colours of the joints, and the meaning of the dashes."""
     joints = [
-        tag("span", joint_mark(i), units.variable(i, bool(turns))) for i, turns in enumerate(plan.question.arm.revolute)
+        tag("span", joint_mark(i), units.variable(i, bool(turns)))
+        for i, turns in enumerate(planned.question.arm.revolute)
     ]
     lines = [("dashed", "limit")]
     if compared:
-        lines.append(("dotted", OTHERS[kind_of(plan.question)]))
-    if sum(leg.motion is not None for leg in plan.legs) > 1:
+        lines.append(("dotted", OTHERS[kind_of(planned.question)]))
+    if sum(leg.motion is not None for leg in planned.legs) > 1:
         lines.append(("upright", "next move"))
     return tag("div.legend", joints, [tag("span", _mark(kind), text) for kind, text in lines])
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from armlab.benches.motion.plan.limits import SampleBy
 from armlab.benches.motion.plan.points import SelectWaypoint
-from armlab.benches.motion.plan.state import Plan, planned
+from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.benches.motion.plan.ui.around import way_around
 from armlab.benches.motion.steps.state import INVERSE, KNOTS, PATH, SAMPLING, STEPS, PlanSteps
 from armlab.benches.motion.steps.ui import words
@@ -55,7 +55,7 @@ def steps_markup(form: Form, state: State, found: Steps | None) -> Markup:
     head = joined(_stretches(form, part), _steps(form, state, found))
     if found is None:
         return joined(head, tag("p.dim", "The plan is being worked out …"))
-    busy = None if planned(state) is not None else tag("p.dim", "The plan is being worked out anew …")
+    busy = None if planned_now(state) is not None else tag("p.dim", "The plan is being worked out anew …")
     return joined(head, _step(form, state, found), busy)
 
 
