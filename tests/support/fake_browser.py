@@ -26,7 +26,7 @@ from websockets.asyncio.client import connect
 
 from armlab.session.pages import pages
 from armlab.ui.tab import COVERED
-from support.patience import LOOK, Patience
+from support.patience import LOOK, WAIT, Patience
 
 _ENCODER, _DECODER = msgspec.msgpack.Encoder(), msgspec.msgpack.Decoder()
 _INFLATE = zstandard.ZstdDecompressor()
@@ -93,6 +93,7 @@ class FakeBrowser:
             additional_headers=headers,
             max_size=None,
             compression=None,
+            open_timeout=WAIT,  # a lab that has just begun to serve still imports what is behind the page
         )
         _CONNECTED.setdefault(asyncio.get_running_loop(), []).append(self)
         await self.send(CAMERA)

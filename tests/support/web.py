@@ -9,6 +9,8 @@ import viser
 import websockets
 from websockets.asyncio.client import connect
 
+from support.patience import WAIT
+
 
 def get(url, headers=None, follow=True):
     class Stay(urllib.request.HTTPRedirectHandler):
@@ -32,6 +34,7 @@ async def opened(url, headers, protocol=None):
             url.replace("http", "ws", 1),
             subprotocols=[websockets.Subprotocol(protocol)],
             additional_headers=headers,
+            open_timeout=WAIT,
         )
     except websockets.InvalidStatus as refusal:
         return refusal.response.status_code
