@@ -29,15 +29,16 @@ FOUR_AT_A_TIME = ["-n", "4", "--dist", "worksteal"]
 """Twice as many as there are processors at least: what talks to a lab, or drives a browser, waits half of its time."""
 
 NOT_QUICK = """
-    architecture/test_benches architecture/test_growing benches/control/test_control benches/iterate/test_basins
-    benches/motion/test_motion_steps_data benches/motion/test_plan_* benches/workspace/test_* benches/*/test_*_panel
-    benchmarks browser content/test_lesson_mistakes content/test_resources content/test_worksheet
-    content/test_write_robot front kin/control/test_plant kin/control/test_run kin/motion/test_time_optimal
-    kin/test_all_solutions_special kin/test_assignment kin/test_basins kin/test_closed_forms kin/test_dimension
-    kin/test_general_6r kin/test_ik kin/test_ik_reachable kin/test_ik_solve kin/test_peers kin/test_solve_all
-    kin/test_structure kin/test_structure_parts kin/test_volume_trial kin/test_workspace_* session/test_edits
-    session/test_facts session/test_motion_lesson session/test_share session/test_trips start ui/test_asking
-    ui/test_lesson_* ui/test_live ui/test_manners ui/test_opening ui/test_player
+    architecture/test_benches architecture/test_growing benches/control/test_control
+    benches/control/test_exponential benches/iterate/test_basins benches/motion/test_motion_steps_data
+    benches/motion/test_plan_* benches/workspace/test_* benches/*/test_*_panel benchmarks browser
+    content/test_lesson_mistakes content/test_resources content/test_worksheet content/test_write_robot front
+    kin/control/test_plant kin/control/test_run kin/motion/test_time_optimal kin/test_all_solutions_special
+    kin/test_assignment kin/test_basins kin/test_closed_forms kin/test_dimension kin/test_general_6r kin/test_ik
+    kin/test_ik_reachable kin/test_ik_solve kin/test_peers kin/test_solve_all kin/test_structure
+    kin/test_structure_parts kin/test_volume_trial kin/test_workspace_* session/test_edits session/test_facts
+    session/test_motion_lesson session/test_share session/test_trips start ui/test_asking ui/test_lesson_*
+    ui/test_live ui/test_manners ui/test_opening ui/test_player
 """
 """Folders, and files without their ending, that `--quick` leaves out: what takes long, and what opens a whole lab."""
 

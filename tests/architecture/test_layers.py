@@ -124,6 +124,8 @@ def test_private_parts_of_viser_are_touched_in_the_adapter_and_in_what_is_quicke
 
 def silent_handlers(path):
     """Yield the lines of except clauses that do nothing."""
+    if "except" not in path.read_text(encoding="utf-8"):
+        return  # most files: they need not be taken apart
     for node in statements(tree_of(path)):
         if isinstance(node, ast.ExceptHandler) and all(isinstance(statement, ast.Pass) for statement in node.body):
             yield node.lineno
