@@ -9,14 +9,14 @@ from support.lab import running_lab
 from support.page import COARSE, SMALL, WITHOUT_A_CARD, LabPage, chromium
 
 
-@pytest.fixture(scope="package")
+@pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
-    """Only these tests share it: while it is open, Playwright's event loop runs in this thread."""
+    """From here on Playwright's event loop runs in this thread; see `support.student.run`."""
     with chromium(WITHOUT_A_CARD) as started:
         yield started
 
 
-@pytest.fixture(scope="package")
+@pytest.fixture(scope="session")
 def url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     with running_lab(tmp_path_factory.mktemp("state")) as address:
         yield address

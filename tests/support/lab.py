@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 from copy import copy
+from functools import cache
 from pathlib import Path
 
 from armlab.content import lessons as lessons_module
@@ -32,7 +33,8 @@ def library_for_itself() -> Iterator[None]:
     own = copy(shared())
     for name in ("_folders", "_entries", "_good", "_variants"):
         setattr(own, name, copy(getattr(own, name)))
-    lessons_module._library = lambda: own  # type: ignore[assignment]
+    lessons_module._library = cache(lambda: own)
+    lessons_module._library()
     try:
         yield
     finally:

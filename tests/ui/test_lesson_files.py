@@ -1,12 +1,10 @@
-"""Files of lessons that change, break, come and go while a student has them open.
-
-No other lab of this process may look at the files meanwhile: who looks first hears of the change.
-"""
+"""Files of lessons that change, break, come and go while a student has them open."""
 
 import asyncio
 
 import pytest
 
+from armlab.content.lessons import changed
 from support.lab import running_lab
 from support.own_lessons import in_lesson, lesson, piece, write
 from support.student import run, student
@@ -32,6 +30,19 @@ def taught(tmp_path):
     """A lab that was given a teacher's folder; yields its address and the folder."""
     with running_lab(lessons=write(tmp_path, mine=lesson(TWO))) as address:
         yield address, tmp_path
+
+
+def test_a_change_that_another_lab_of_the_process_saw_first_is_shown_too(taught):
+    url, folder = taught
+
+    async def main():
+        browser = await in_lesson(url, "mine")
+        write(folder, mine=lesson(TWO.replace("First words.", "Other words.")))
+        assert changed() == {"mine"}
+        await browser.until(lambda: "Other words." in browser.html())
+        await browser.close()
+
+    run(main())
 
 
 def test_an_edited_file_is_shown_again_and_progress_is_kept(taught):

@@ -13,6 +13,7 @@ from armlab.ui.turns import SHARE, SPARE, Turns
 from support.bare import Bare
 from support.fake_browser import CAMERA
 from support.patience import Patience
+from support.student import run
 
 
 @pytest.fixture
@@ -121,7 +122,7 @@ def test_building_a_page_is_not_what_its_browser_has_taken(monkeypatch):
     connection = SimpleNamespace(client_id=7, _handle_incoming_message=handle, get_message_buffer=lambda: None)
     adapter._guard(server, connection, turns_of)
     camera = {name: value for name, value in CAMERA.items() if name != "type"}
-    asyncio.run(connection._handle_incoming_message(7, _messages.ViewerCameraMessage(**camera)))
+    run(connection._handle_incoming_message(7, _messages.ViewerCameraMessage(**camera)))
     assert turns_of["token"].pause == 0.0
-    asyncio.run(connection._handle_incoming_message(7, _messages.GuiUpdateMessage("none", {"value": 1})))
+    run(connection._handle_incoming_message(7, _messages.GuiUpdateMessage("none", {"value": 1})))
     assert turns_of["token"].pause > 0.0

@@ -253,6 +253,11 @@ def lessons() -> Lessons:
     return library().lessons
 
 
+def lessons_read() -> Lessons | None:
+    """Return all lessons as last read, or None while nobody has needed any."""
+    return lessons() if _library.cache_info().currsize else None
+
+
 def lesson(key: str, variant: int = 0) -> Lesson:
     """Return a lesson with the values of a variant; see `Library.lesson`."""
     return library().lesson(key, variant)

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import viser
 
-from armlab.content.lessons import add_folder, changed, lessons
+from armlab.content.lessons import add_folder, changed, lessons, lessons_read
 from armlab.content.robots import Robot
 from armlab.kin.ik import methods
 from armlab.session.job import jobs
@@ -266,13 +266,15 @@ class Lab:
             self.store.let_go(frozenset(self._of_session), time.monotonic())
 
     def _keep_looking(self) -> None:
+        # Another lab of this process may see a change before this one looks for the first time.
+        known = lessons_read()
         self.first_page.wait(UNVISITED)
         if self._stopped.is_set():
             return
-        said, known = "", lessons()
+        said, known = "", lessons() if known is None else known
         while not self._stopped.wait(LOOK_INTERVAL):
             try:
-                # What `changed` returns is told once a process, and there may be other labs in this one.
+                # What `changed` returns is told to one lab of this process only.
                 changed()
                 before, known = known, lessons()
                 if known is not before:
