@@ -2,9 +2,11 @@
 
 import csv
 import io
+import itertools
 import math
 import re
 
+import numpy as np
 import pytest
 
 from armlab.benches.iterate.runs.examples import EXAMPLES, ChooseExample
@@ -186,6 +188,26 @@ def test_a_start_at_a_root_shows_the_curve_and_not_a_flat_line():
     for text, x0 in (("abs(x)", 0.0), ("sin(x)", math.pi)):
         view = View.of(solved("", text, x0), Place(0, 1.0, 0.5)).chart
         assert view.y[1] - view.y[0] > 0.5
+
+
+def test_however_large_the_iterates_are_the_picture_has_numbers_or_says_so():
+    from armlab.benches.iterate.newton_1d.clip import Place
+    from armlab.benches.iterate.runs.one_equation import solved
+
+    told = 0
+    functions = ("x", "x^2 + 1e308", "exp(x)", "1/x", "sin(x)", "x^2 - 2", "1e-300*x", "abs(x)")
+    with np.errstate(all="ignore"):
+        for text, x0 in itertools.product(functions, (1.7e308, -1e308, 1e300, 1e154, -1e103, 0.5, 1e-160)):
+            try:
+                found = solved("", text, x0)
+            except InputError:
+                continue
+            for k in range(min(found.last + 1, 4)):
+                drawn = picture(found, Place(k, 1.0, 0.5))
+                assert "nan" not in drawn
+                assert "inf" not in drawn
+                told += "too large to be drawn" in drawn
+    assert told > 10
 
 
 def test_ticks_are_round_and_inside():

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.iterate.newton_1d.clip import Place
 from armlab.benches.iterate.runs.one_equation import Solved
+from armlab.kin.ik.iterate.newton_1d import Newton1D as Iterate1D
 from armlab.ui import svg
 from armlab.ui.chart import Chart, Range
 from armlab.ui.colours import BLUE, ORANGE, VERMILLION, css
@@ -36,6 +37,9 @@ WIDE = 12.0
 """Extent, in multiples of that of the first three iterates, up to which all are shown; beyond it those up to the
 next."""
 
+LARGEST = 1e300
+"""Largest number that is drawn: greater ones overflow on the way to a pixel."""
+
 Floats = NDArray[np.float64]
 
 
@@ -57,9 +61,10 @@ class View:
     @classmethod
     def of(cls, solved: Solved, place: Place) -> View:
         """Return the view of the iterates around the present one."""
-        found = [each.x for each in solved.iterates]
+        found = [each.x for each in solved.iterates if _fits(each)]
+        near = [each.x for each in solved.iterates[max(0, place.k - 1) : place.k + 2] if _fits(each)]
         first = _span(found[:3]) or 1.0
-        seen = found if _span(found) <= WIDE * first else found[max(0, place.k - 1) : place.k + 2]
+        seen = found if _span(found) <= WIDE * first else near
         low, high = min(seen), max(seen)
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         half = max(half * (1.0 + 2.0 * MARGIN), NARROW * max(1.0, abs(middle)))
@@ -68,6 +73,7 @@ class View:
         x = (middle - half, middle + half)
         at = np.linspace(*x, POINTS)
         curve = np.array([solved.f(float(each)) for each in at])
+        curve[np.abs(curve) > LARGEST] = np.nan
         return cls(Chart("it-tangents", x, _heights(solved, x, curve), WIDTH, HEIGHT, LEFT, BOTTOM), at, curve)
 
 
@@ -75,7 +81,7 @@ def _heights(solved: Solved, x: Range, curve: Floats) -> Range:
     """Return the visible range of ordinates."""
     finite = curve[np.isfinite(curve)]
     # The heights of the iterates in sight, and the axis; a pole beside them must not flatten the rest.
-    heights = [0.0, *(each.f for each in solved.iterates if x[0] <= each.x <= x[1])]
+    heights = [0.0, *(each.f for each in solved.iterates if x[0] <= each.x <= x[1] and _fits(each))]
     reach, span = max(heights) - min(heights), float(np.ptp(finite)) if len(finite) else 0.0
     # A start at a root has no height: then all of the curve is shown.
     reach = reach if reach > NARROW * span else span
@@ -87,8 +93,11 @@ def _heights(solved: Solved, x: Range, curve: Floats) -> Range:
 
 
 def picture(solved: Solved, place: Place) -> Markup:
-    """Return the picture as SVG."""
-    view, k = View.of(solved, place), place.k
+    """Return the picture as SVG, or a sentence where the present iterate is too large for one."""
+    k = place.k
+    if not _fits(solved.iterates[k]):
+        return tag("p.dim", f"{subscript('x', k)} or f is above 10³⁰⁰: too large to be drawn.")
+    view = View.of(solved, place)
     chart = view.chart
     # The curve is interrupted where f has no value, and beside poles.
     drawn = zip(view.at.tolist(), view.curve.tolist(), strict=True)
@@ -156,6 +165,10 @@ def _dot(chart: Chart, x: float, y: float, radius: float, colour: str) -> Markup
     cx, cy = chart.px(x), chart.py(y)
     inside = -radius <= cy <= HEIGHT and LEFT - radius <= cx <= WIDTH + radius
     return svg.shape("circle", cx=cx, cy=cy, r=radius, fill=colour) if inside else None
+
+
+def _fits(iterate: Iterate1D) -> bool:
+    return max(abs(iterate.x), abs(iterate.f)) <= LARGEST
 
 
 def _span(values: Sequence[float]) -> float:
