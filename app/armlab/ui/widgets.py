@@ -7,7 +7,6 @@ import logging
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from functools import partial
 from typing import Any
 
 import viser
@@ -203,16 +202,18 @@ class Gui:
         """Ask for confirmation of an action that cannot be undone."""
         modal = self._gui.add_modal(title)
 
-        def answer(agreed: bool, _: object) -> None:
+        def answered(cell: str, _: str) -> None:
             modal.close()
-            if agreed:
+            if cell == "confirm-yes":
                 on_yes()
 
         with modal:
-            self._gui.add_html(str(tag("div.al", tag("p", text))))
-            for label, agreed in ((yes, True), ("No, go back", False)):
-                handle = self._gui.add_button(label, color=None if agreed else "gray")
-                adapter.on_event(handle, "on_click", partial(answer, agreed))
+            asked = Fields(self._gui, answered)
+            # The way back is the one that stands out, has the focus, and is the Escape key.
+            back = {"data_escape": "1", "data_autofocus": "1"}
+            no = markup.button(asked.channel_id, "confirm-no", "No, go back", "main", **back)
+            agree = markup.button(asked.channel_id, "confirm-yes", yes, "chip")
+            asked.show(tag("p", text), tag("div.bar.confirm", no, agree))
 
     def button(self, label: str, on_click: Callable[[], None], hint: str, icon: viser.IconName | None = None) -> Any:
         """Add a button; returns the handle, whose ``visible`` and ``label`` may be set."""

@@ -77,6 +77,8 @@ class Target(FieldPart):
         Branch of the arm when it last followed the target; empty before.
     crossing, near : Said or None
         Sentences on the branch to which it has changed, and on the singularity it is near.
+    jumps : int
+        How often the arm has jumped to another solution; a jump is shown as a move of half a second.
     """
 
     key: ClassVar[str] = "target"
@@ -91,6 +93,7 @@ class Target(FieldPart):
     branch: Branch = ()
     crossing: Said | None = None
     near: Said | None = None
+    jumps: int = 0
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Return the part with the handle if the edited arm can still use it."""
@@ -278,9 +281,18 @@ def _placed(state: State, pose: NDArray[np.float64], q: NDArray[np.float64], cat
     return state.replace(joints, replace(state[Target], pose=pose, catching_up=catching_up))
 
 
-def jumped_to(state: State, q: NDArray[np.float64]) -> State:
-    """Return the state with the arm at another solution for the same target."""
-    joints, target = state[Joints].moved_to(q), state[Target].jumped(state[Joints].moved_to(q))
+def jumped_to(state: State, q: NDArray[np.float64], jumps: int = 1) -> State:
+    """Return the state with the arm at another solution for the same target.
+
+    Parameters
+    ----------
+    state : State
+    q : ndarray, shape (n,)
+    jumps : int
+        1 for a jump, which is shown as a move; 0 for one picture of a hand that moves it all the way.
+    """
+    joints = state[Joints].moved_to(q)
+    target = replace(state[Target].jumped(joints), jumps=state[Target].jumps + jumps)
     if target.pose is not None and joints.arm.task.rotation == "none":
         target = replace(target, pose=_with_rotation(target.pose, joints))
     return state.replace(joints, target)

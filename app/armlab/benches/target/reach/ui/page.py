@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from armlab.kin import ik
 from armlab.session.fields import Set
+from armlab.session.parts.jog import Jog
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import (
     GoAnotherWay,
@@ -17,6 +18,7 @@ from armlab.session.state import Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised
 from armlab.ui.html import Inside, tag
+from armlab.ui.jog import jog_markup
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.pose_fields import pose_form, product
 from armlab.ui.units import Units, units_of
@@ -60,6 +62,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         "To the nearest other solution inside the limits. All of them are on the page Solutions.",
     )
 
+    jog = gui.form(post)
+
     def show(state: State) -> None:
         form.show(_fields(form, state, units))
         if handles is not None:
@@ -70,6 +74,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         away = state[Target].pose is not None and state.derived(verdict).status != "reached"
         if back.visible != away:
             back.visible = away
+        jog.show(jog_markup(jog, state, wide=True))
 
     return show
 
@@ -82,4 +87,4 @@ def _fields(form: Form, state: State, units: Units) -> Inside:
     return shown if arm.task.rotation == "phi" else (shown, product())
 
 
-PANEL = Panel((Joints, Target), build)
+PANEL = Panel((Joints, Target, Jog), build)
