@@ -100,7 +100,7 @@ class Table:
             see = self._form.button(f"see{row.slot}", "◉", body, "see", "Draw this one as a body", pressed=chosen)
         kind = classes("div.sol-row", now=present, off=not present and not row.within)
         cells = [tag("div", each, role="gridcell") for each in (go, see) if each is not None]
-        return tag(kind, cells, role="row", aria_selected=str(present).lower(), data_place=place)
+        return tag(kind, cells, data_place=place, role="row", aria_selected=str(present).lower())
 
     def _is_wide(self, named: bool) -> bool:
         """Return whether the values of a row need the whole width of the panel."""
