@@ -13,7 +13,8 @@ FOCUSED = "() => document.activeElement?.dataset?.cell ?? ''"
 NOW = "() => document.querySelector('.sol-row[aria-selected=true] .sol')?.dataset.cell ?? ''"
 
 PAD = """() => {
-  window.__pad = { connected: true, axes: [0, 0, 0, 0], buttons: Array.from({ length: 17 }, () => ({ pressed: false })) };
+  const buttons = Array.from({ length: 17 }, () => ({ pressed: false }));
+  window.__pad = { connected: true, axes: [0, 0, 0, 0], buttons };
   navigator.getGamepads = () => [window.__pad];
   dispatchEvent(new Event('gamepadconnected'));
 }"""

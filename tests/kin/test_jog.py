@@ -1,6 +1,7 @@
 """Jogging the tool: a step is taken as a whole, on the same way, or the reason why not is given."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.ik.jog import FARTHEST, directions, displaced, jogged
 from armlab.kin.ik.verdict import judge
 from armlab.kin.rotations import rotation_about
+from armlab.kin.task import Task
 from armlab.kin.transforms import transform
 
 ARMS = ["planar_2r", "planar_3r", "scara", "puma560", "ur10e", "panda", "cartesian_3p", "polar_rrp"]
@@ -49,10 +51,13 @@ def test_a_step_that_is_taken_brings_the_tool_there_and_one_back_returns_it(key,
             assert judge(arm, displaced(arm, arm.fk(q), step, in_tool), found.q).reached
             scale = np.where(arm.revolute, 1.0, arm.length_scale)
             assert np.abs((found.q - q) / scale).max() <= FARTHEST
-            # A turn about the tool's own axes is undone by the opposite one; so is a step along fixed axes.
+            if in_tool and arm.task.rotation == "none":
+                continue  # the axes of a tool that turns as it likes are others then
             back = jogged(arm, found.q, -step, in_tool)
             assert not back.why
-            assert judge(arm, arm.fk(q), back.q).reached
+            short = judge(arm, arm.fk(q), back.q)
+            # Each of the two steps ends within 1e-6 m and rad of where it is to end.
+            assert max(short.position_error, short.rotation_error) < 4e-6
     assert taken > 20
 
 
@@ -74,7 +79,9 @@ def test_a_displaced_pose_is_what_its_formula_says():
     np.testing.assert_allclose(
         displaced(arm, T, [0.1, 0, 0, 0, 0, 0], False)[:3, 3], T[:3, 3] + 0.1 * arm.base[:3, 0], atol=1e-15
     )
-    np.testing.assert_allclose(displaced(arm, T, [0, 0, 0.1, 0, 0, 0], True), T @ transform(None, [0, 0, 0.1]), atol=1e-15)
+    np.testing.assert_allclose(
+        displaced(arm, T, [0, 0, 0.1, 0, 0, 0], True), T @ transform(None, [0, 0, 0.1]), atol=1e-15
+    )
     turned = displaced(arm, T, [0, 0, 0, 0.2, 0, 0], True)
     np.testing.assert_allclose(turned, T @ transform(rotation_about("x", 0.2)), atol=1e-15)
     about = displaced(arm, T, [0, 0, 0, 0, 0, 0.2], False)
@@ -102,8 +109,8 @@ def test_only_what_the_task_controls_is_offered(key, in_tool, offered):
 
 
 def test_a_turn_about_the_approach_axis_is_not_offered_where_only_the_approach_counts():
-    arm = next(robot.arm for robot in map(catalogue().__getitem__, catalogue().robots) if robot.arm.task.rotation == "approach")
-    T = arm.fk(np.asarray(arm.limits).mean(axis=1))
+    arm = replace(catalogue()["puma560"].arm, task=Task("xyz", "approach"))
+    T = arm.fk(catalogue()["puma560"].home)
     assert directions(arm, T, True) == (True, True, True, True, True, False)
 
 
@@ -157,7 +164,10 @@ def test_held_joints_stay():
 
 @pytest.mark.parametrize(
     ("q", "step", "says"),
-    [([0.0], np.zeros(6), "q: expected 2 finite numbers"), ([0.0, 0.0], [1.0, math.nan, 0, 0, 0, 0], "step: expected 6")],
+    [
+        ([0.0], np.zeros(6), "q: expected 2 finite numbers"),
+        ([0.0, 0.0], [1.0, math.nan, 0, 0, 0, 0], "step: expected 6"),
+    ],
 )
 def test_what_is_no_step_is_refused(q, step, says):
     with pytest.raises(InputError, match=says):

@@ -82,7 +82,11 @@ def test_what_cannot_be_jogged_is_off():
         ("joints", Ended(1, "held", (1, 2)), "Joint 2 and joint 3 are held."),
         ("tool", Ended(1, "limit", (0,)), "Limit of joint 1 at 160.0°: the tool cannot take this step."),
         ("base", Ended(1, "reach"), "Out of reach: the tool cannot take this step."),
-        ("base", Ended(1, "singular", (3, 5)), "joint 4 and joint 6 would have to move by more than 20.1° in this step."),
+        (
+            "base",
+            Ended(1, "singular", (3, 5)),
+            "joint 4 and joint 6 would have to move by more than 20.1° in this step.",
+        ),
     ],
 )
 def test_why_a_jog_ended_is_said_in_a_sentence(mode, ended, says):

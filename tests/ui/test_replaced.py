@@ -47,7 +47,7 @@ def test_the_page_says_it_once(url):
         said = f"The example is about the {catalogue()['ur10e'].name}. Undo (Ctrl+Z) brings back the PUMA 560."
         await browser.until(lambda: said in browser.notices)
         await browser.press("undo")
-        await browser.until(lambda: "PUMA 560" in browser.html())
+        await browser.until(lambda: "/robot/puma560" in browser.html())
         await settled(browser)
         assert browser.notices.count(said) == 1
         await browser.close()

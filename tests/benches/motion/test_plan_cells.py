@@ -108,7 +108,9 @@ def test_moves_have_the_names_of_industrial_robots_where_there_are_some(commands
     shown = BareForm()
     shown.show(points_markup(shown, state) + move_markup(shown, state))
     text = str(shown.fields.content)
-    assert all(f"{name} ({other})" in text for name, other in (("Move J", "PTP"), ("Move L", "LIN"), ("Move C", "CIRC")))
+    assert all(
+        f"{name} ({other})" in text for name, other in (("Move J", "PTP"), ("Move L", "LIN"), ("Move C", "CIRC"))
+    )
     assert [name for name in ALL_NAMES if name in text] == list(names)
 
 

@@ -21,8 +21,8 @@ Floats = NDArray[np.float64]
 Why = Literal["", "limit", "singular", "reach"]
 
 FARTHEST = 0.35
-"""Largest change of a joint in one step, rad or length scales. A step that needs more passes beside a singularity, where
-the arm would have to hurry, or leads to another branch: it is not taken."""
+"""Largest change of a joint in one step, rad or length scales. A step that needs more passes beside a singularity,
+where the arm would have to hurry, or leads to another branch: it is not taken."""
 
 ALONG = 1e-9
 """Component of a unit vector below which a direction has none: rounding of a few products of rotations."""

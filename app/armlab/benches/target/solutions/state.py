@@ -221,9 +221,7 @@ class TakePreset(Command):
         """Return the state with the arm of the example in its pose."""
         key, pose, _ = PRESETS[known_name("example", self.name, PRESETS)]
         state = on_arm(state, key)
-        return state.replace(
-            state[Joints].freed_at(state[RobotPart].robot.poses[pose]), state[Target].on_tool()
-        )
+        return state.replace(state[Joints].freed_at(state[RobotPart].robot.poses[pose]), state[Target].on_tool())
 
 
 def _inside(found: Found, row: Row) -> NDArray[np.float64]:

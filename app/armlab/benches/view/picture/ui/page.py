@@ -64,8 +64,8 @@ def _ask(gui: Gui, post: Post) -> None:
     """Ask before everything is forgotten."""
     gui.confirm(
         "Start fresh?",
-        "This arm, its pose, all steps of undo and the progress in all lessons are forgotten. This cannot be undone. Work "
-        "to hand in or to go on with elsewhere: save it first, in each lesson under Save my work.",
+        "This arm, its pose, all steps of undo and the progress in all lessons are forgotten. This cannot be "
+        "undone. Work to hand in or to go on with elsewhere: save it first, in each lesson under Save my work.",
         "Yes, start fresh",
         lambda: post(StartFresh()),
     )

@@ -32,8 +32,8 @@ TRAVELS = (
 )
 
 HERE = (
-    "Only this computer can open this link: a phone would look for the lab in itself. Start the lab with --host 0.0.0.0, "
-    "and make the link at the address it then prints."
+    "Only this computer can open this link: a phone would look for the lab in itself. Start the lab with "
+    "--host 0.0.0.0, and make the link at the address it then prints."
 )
 
 TABLE = (RobotPart, Joints, Target)
