@@ -13,7 +13,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised
-from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import row
 from armlab.ui.units import Units, units_of
 
@@ -62,13 +62,13 @@ def _steps(form: Form, state: State, units: Units, wide: bool) -> Markup:
     by_joints = part.mode == "joints"
     turns = bool(arm.revolute.any()) if by_joints else any(offers[3:])
     slides = not arm.revolute.all() if by_joints else any(offers[:3])
-    sizes: list[Inside] = []
+    rows: list[Markup] = []
     for name, known, revolute, used in (("length", LENGTHS, False, slides), ("turn", TURNS, True, turns)):
-        texts = {key: units.constant(value, revolute) for key, value in known.items()}
         if used:
-            chosen = getattr(part, name)
-            sizes.append(form.chips(f"jog-{name}", texts, chosen, "Size of a step", _setter(name)))
-    return row("Step", sizes, wide=wide)
+            texts = {key: units.constant(value, revolute) for key, value in known.items()}
+            chips = form.chips(f"jog-{name}", texts, getattr(part, name), "Size of a step", _setter(name))
+            rows.append(row("and" if rows else "Step", chips, wide=wide))
+    return joined(rows)
 
 
 def _setter(name: str) -> Callable[[str], Set]:

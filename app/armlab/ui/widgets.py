@@ -210,9 +210,9 @@ class Gui:
         with modal:
             asked = Fields(self._gui, answered)
             # The way back is the one that stands out, has the focus, and is the Escape key.
-            back = {"data_escape": "1", "data_autofocus": "1"}
-            no = markup.button(asked.channel_id, "confirm-no", "No, go back", "main", **back)
-            agree = markup.button(asked.channel_id, "confirm-yes", yes, "chip")
+            channel, back = asked.channel_id, "No, go back"
+            no = markup.button(channel, "confirm-no", back, "main", data_escape="1", data_autofocus="1")
+            agree = markup.button(channel, "confirm-yes", yes, "chip")
             asked.show(tag("p", text), tag("div.bar.confirm", no, agree))
 
     def button(self, label: str, on_click: Callable[[], None], hint: str, icon: viser.IconName | None = None) -> Any:

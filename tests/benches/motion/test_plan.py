@@ -396,7 +396,7 @@ def test_a_copy_in_the_same_place_is_said_and_runs_once_it_is_elsewhere():
     state = after(with_points(opened("puma560"), 3), CopyWaypoint(1))
     said = judged(worked_out(state))
     assert said.kind == "no"
-    assert any("waypoint 3: the same configuration as waypoint 2" in line for line in said.lines)
+    assert any("waypoint 3: the same as waypoint 2" in line for line in said.lines)
     shifted = after(state, ShiftWaypoint(2, 1))
     assert judged(worked_out(shifted)).kind == "ok"
     typed = after(state, SetWaypointJoint(2, 0, 0.3))

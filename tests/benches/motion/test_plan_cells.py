@@ -96,7 +96,7 @@ def test_a_text_that_is_no_number_is_refused_with_the_name_of_its_field(cell, sa
 @pytest.mark.parametrize(
     ("commands", "names"),
     [
-        ((), ("Move J, or PTP", "Joint: straight line · Move J")),
+        ((), ("Move J, or PTP", "joint: straight line · Move J")),
         ((SetMove(1, space="cartesian"),), ("Move L, or LIN", "Cartesian: straight line · Move L")),
         ((SetMove(1, path="spline"),), ()),
     ],
@@ -116,7 +116,7 @@ def test_moves_have_the_names_of_industrial_robots_where_there_are_some(commands
 
 ALL_NAMES = (
     "Move J, or PTP",
-    "Joint: straight line · Move J",
+    "joint: straight line · Move J",
     "Move L, or LIN",
     "Cartesian: straight line · Move L",
     "Move C, or CIRC",

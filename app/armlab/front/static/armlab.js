@@ -98,14 +98,16 @@
     if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
     const control = event.target.closest?.('input, select, textarea, button, [role=slider], [role=combobox], [contenteditable]');
     if (control && !control.matches('.al-time input')) return; // the thumb of the timeline needs none of these keys
+    if (event.target.closest?.('[role=tab]:not([aria-selected=true])')) return; // it is opened by them
     const seen = button => !button.disabled && button.getClientRects().length > 0;
     const buttons = [...document.querySelectorAll(`button[data-key="${CSS.escape(event.code)}"]`)].filter(seen);
     // The page that is open comes before the timeline, on which something else may be.
     const button = buttons.find(each => !each.closest('.al-time')) ?? buttons[0];
     if (!button) return;
     event.preventDefault();
+    event.stopPropagation(); // an open tab that has the focus would take them to be dragged
     button.click();
-  });
+  }, true);
   document.addEventListener('keydown', event => {
     if (event.key !== 'Enter' || !event.target.matches?.('input[data-chan]:not([data-live])')) return;
     // In a table Enter goes down the column, as in a spreadsheet; elsewhere it leaves the field.

@@ -95,12 +95,12 @@ def directions(arm: Arm, T: ArrayLike, in_tool: bool) -> tuple[bool, ...]:
     left_out = [k for k in range(3) if k not in arm.task.coordinates]
     along = [bool(np.all(np.abs(axis[left_out]) < ALONG)) for axis in axes]
     about = {
-        "none": lambda axis: False,
-        "phi": lambda axis: bool(np.all(np.abs(axis[:2]) < ALONG)),
-        "approach": lambda axis: bool(np.linalg.norm(np.cross(axis, tool[:, 2])) > ALONG),
-        "full": lambda axis: True,
-    }[arm.task.rotation]
-    return (*along, *(about(axis) for axis in axes))
+        "none": [False] * 3,
+        "phi": [bool(np.all(np.abs(axis[:2]) < ALONG)) for axis in axes],
+        "approach": [bool(np.linalg.norm(np.cross(axis, tool[:, 2])) > ALONG) for axis in axes],
+        "full": [True] * 3,
+    }
+    return (*along, *about[arm.task.rotation])
 
 
 def jogged(

@@ -67,7 +67,7 @@ def _row(form: Form, state: State, k: int) -> Markup:
     tools = (
         form.chip(f"up-{k}", "↑", ShiftWaypoint(k, -1), f"Exchange {name} with the one before", off=k == 0),
         form.chip(f"down-{k}", "↓", ShiftWaypoint(k, 1), f"Exchange {name} with the next", off=last),
-        form.chip(f"copy-{k}", "⧉", CopyWaypoint(k), f"Put a copy of {name} behind it, to be dragged or shifted"),
+        form.chip(f"copy-{k}", "Copy", CopyWaypoint(k), f"Put a copy of {name} behind it, to be dragged or shifted"),
         form.chip(f"remove-{k}", "✕", RemoveWaypoint(k), f"Remove {name}", off=len(part.waypoints) == 1),
     )
     hint = f"Show {name}, and drag it in the scene"
