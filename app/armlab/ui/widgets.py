@@ -202,18 +202,15 @@ class Gui:
         """Ask for confirmation of an action that cannot be undone."""
         modal = self._gui.add_modal(title)
 
-        def answered(cell: str, _: str) -> None:
+        def agreed() -> None:
             modal.close()
-            if cell == "confirm-yes":
-                on_yes()
+            on_yes()
 
         with modal:
-            asked = Fields(self._gui, answered)
+            asked = Form(lambda on_input: Fields(self._gui, on_input), lambda command: None, lambda: None)
             # The way back is the one that stands out, has the focus, and is the Escape key.
-            channel, back = asked.channel_id, "No, go back"
-            no = markup.button(channel, "confirm-no", back, "main", data_escape="1", data_autofocus="1")
-            agree = markup.button(channel, "confirm-yes", yes, "chip")
-            asked.show(tag("p", text), tag("div.bar.confirm", no, agree))
+            back = asked.button("no", "No, go back", modal.close, "main", data_escape="1", data_autofocus="1")
+            asked.show(tag("p", text), tag("div.bar", back, asked.chip("yes", yes, agreed)))
 
     def button(self, label: str, on_click: Callable[[], None], hint: str, icon: viser.IconName | None = None) -> Any:
         """Add a button; returns the handle, whose ``visible`` and ``label`` may be set."""

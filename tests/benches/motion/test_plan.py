@@ -13,7 +13,6 @@ from armlab.benches.motion.plan.limits import LastFor, LimitJerk, LimitJoint, Li
 from armlab.benches.motion.plan.moves import MOST_WAYPOINTS
 from armlab.benches.motion.plan.points import (
     AddWaypoint,
-    CopyWaypoint,
     DragWaypoint,
     GoToWaypoint,
     RemoveWaypoint,
@@ -380,37 +379,3 @@ def test_the_same_plan_gives_the_same_motion():
     one, other = worked_out(state), worked_out(state)
     assert one.trouble == other.trouble
     assert np.array_equal(one.legs[0].points, other.legs[0].points)
-
-
-def test_a_copy_comes_behind_its_waypoint_with_its_move_and_is_selected_to_be_dragged():
-    state = after(with_points(opened("puma560"), 4), SetMove(1, space="cartesian"))
-    points, moves = state[Plan].waypoints, state[Plan].moves
-    for k in range(4):
-        part = after(state, CopyWaypoint(k))[Plan]
-        assert part.waypoints == (*points[: k + 1], points[k], *points[k + 1 :])
-        assert part.moves == (*moves[:k], moves[max(k - 1, 0)], *moves[k:])
-        assert (part.selected, part.handled) == (k + 1, True)
-
-
-def test_a_copy_in_the_same_place_is_said_and_runs_once_it_is_elsewhere():
-    state = after(with_points(opened("puma560"), 3), CopyWaypoint(1))
-    said = judged(worked_out(state))
-    assert said.kind == "no"
-    assert any("waypoint 3: the same as waypoint 2" in line for line in said.lines)
-    shifted = after(state, ShiftWaypoint(2, 1))
-    assert judged(worked_out(shifted)).kind == "ok"
-    typed = after(state, SetWaypointJoint(2, 0, 0.3))
-    assert judged(worked_out(typed)).kind == "ok"
-    read = Plan.from_json(json.loads(json.dumps(state[Plan].to_json())), catalogue()["puma560"])
-    assert read.waypoints == state[Plan].waypoints
-
-
-def test_a_single_waypoint_can_be_copied_and_not_more_than_there_may_be():
-    alone = after(opened("planar_2r"), RemoveWaypoint(1), CopyWaypoint(0))
-    assert len(alone[Plan].waypoints) == 2
-    assert len(alone[Plan].moves) == 1
-    full = with_points(opened("planar_2r"), MOST_WAYPOINTS)
-    with pytest.raises(InputError, match=f"at most {MOST_WAYPOINTS}"):
-        apply(full, CopyWaypoint(0))
-    with pytest.raises(InputError, match="waypoint: expected 1 to 2, got 4"):
-        apply(opened("planar_2r"), CopyWaypoint(3))

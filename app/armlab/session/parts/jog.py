@@ -16,7 +16,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, PartType, State
 
 MODES = {"": "off", "joints": "Joints", "base": "Base", "tool": "Tool"}
-"""What is jogged: nothing, the joints, or the tool along and about the axes of frame 0 or its own."""
+"""Choices of what is jogged: nothing, the joints, or the tool along and about the axes of frame 0 or its own."""
 
 TURNS = {"0.1": math.radians(0.1), "1": math.radians(1.0), "5": math.radians(5.0)}
 LENGTHS = {"1": 1e-3, "10": 1e-2, "50": 5e-2}
@@ -50,7 +50,7 @@ class Ended:
 
 @dataclass(frozen=True, eq=False)
 class Jog(FieldPart):
-    """What is jogged, by which steps, and why the last jog ended.
+    """The choice of what is jogged and by which steps, and why the last jog ended.
 
     Attributes
     ----------

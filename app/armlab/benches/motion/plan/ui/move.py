@@ -23,7 +23,7 @@ SPACES = {"joint": "Joint", "cartesian": "Cartesian"}
 
 
 class Industrial(NamedTuple):
-    """What the languages of industrial robots call a move: in two of their words, and in a sentence."""
+    """Two names of a move in the languages of industrial robots, and a sentence on it."""
 
     name: str
     other: str
