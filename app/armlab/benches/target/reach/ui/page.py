@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from armlab.kin import ik
+from armlab.session.asked import FAVOURS, MORE, asks_of, can_favour
 from armlab.session.fields import Set
 from armlab.session.parts.jog import Jog
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import (
+    AskFor,
     GoAnotherWay,
     PlaceTarget,
     Target,
     TargetToTool,
+    aimed_arm,
     target_pose,
     verdict,
 )
@@ -19,6 +22,7 @@ from armlab.ui.form import Form
 from armlab.ui.format import capitalised
 from armlab.ui.html import Inside, tag
 from armlab.ui.jog import jog_markup
+from armlab.ui.markup import row
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.pose_fields import pose_form, product
 from armlab.ui.units import Units, units_of
@@ -31,7 +35,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     units, task = units_of(state), state[Joints].arm.task
     gui.heading("Target of the tool")
     form = gui.form(post)
-    handles = None
+    wish, handles = gui.form(post), None
     if task.rotation != "none" and task.position:
         handles = gui.segments(
             "Handle",
@@ -66,6 +70,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
     def show(state: State) -> None:
         form.show(_fields(form, state, units))
+        wish.show(_wish(wish, state))
         if handles is not None:
             handles.show(state[Target].handle)
         axes.show(state[Target].axes)
@@ -79,11 +84,27 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
+def _wish(form: Form, state: State) -> Inside:
+    """Return the choices of what counts of the target, as far as the arm controls more than a position."""
+    arm, target = state[Joints].arm, state[Target]
+    asks, aimed = asks_of(arm), aimed_arm(state)
+    if len(asks) < 2:
+        return None
+    hint = "What the arm has to reach; the rest of the orientation follows"
+    counts = form.chips("asks", asks, target.asks, hint, lambda key: AskFor(asks=key))
+    if not can_favour(aimed):
+        return row("What counts", counts, wide=True)
+    hint = f"Out of reach its error counts {MORE:g} times as much; what is in reach is reached all the same"
+    favoured = form.chips("favours", FAVOURS, target.favours, hint, lambda key: AskFor(favours=key))
+    return row("What counts", counts, wide=True), row("Out of reach rather", favoured, wide=True)
+
+
 def _fields(form: Form, state: State, units: Units) -> Inside:
-    arm = state[Joints].arm
+    arm = aimed_arm(state)
     shown = pose_form(form, arm, target_pose(state), units, PlaceTarget)
     if arm.task.rotation == "none":
-        return shown, tag("p.dim", "This arm controls the position only; its orientation follows.")
+        says = "This arm controls the position only" if arm is state[Joints].arm else "Only the position is asked for"
+        return shown, tag("p.dim", f"{says}; its orientation follows.")
     return shown if arm.task.rotation == "phi" else (shown, product())
 
 
