@@ -57,7 +57,7 @@ def test_a_place_is_reached_that_with_its_orientation_is_out_of_reach():
     less = apply(state, AskFor(asks="position"))
     assert less.derived(verdict).reached
     assert less.derived(verdict).rotation_error == 0.0
-    assert "only position asked for" in less.derived(verdict).notes
+    assert "only the position is asked for" in less.derived(verdict).notes
     np.testing.assert_allclose(less[Joints].tool_pose[:3, 3], HERE[:3, 3], atol=2e-6)
     # The orientation of the target is that of the tool, which nobody has asked for.
     np.testing.assert_array_equal(less[Target].pose[:3, :3], less[Joints].tool_pose[:3, :3])

@@ -14,10 +14,13 @@ from armlab.kin.ik.weights import Weights, checked_weights
 from armlab.kin.rotations import rotation_about
 from armlab.kin.task import Task
 
-ASKS = {"": "Whole pose", "position": "Position", "approach": "Position and approach"}
+ASKS = {"": "Pose", "position": "Position", "approach": "Approach"}
 """Parts of a target that may count, by key; the first is all that the task of the arm controls."""
 
-FAVOURS = {"": "Both alike", "position": "Position", "orientation": "Orientation"}
+ASKED = {"position": "only the position is asked for", "approach": "only position and approach direction are asked for"}
+"""Sentences on less than that, by key."""
+
+FAVOURS = {"": "Both", "position": "Position", "orientation": "Orientation"}
 """Errors that may be kept smaller where the target cannot be reached, by key."""
 
 MORE = 10.0

@@ -119,6 +119,10 @@ class Segments:
         chips = markup.chips(self._fields.channel_id, self._options, value, self._hint)
         self._fields.show(markup.row(self._label, chips, wide=True, hint=self._hint))
 
+    def visible(self, on: bool) -> None:
+        """Show or hide the row."""
+        self._fields.visible(on)
+
 
 class Gui:
     """The maker of all controls of one panel, which can remove them again.

@@ -17,7 +17,7 @@ from armlab.kin.ik.solve import come_closer
 from armlab.kin.ik.target import feasible
 from armlab.kin.ik.verdict import free_joints
 from armlab.kin.transforms import as_pose
-from armlab.session.asked import ASKS, FAVOURS, asked_arm, turned_like, weights_of
+from armlab.session.asked import ASKED, ASKS, FAVOURS, asked_arm, turned_like, weights_of
 from armlab.session.branch_words import NEAR, STILL_NEAR, Branch, branch_of, crossed, followed, near_singularity
 from armlab.session.fields import FieldPart, choice, own
 from armlab.session.parts.joints import Joints
@@ -160,7 +160,7 @@ def verdict(state: State) -> Judged:
     found = ik.judge(arm, target_pose(state), joints.q, joints.locked, weights_of(arm, target.favours))
     notes = tuple(said.text for said in (target.crossing, target.near) if said is not None)
     if arm is not joints.arm:
-        notes = (f"only {ASKS[target.asks].lower()} asked for", *notes)
+        notes = (ASKED[target.asks], *notes)
     return Judged(found.status, found.position_error, found.rotation_error, found.limits, notes)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from armlab.kin import ik
-from armlab.session.asked import FAVOURS, MORE, asks_of, can_favour
+from armlab.session.asked import ASKED, FAVOURS, MORE, asks_of, can_favour
 from armlab.session.fields import Set
 from armlab.session.parts.jog import Jog
 from armlab.session.parts.joints import Joints
@@ -73,6 +73,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         wish.show(_wish(wish, state))
         if handles is not None:
             handles.show(state[Target].handle)
+            handles.visible(aimed_arm(state).task.rotation != "none")
         axes.show(state[Target].axes)
         method.show(state[Target].method)
         card.show(verdict_card(state.derived(verdict), units))
@@ -90,20 +91,22 @@ def _wish(form: Form, state: State) -> Inside:
     asks, aimed = asks_of(arm), aimed_arm(state)
     if len(asks) < 2:
         return None
-    hint = "What the arm has to reach; the rest of the orientation follows"
+    hint = (
+        "What the arm has to reach: all it controls, the position, or position and approach direction; the rest follows"
+    )
     counts = form.chips("asks", asks, target.asks, hint, lambda key: AskFor(asks=key))
     if not can_favour(aimed):
         return row("What counts", counts, wide=True)
-    hint = f"Out of reach its error counts {MORE:g} times as much; what is in reach is reached all the same"
+    hint = f"The error that then counts {MORE:g} times as much as the other; what is in reach is reached all the same"
     favoured = form.chips("favours", FAVOURS, target.favours, hint, lambda key: AskFor(favours=key))
-    return row("What counts", counts, wide=True), row("Out of reach rather", favoured, wide=True)
+    return row("What counts", counts, wide=True), row("Out of reach", favoured, wide=True)
 
 
 def _fields(form: Form, state: State, units: Units) -> Inside:
     arm = aimed_arm(state)
     shown = pose_form(form, arm, target_pose(state), units, PlaceTarget)
     if arm.task.rotation == "none":
-        says = "This arm controls the position only" if arm is state[Joints].arm else "Only the position is asked for"
+        says = "This arm controls the position only" if arm is state[Joints].arm else capitalised(ASKED["position"])
         return shown, tag("p.dim", f"{says}; its orientation follows.")
     return shown if arm.task.rotation == "phi" else (shown, product())
 
