@@ -10,6 +10,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.ik.jog import FARTHEST, directions, displaced, jogged
+from armlab.kin.ik.solve import solve
 from armlab.kin.ik.verdict import judge
 from armlab.kin.rotations import rotation_about
 from armlab.kin.task import Task
@@ -136,6 +137,20 @@ def test_a_stretched_arm_cannot_go_farther_and_comes_back():
     back = jogged(arm, [0.4, 0.0], along(0, -0.01), in_tool=True)
     assert not back.why
     assert np.abs(back.q - [0.4, 0.0]).max() <= FARTHEST
+
+
+@pytest.mark.parametrize("key", ["puma560", "ur10e", "elbow_3r"])
+def test_on_the_way_out_a_step_is_beside_a_singularity_only_if_joints_that_hurry_could_take_it(key):
+    robot = catalogue()[key]
+    arm, q = robot.arm, np.array(robot.home)
+    found = jogged(arm, q, along(0, 0.05))
+    while not found.why:
+        q = found.q
+        found = jogged(arm, q, along(0, 0.05))
+    there = solve(arm, displaced(arm, arm.fk(q), along(0, 0.05), False), q, searches=20)
+    assert there.success == (found.why == "singular")
+    if there.success:
+        assert all(abs(there.q[i] - q[i]) > FARTHEST for i in found.joints)
 
 
 def test_beside_a_singularity_no_joint_hurries():

@@ -139,7 +139,7 @@ def ended_words(ended: Ended, state: State, units: Units) -> str:
         return "Out of reach: the tool cannot take this step."
     near = near_singularity(joints.arm, joints.q)
     most = units.angle(FARTHEST) if all(joints.arm.revolute[list(ended.joints)]) else "a third of the reach"
-    why = f"{' and '.join(named)} would have to move by more than {most} in this step"
+    why = f"{' and '.join(named)} would have to move by more than {most} in this step; take smaller ones"
     return f"{capitalised(near)}: {why}." if near else f"Beside a singularity: {why}."
 
 

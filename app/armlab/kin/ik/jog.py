@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
@@ -13,7 +14,7 @@ from armlab.kin.checks import finite_floats
 from armlab.kin.ik.method import method_named
 from armlab.kin.ik.search import problem_of
 from armlab.kin.ik.solve import come_closer
-from armlab.kin.ik.verdict import checked_locks, free_joints, joint_values, judge
+from armlab.kin.ik.verdict import Verdict, checked_locks, free_joints, joint_values, judge
 from armlab.kin.rotations import rotation_from_axis_angle
 from armlab.kin.transforms import as_pose
 
@@ -28,7 +29,7 @@ ALONG = 1e-9
 """Component of a unit vector below which a direction has none: rounding of a few products of rotations."""
 
 FULL = 0.999
-"""Part of `FARTHEST` from which a joint counts as held back by it."""
+"""Part of `FARTHEST` from which a joint counts as one that hurries: a step never needs as much."""
 
 
 class Jogged(NamedTuple):
@@ -128,13 +129,24 @@ def jogged(
     """
     start, held = joint_values(arm, q, "q"), checked_locks(arm, locked)
     T = displaced(arm, arm.fk(start), step, in_tool)
-    problem = problem_of(arm, method_named("dls"))
-    there = np.array(come_closer(problem, problem.target(T), start, free_joints(held), FARTHEST).q)
-    verdict = judge(arm, T, there, held)
+    scale = np.where(arm.revolute, 1.0, arm.length_scale)
+    # The second time only to tell why: the step may be possible for joints that hurry, or not at all.
+    for farthest in (FARTHEST, math.inf):
+        there, verdict = _closest(arm, T, start, held, farthest)
+        hurried = np.flatnonzero(np.abs(there - start) > FULL * FARTHEST * scale)
+        if not len(hurried):
+            break
+    if verdict.reached and len(hurried):
+        return Jogged(start, "singular", tuple(hurried.tolist()))
     if verdict.reached:
         return Jogged(there, "", ())
-    scale = np.where(arm.revolute, 1.0, arm.length_scale)
-    hurried = np.flatnonzero(np.abs(there - start) > FULL * FARTHEST * scale)
-    if len(hurried):
-        return Jogged(start, "singular", tuple(hurried.tolist()))
     return Jogged(start, "limit", verdict.limits) if verdict.limits else Jogged(start, "reach", ())
+
+
+def _closest(
+    arm: Arm, T: Floats, start: Floats, held: Sequence[bool] | None, farthest: float
+) -> tuple[Floats, Verdict]:
+    """Return the configuration (n,) that comes closest to a pose from a start, and the verdict on it."""
+    problem = problem_of(arm, method_named("dls"))
+    there = np.array(come_closer(problem, problem.target(T), start, free_joints(held), farthest).q)
+    return there, judge(arm, T, there, held)
