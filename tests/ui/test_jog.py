@@ -85,7 +85,7 @@ def test_what_cannot_be_jogged_is_off():
         (
             "base",
             Ended(1, "singular", (3, 5)),
-            "joint 4 and joint 6 would have to move by more than 20.1° in this step.",
+            "joint 4 and joint 6 would have to move by more than 20.0° in this step; take smaller ones.",
         ),
     ],
 )

@@ -138,7 +138,9 @@ def ended_words(ended: Ended, state: State, units: Units) -> str:
     if ended.why == "reach":
         return "Out of reach: the tool cannot take this step."
     near = near_singularity(joints.arm, joints.q)
-    most = units.angle(FARTHEST) if all(joints.arm.revolute[list(ended.joints)]) else "a third of the reach"
+    turns = joints.arm.revolute[list(ended.joints)]
+    sizes = ((units.angle(FARTHEST), turns.any()), (units.length(FARTHEST * joints.arm.length_scale), not turns.all()))
+    most = " or ".join(size for size, used in sizes if used)
     why = f"{' and '.join(named)} would have to move by more than {most} in this step; take smaller ones"
     return f"{capitalised(near)}: {why}." if near else f"Beside a singularity: {why}."
 

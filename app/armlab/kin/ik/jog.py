@@ -21,7 +21,7 @@ from armlab.kin.transforms import as_pose
 Floats = NDArray[np.float64]
 Why = Literal["", "limit", "singular", "reach"]
 
-FARTHEST = 0.35
+FARTHEST = math.radians(20.0)
 """Largest change of a joint in one step, rad or length scales. A step that needs more passes beside a singularity,
 where the arm would have to hurry, or leads to another branch: it is not taken."""
 
