@@ -213,8 +213,8 @@ class Gui:
         with modal:
             asked = Form(lambda on_input: Fields(self._gui, on_input), lambda command: None, lambda: None)
             # The way back is the one that stands out, has the focus, and is the Escape key.
-            back = asked.button("no", "No, go back", modal.close, "main", data_escape="1", data_autofocus="1")
-            asked.show(tag("p", text), tag("div.bar", back, asked.chip("yes", yes, agreed)))
+            back = asked.button("confirm-no", "No, go back", modal.close, "main", data_escape="1", data_autofocus="1")
+            asked.show(tag("p", text), tag("div.bar", back, asked.chip("confirm-yes", yes, agreed)))
 
     def button(self, label: str, on_click: Callable[[], None], hint: str, icon: viser.IconName | None = None) -> Any:
         """Add a button; returns the handle, whose ``visible`` and ``label`` may be set."""

@@ -39,7 +39,7 @@ def test_a_value_cut_to_its_limit_says_so_at_the_field_until_the_joint_leaves_it
         await browser.press("value 2", "-100")
         await browser.until(lambda: "−100.0° is beyond the limit of joint 2: −45.0° taken" in browser.html())
         assert said not in browser.html()
-        await browser.press("value 2", "225 deg")
+        await browser.press("value 2", "225.04")
         await browser.until(lambda: shown(browser, 2) == "225.0")
         await browser.until(lambda: "is beyond the limit" not in browser.html())
         await browser.press("value 2", "300")
