@@ -22,14 +22,14 @@ Floats = NDArray[np.float64]
 Why = Literal["", "limit", "singular", "reach"]
 
 FARTHEST = math.radians(20.0)
-"""Largest change of a joint in one step, rad or length scales. A step that needs more passes beside a singularity,
-where the arm would have to hurry, or leads to another branch: it is not taken."""
+"""Largest change of a joint in one step, rad or length scales. A step that needs more is not taken: it passes beside a
+singularity, where the arm would have to hurry, or leads to another branch."""
 
 ALONG = 1e-9
 """Component of a unit vector below which a direction has none: rounding of a few products of rotations."""
 
 FULL = 0.999
-"""Part of `FARTHEST` from which a joint counts as one that hurries: a step never needs as much."""
+"""Part of `FARTHEST` from which a joint counts as held back by it, because of rounding."""
 
 
 class Jogged(NamedTuple):
@@ -110,7 +110,7 @@ def jogged(
     """Take one step of the tool from a configuration, by inverse kinematics that starts there.
 
     No joint changes by more than `FARTHEST`, and the step is taken as a whole or not at all; so the arm moves on
-    steadily, and jumps to no other branch.
+    steadily. It can come to another branch only beside a singularity, where both are that near.
 
     Parameters
     ----------
