@@ -190,14 +190,17 @@ def test_a_typed_joint_value_is_cut_at_its_limit_and_says_so_beside_the_slider(v
 def test_space_plays_what_the_open_page_shows(visit):
     lab = visit()
     lab.open_tab("Motion")
-    lab.until(lambda: lab.page.get_by_text("within all limits").first.is_visible())
+    lab.press("time-given")
+    lab.type_into("duration", "60")
+    lab.until(lambda: lab.page.get_by_text("Runs in 60.00 s within all limits").is_visible())
+    lab.open_tab("Motion")  # which then has the focus
     assert "Space plays" in lab.page.locator('button[data-cell="play-motion"]').get_attribute("title")
     lab.page.keyboard.press("Space")
     lab.until(lambda: lab.page.locator('button[data-cell="pause-motion"]').count() == 1)
     lab.page.keyboard.press("Space")
     lab.until(lambda: lab.page.locator('button[data-cell="play-motion"]').count() == 1)
     # With this motion still on the timeline, another page plays what is its own.
-    lab.open_tab("Newton 1D")
+    lab.open_tab("One variable")
     lab.page.keyboard.press("Space")
     lab.until(lambda: lab.page.locator('button[data-cell="pause-tangents"]').count() == 1)
     lab.page.keyboard.press("Space")
