@@ -9,12 +9,13 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.kin.ik.solve_all import solve_all
-from armlab.session.parts.joints import Joints
+from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.target import GoAnotherWay, Target, jumped_to
 from armlab.session.state import State, apply
 from armlab.ui import canvas as module
 from armlab.ui.canvas import GLIDE_SECONDS, Canvas
 from armlab.ui.figure.anatomy import anatomy_of
+from armlab.ui.scene import arm as arm_layer
 
 ELBOW = catalogue()["elbow_3r"]
 
@@ -97,3 +98,16 @@ def test_a_way_to_another_solution_is_a_jump_and_a_picture_of_a_self_motion_is_n
     assert apply(state, GoAnotherWay())[Target].jumps == 1
     other = solve_all(ELBOW.arm, state[Joints].tool_pose).q[0]
     assert jumped_to(state, other, jumps=0)[Target].jumps == 0
+
+
+def test_the_arm_layer_shows_a_jump_slowly_and_every_other_motion_as_it_comes():
+    seen = []
+    canvas = SimpleNamespace(
+        drawn=SimpleNamespace(glbs=[]), show_pose=lambda q, at_once, slow: seen.append((at_once, slow)), bare=False
+    )
+    state = State.initial(ELBOW)
+    show = arm_layer.build(canvas, state)
+    for command in (MoveJoint(0, 0.2), GoAnotherWay(), MoveJoint(0, 0.3)):
+        state = apply(state, command)
+        show(state)
+    assert seen == [(False, False), (False, True), (False, False)]
