@@ -34,6 +34,12 @@ KEYS = (
 """Keys while the buttons of Jog are seen."""
 
 
+def show_jog(form: Form, state: State, wide: bool = False) -> None:
+    """Show the buttons; while nothing is jogged they are not made again for every pose of a drag."""
+    if state[Jog].mode or not form.shows(state[Jog]):
+        form.show(jog_markup(form, state, wide))
+
+
 def jog_markup(form: Form, state: State, wide: bool = False) -> Inside:
     """Return the choice of what is jogged, and below it the steps, the buttons, and why the arm cannot go on."""
     part, units = state[Jog], units_of(state)

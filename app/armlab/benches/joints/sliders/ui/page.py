@@ -16,7 +16,7 @@ from armlab.ui.factors import turns
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, matrix, number, pairs, subscript
 from armlab.ui.html import Inside, Markup, styles, tag
-from armlab.ui.jog import jog_markup
+from armlab.ui.jog import show_jog
 from armlab.ui.markup import row
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
@@ -43,7 +43,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         if not poses.shows():
             taken = [poses.chip(name, name.capitalize(), TakePose(name)) for name in names]
             poses.show(row("Pose", (taken, poses.chip("random", "Random", RandomPose()))))
-        jog.show(jog_markup(jog, state))
+        show_jog(jog, state)
         readout.show(_readout(joints, units))
 
     return show

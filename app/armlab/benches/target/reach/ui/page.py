@@ -21,7 +21,7 @@ from armlab.session.state import Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised
 from armlab.ui.html import Inside, tag
-from armlab.ui.jog import jog_markup
+from armlab.ui.jog import show_jog
 from armlab.ui.markup import row
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.pose_fields import pose_form, product
@@ -80,7 +80,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         away = state[Target].pose is not None and state.derived(verdict).status != "reached"
         if back.visible != away:
             back.visible = away
-        jog.show(jog_markup(jog, state, wide=True))
+        show_jog(jog, state, wide=True)
 
     return show
 
