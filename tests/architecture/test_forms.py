@@ -70,6 +70,7 @@ OWN_JSON = {
     "robot": "an arm, by its key or as a whole table",
     "shelf": "whole states of other places",
     "trainer": "answers to an exercise that follows from the arm",
+    "target": "what counts of it is written only where that is less than the whole pose",
     "unit_circle": "its JSON is an angle alone",
     "what_if": "a list of changes that are tried on the arm one after the other",
 }

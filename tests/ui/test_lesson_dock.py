@@ -195,8 +195,11 @@ def test_beginning_again_asks_first(url):
         await browser.press("lesson-anew")
         await browser.until(lambda: "answers in this lesson are forgotten" in browser.html())
         assert "<small>2 of 3</small>" in browser.html()
-        yes = browser.control("Begin again")
-        await browser.send({"type": "GuiUpdateMessage", "uuid": yes["uuid"], "updates": {"value": True}})
+        await browser.press("confirm-no")
+        await browser.until(lambda: "answers in this lesson are forgotten" not in browser.html())
+        assert "<small>2 of 3</small>" in browser.html()
+        await browser.press("lesson-anew")
+        await browser.press("confirm-yes")
         await browser.until(lambda: "<small>1 of 3</small>" in browser.html())
         await browser.close()
 

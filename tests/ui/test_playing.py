@@ -57,3 +57,10 @@ def test_a_time_that_is_typed_is_gone_to_and_nonsense_is_said():
     ):
         with pytest.raises(InputError, match=says):
             press(START, "time", text)
+
+
+def test_the_space_bar_presses_what_the_page_plays_and_its_hint_says_so():
+    for state in (START, does(START, OpenClip("loop", play=True))):
+        button = str(play_button(BareForm(), state, "loop", "it", hint="Round and round"))
+        assert 'data-key="Space"' in button
+        assert 'title="Round and round. Space plays and pauses"' in button

@@ -41,9 +41,12 @@ def part_examples(*examples: PartExample[P]) -> Registry[PartExample[P]]:
 
 
 def on_arm(state: State, key: str) -> State:
-    """Return the state with the arm of this key; the same state when it is there, unedited."""
-    robot = catalogue()[key]
-    return state if state[RobotPart].robot is robot else state.with_robot(robot)
+    """Return the state with the arm of this key, which notes what it replaces; the same state when it is there."""
+    robot, before = catalogue()[key], state[RobotPart].robot
+    if robot is before:
+        return state
+    state = state.with_robot(robot)
+    return state.replace(replace(state[RobotPart], replaced=before.name))
 
 
 def with_clip_closed(state: State) -> State:

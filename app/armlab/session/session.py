@@ -178,7 +178,7 @@ class Session:
                     del self._elsewhere[next(iter(self._elsewhere))]
             self.history = self._elsewhere.pop(there.place, History())
             before = here.parked.get(there.place, before)
-        if command.undoable:
+        if command.undoable and _is_work(before, after):
             self.history.note(before, after, command, at)
 
     def _stepped(self, step: Callable[[State], State], back: Callable[[State], State]) -> State:
@@ -223,6 +223,11 @@ def _with_kept(restored: State, present: State) -> State:
         kept = [part.for_robot(robot) for part in kept]
     changed = [part for part in kept if part is not restored[type(part)]]
     return restored.replace(*changed) if changed else restored
+
+
+def _is_work(before: State, after: State) -> bool:
+    """Return whether an undo would bring something back: not if only parts have changed that it leaves as they are."""
+    return any(after[type(part)] is not part for part in before if not part.kept_by_undo)
 
 
 def _same_table(one: RobotPart, other: RobotPart) -> bool:

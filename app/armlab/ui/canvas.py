@@ -22,7 +22,8 @@ one is shown as a short move."""
 GLIDE_SPEED = 4.0
 GLIDE_SECONDS = (0.12, 0.5)
 GLIDE_RATE = 30.0
-"""Rate, rad/s, shortest and longest duration, s, and pictures a second of moves made by the lab."""
+"""Rate, rad/s, shortest and longest duration, s, and pictures a second of moves made by the lab. A jump to another
+solution takes the longest, so that each can be followed by eye."""
 
 PoseListener = Callable[[NDArray[np.float64]], None]
 
@@ -54,6 +55,7 @@ class Canvas:
         self._make_nodes(q)
         self._shown = q
         self._goal = q
+        self._slow = False
         self._glide: asyncio.TimerHandle | None = None
 
     def _make_nodes(self, q: NDArray[np.float64]) -> None:
@@ -89,14 +91,17 @@ class Canvas:
         """The configuration on screen."""
         return self._shown
 
-    def show_pose(self, q: NDArray[np.float64], at_once: bool = False) -> None:
-        """Show a configuration: at once if it is near or ``at_once`` is set, else by a short move."""
-        self._goal = q
+    def show_pose(self, q: NDArray[np.float64], at_once: bool = False, slow: bool = False) -> None:
+        """Show a configuration: at once if it is near or ``at_once`` is set, else by a short move.
+
+        A ``slow`` move takes the longest time, however far it goes; the next begins where the arm is then.
+        """
+        self._goal, self._slow = q, slow
         if at_once:
             self.stop()
         if self._glide is not None:
             return
-        if at_once or self._distance() <= JUMP:
+        if at_once or (not slow and self._distance() <= JUMP):
             self._write(q)
         else:
             self._begin_glide()
@@ -119,7 +124,7 @@ class Canvas:
     def _begin_glide(self) -> None:
         start, goal = self._shown, self._goal
         low, high = GLIDE_SECONDS
-        duration = min(max(self._distance() / GLIDE_SPEED, low), high)
+        duration = high if self._slow else min(max(self._distance() / GLIDE_SPEED, low), high)
         loop = asyncio.get_running_loop()
         began = loop.time()
 
@@ -128,7 +133,7 @@ class Canvas:
             self._glide = None
             if self._goal is not goal:  # something newer: go on from here
                 self._write(start + eased(s) * (goal - start))
-                self.show_pose(self._goal)
+                self.show_pose(self._goal, slow=self._slow)
                 return
             self._write(goal if s >= 1.0 else start + eased(s) * (goal - start))
             if s < 1.0:

@@ -59,9 +59,9 @@ class LayerCanvas:
         """Return the name of the node of body i (0 is the base); its children move with the body."""
         return self._canvas.node(i)
 
-    def show_pose(self, q: NDArray[np.float64], at_once: bool = False) -> None:
+    def show_pose(self, q: NDArray[np.float64], at_once: bool = False, slow: bool = False) -> None:
         """Show a configuration; see `Canvas.show_pose`."""
-        self._canvas.show_pose(q, at_once)
+        self._canvas.show_pose(q, at_once, slow)
 
     def on_pose(self, listener: PoseListener) -> None:
         """Call back with every configuration that is shown, including those of moves, while the layer is not hidden.

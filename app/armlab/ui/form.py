@@ -133,16 +133,23 @@ class Form:
     def place(self, cell: str, action: Picked, drag: bool = False) -> Marks:
         """Return the attributes of an element that can be clicked at a place or, with ``drag``, dragged.
 
-        Commands of a drag wait by themselves, so that a newer one may replace them; a refusal of theirs is a notice.
+        See `moved` for the commands of a drag.
         """
-        if drag:
-            self._drags.add(cell)
-        return Marks(self.bound(cell, lambda text: action(*_place(text))), data_pick="drag" if drag else True)
+        bind = self.moved if drag else self.bound
+        return Marks(bind(cell, lambda text: action(*_place(text))), data_pick="drag" if drag else True)
 
     def bound(self, cell: str, action: Typed) -> Marks:
         """Return the attributes of an element of the caller's own that sends a text."""
         self.takes(cell, action)
         return Marks(data_chan=self._fields.channel_id, data_cell=cell)
+
+    def moved(self, cell: str, action: Typed) -> Marks:
+        """Return the attributes of an element that sends texts while a hand moves something.
+
+        Its commands wait by themselves, so that a newer one may replace them; a refusal of theirs is a notice.
+        """
+        self._drags.add(cell)
+        return self.bound(cell, action)
 
     def takes(self, cell: str, action: Typed) -> None:
         """Bind a text that the page's script sends by itself."""

@@ -10,6 +10,14 @@ from armlab.ui.form import Form
 from armlab.ui.html import Markup, tag
 from armlab.ui.units import plain_number
 
+SPACE = "Space"
+"""The key of what an open page plays; see `armlab.js`."""
+
+
+def by_space(hint: str = "") -> str:
+    """Return the hint of a button that the space bar presses while its page is open."""
+    return f"{hint}. Space plays and pauses" if hint else "Space plays and pauses"
+
 
 def play_button(
     form: Form,
@@ -21,7 +29,7 @@ def play_button(
     hint: str = "",
     off: bool = False,
 ) -> Markup:
-    """Return the button that plays a film, pauses it, or continues it.
+    """Return the button that plays a film, pauses it, or continues it; the space bar presses it, too.
 
     Parameters
     ----------
@@ -38,10 +46,11 @@ def play_button(
     """
     timeline = state[Timeline]
     on = timeline.clip == clip
+    hint = by_space(hint)
     if on and timeline.playing:
-        return form.button(f"pause-{name}", "❚❚ Pause", Play(False), kind, hint)
+        return form.button(f"pause-{name}", "❚❚ Pause", Play(False), kind, hint, data_key=SPACE)
     action = Play(True) if on else OpenClip(clip, play=True)
-    return form.button(f"play-{name}", f"▶ {word}", action, kind, hint, off=off)
+    return form.button(f"play-{name}", f"▶ {word}", action, kind, hint, off=off, data_key=SPACE)
 
 
 def clock(form: Form, state: State, clip: str, end: float) -> Markup:

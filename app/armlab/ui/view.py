@@ -221,9 +221,17 @@ class View:
                 lesson_changed = self._lesson.open(state)
             if lesson_changed:
                 self._lesson_changed(state)
+            if before is not None:
+                self._tell_replaced(state[RobotPart], before[RobotPart])
             if before is not None and self._window(before) is not self._window(state):
                 self._panels_changed()
         self._refresh_soon()
+
+    def _tell_replaced(self, now: RobotPart, before: RobotPart) -> None:
+        """Tell that an example has put its own arm on the table."""
+        if now.replaced and now is not before:
+            text = f"The example is about the {now.robot.name}. Undo (Ctrl+Z) brings back the {now.replaced}."
+            self.client.add_notification("Another arm", text, color="blue", auto_close_seconds=8.0)
 
     def _panels_changed(self) -> None:
         """Show at once the pages that the student has turned to, with the points around them."""

@@ -7,7 +7,6 @@ import logging
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from functools import partial
 from typing import Any
 
 import viser
@@ -120,6 +119,10 @@ class Segments:
         chips = markup.chips(self._fields.channel_id, self._options, value, self._hint)
         self._fields.show(markup.row(self._label, chips, wide=True, hint=self._hint))
 
+    def visible(self, on: bool) -> None:
+        """Show or hide the row."""
+        self._fields.visible(on)
+
 
 class Gui:
     """The maker of all controls of one panel, which can remove them again.
@@ -203,16 +206,15 @@ class Gui:
         """Ask for confirmation of an action that cannot be undone."""
         modal = self._gui.add_modal(title)
 
-        def answer(agreed: bool, _: object) -> None:
+        def agreed() -> None:
             modal.close()
-            if agreed:
-                on_yes()
+            on_yes()
 
         with modal:
-            self._gui.add_html(str(tag("div.al", tag("p", text))))
-            for label, agreed in ((yes, True), ("No, go back", False)):
-                handle = self._gui.add_button(label, color=None if agreed else "gray")
-                adapter.on_event(handle, "on_click", partial(answer, agreed))
+            asked = Form(lambda on_input: Fields(self._gui, on_input), lambda command: None, lambda: None)
+            # The way back is the one that stands out, has the focus, and is the Escape key.
+            back = asked.button("confirm-no", "No, go back", modal.close, "main", data_escape="1", data_autofocus="1")
+            asked.show(tag("p", text), tag("div.bar", back, asked.chip("confirm-yes", yes, agreed)))
 
     def button(self, label: str, on_click: Callable[[], None], hint: str, icon: viser.IconName | None = None) -> Any:
         """Add a button; returns the handle, whose ``visible`` and ``label`` may be set."""

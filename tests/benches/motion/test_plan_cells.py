@@ -8,6 +8,7 @@ from armlab.benches.motion.plan.commands import AllMovesLike, SetMove
 from armlab.benches.motion.plan.limits import LastFor, LimitJoint, LimitTool, UseShare
 from armlab.benches.motion.plan.points import (
     AddWaypoint,
+    CopyWaypoint,
     SelectWaypoint,
     SetWaypointJoint,
     SetWaypointPose,
@@ -19,7 +20,7 @@ from armlab.benches.motion.plan.ui.points import points_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.state import State, apply
-from support.forms import asked
+from support.forms import BareForm, asked
 
 STATE = State.initial(catalogue()["planar_2r"])
 
@@ -51,6 +52,10 @@ def test_a_cell_that_is_not_on_the_page_or_off_asks_for_nothing(cell):
         ("add", AddWaypoint()),
         ("down-0", ShiftWaypoint(0, 1)),
         ("select-0", SelectWaypoint(0)),
+        ("copy-1", CopyWaypoint(1)),
+        ("named-joint-line", SetMove(1, space="joint", path="line")),
+        ("named-cartesian-line", SetMove(1, space="cartesian", path="line")),
+        ("named-cartesian-circle", SetMove(1, space="cartesian", path="circle")),
         ("drag", SelectWaypoint(1, True)),
         ("space-cartesian", SetMove(1, space="cartesian")),
         ("apart", SetMove(1, apart=True)),
@@ -86,3 +91,33 @@ def test_what_is_typed_becomes_a_command_in_si_units():
 def test_a_text_that_is_no_number_is_refused_with_the_name_of_its_field(cell, says):
     with pytest.raises(InputError, match=says):
         typed(cell, "much")
+
+
+@pytest.mark.parametrize(
+    ("commands", "names"),
+    [
+        ((), ("Move J, or PTP", "joint: straight line · Move J")),
+        ((SetMove(1, space="cartesian"),), ("Move L, or LIN", "Cartesian: straight line · Move L")),
+        ((SetMove(1, path="spline"),), ()),
+    ],
+)
+def test_moves_have_the_names_of_industrial_robots_where_there_are_some(commands, names):
+    state = STATE
+    for command in commands:
+        state = apply(state, command)
+    shown = BareForm()
+    shown.show(points_markup(shown, state) + move_markup(shown, state))
+    text = str(shown.fields.content)
+    assert all(
+        f"{name} ({other})" in text for name, other in (("Move J", "PTP"), ("Move L", "LIN"), ("Move C", "CIRC"))
+    )
+    assert [name for name in ALL_NAMES if name in text] == list(names)
+
+
+ALL_NAMES = (
+    "Move J, or PTP",
+    "joint: straight line · Move J",
+    "Move L, or LIN",
+    "Cartesian: straight line · Move L",
+    "Move C, or CIRC",
+)

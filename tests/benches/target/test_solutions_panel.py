@@ -22,7 +22,7 @@ from armlab.ui.units import Units
 from armlab.ui.verdicts import verdict_card, verdict_line
 from support.student import run, student
 
-ROW = re.compile(r'<div class="sol-row([^"]*)" data-place="(\d+)">(.*?)</div>')
+ROW = re.compile(r'<div class="sol-row([^"]*)" data-place="(\d+)"[^>]*>(.*?)</div>')
 SPAN = re.compile(r"<span>([^<]*)</span>")
 
 
@@ -224,3 +224,24 @@ def test_words_about_a_drag_are_in_both_verdicts():
         assert "he elbow has changed from up to down" in text
         assert "ear &lt;b&gt;" in text
     assert math.isfinite(verdict(state).position_error)
+
+
+def test_the_list_is_one_stop_of_the_tab_key_at_the_present_solution(url):
+    async def main():
+        browser = await student(url, path="/robot/ur10_notes")
+        await browser.press("eight")
+        await browser.open("solutions")
+        rows = await listed(browser, 8)
+        for slot in (rows[2][1], rows[5][1]):
+            await browser.press(f"go{slot}")
+            await browser.until(lambda slot=slot: stops(browser.html()) == [slot])
+            selected = re.findall(r'data-place="(\d+)" role="row" aria-selected="true"', browser.html())
+            assert [rows[int(place) - 1][1] for place in selected] == [slot]
+        await browser.close()
+
+    run(main())
+
+
+def stops(html):
+    """Return the slots of the rows that the tab key reaches."""
+    return [int(slot) for slot in re.findall(r'data-cell="go(\d+)"[^>]*tabindex="0"', html)]

@@ -98,11 +98,16 @@
     if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
     const control = event.target.closest?.('input, select, textarea, button, [role=slider], [role=combobox], [contenteditable]');
     if (control && !control.matches('.al-time input')) return; // the thumb of the timeline needs none of these keys
-    const button = document.querySelector(`button[data-key="${CSS.escape(event.code)}"]`);
-    if (!button || button.disabled) return;
+    if (event.target.closest?.('[role=tab]:not([aria-selected=true])')) return; // it is opened by them
+    const seen = button => !button.disabled && button.getClientRects().length > 0;
+    const buttons = [...document.querySelectorAll(`button[data-key="${CSS.escape(event.code)}"]`)].filter(seen);
+    // The page that is open comes before the timeline, on which something else may be.
+    const button = buttons.find(each => !each.closest('.al-time')) ?? buttons[0];
+    if (!button) return;
     event.preventDefault();
+    event.stopPropagation(); // an open tab that has the focus would take them to be dragged
     button.click();
-  });
+  }, true);
   document.addEventListener('keydown', event => {
     if (event.key !== 'Enter' || !event.target.matches?.('input[data-chan]:not([data-live])')) return;
     // In a table Enter goes down the column, as in a spreadsheet; elsewhere it leaves the field.
@@ -120,7 +125,7 @@
     const button = event.target.closest?.('button[data-chan]');
     if (!button || button.disabled) return;
     send(button, '');
-    if (event.detail) { // clicked by hand and done with: the space bar plays, and does not press it again
+    if (event.detail && !button.matches('[data-rove]')) { // done with: the space bar plays, and does not press it again
       button.blur();
       last = null;
     }
@@ -128,7 +133,7 @@
 
   // A field that is left is sent, and its answer may replace the button that is being pressed: the press counts.
   let down = null;
-  document.addEventListener('pointerdown', event => { down = event.target.closest?.('button[data-chan]'); }, true);
+  document.addEventListener('pointerdown', event => { down = event.target.closest?.('button[data-chan]:not([data-jog])'); }, true);
   document.addEventListener('pointerup', event => {
     const button = event.target.closest?.('button[data-chan]');
     const same = down && !down.isConnected && button?.dataset.chan === down.dataset.chan && button.dataset.cell === down.dataset.cell;

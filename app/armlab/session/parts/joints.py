@@ -120,6 +120,15 @@ class MoveJoint(Command):
 
 
 @dataclass(frozen=True)
+class TypeJoint(MoveJoint):
+    """Move one joint to a typed value, which is a step of undo of its own."""
+
+    snapshot: ClassVar[bool] = False
+    rests: ClassVar[bool] = False
+    label: ClassVar[str] = "joint value"
+
+
+@dataclass(frozen=True)
 class TakePose(Command):
     """Go to a named pose of the robot file, or to ``zero``: every joint at 0 or at the limit nearest to it."""
 

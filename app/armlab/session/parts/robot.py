@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar, Self
 
 from armlab.content.robots import OWN, Robot, catalogue, parse_robot
@@ -25,6 +25,8 @@ class RobotPart(Part):
         Key of the file an own table began with; empty for one that began with none.
     moved : Remainders or None
         Parts that the last edit, a change of convention, put into base and tool; None after another edit.
+    replaced : str
+        Name of the arm that an example has taken from the table to put its own there; empty otherwise. Not saved.
     """
 
     key: ClassVar[str] = "robot"
@@ -32,6 +34,7 @@ class RobotPart(Part):
     robot: Robot
     origin: str = ""
     moved: Remainders | None = None
+    replaced: str = field(default="", compare=False)
 
     @property
     def own(self) -> bool:

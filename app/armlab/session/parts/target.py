@@ -11,15 +11,17 @@ from numpy.typing import NDArray
 from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.kin import ik
+from armlab.kin.arm import Arm
 from armlab.kin.ik.search import problem_of
 from armlab.kin.ik.solve import come_closer
 from armlab.kin.ik.target import feasible
 from armlab.kin.ik.verdict import free_joints
 from armlab.kin.transforms import as_pose
+from armlab.session.asked import ASKED, ASKS, FAVOURS, asked_arm, turned_like, weights_of
 from armlab.session.branch_words import NEAR, STILL_NEAR, Branch, branch_of, crossed, followed, near_singularity
 from armlab.session.fields import FieldPart, choice, own
 from armlab.session.parts.joints import Joints
-from armlab.session.state import Command, PartType, State
+from armlab.session.state import Command, Json, PartType, State
 from armlab.session.way_to_solution import another_way
 
 Axes = Literal["world", "tool"]
@@ -73,10 +75,14 @@ class Target(FieldPart):
     handle : "move" or "turn"
     method : str
         Key of the method of inverse kinematics.
+    asks, favours : str
+        Keys of `armlab.session.asked`: which part of the target counts, and which error is kept smaller out of reach.
     branch : tuple of str
         Branch of the arm when it last followed the target; empty before.
     crossing, near : Said or None
         Sentences on the branch to which it has changed, and on the singularity it is near.
+    jumps : int
+        How often the arm has jumped to another solution; a jump is shown as a move of half a second.
     """
 
     key: ClassVar[str] = "target"
@@ -88,14 +94,21 @@ class Target(FieldPart):
     axes: Axes = choice("axes of the handle", "world", AXES)
     handle: Handle = choice("what dragging does", "move", HANDLES, kept="edits")
     method: str = own("method", "dls", lambda key: ik.method_named(key).key)
+    asks: str = choice("what counts of the target", "", ASKS, kept="edits")
+    favours: str = choice("which error is kept smaller", "", FAVOURS, kept="edits")
     branch: Branch = ()
     crossing: Said | None = None
     near: Said | None = None
+    jumps: int = 0
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Return the part with the handle if the edited arm can still use it."""
         kept = super().for_edited(robot, origin)
         return replace(kept, handle="move") if robot.arm.task.rotation == "none" else kept
+
+    def to_json(self) -> Json:
+        """Return the fields as JSON; of what counts only where it is less than all."""
+        return {key: value for key, value in super().to_json().items() if value or key not in ("asks", "favours")}
 
     def after(self, before: State, now: State) -> Self:
         """Put the target back on the tool when the joints were moved by anything but the target itself.
@@ -136,11 +149,18 @@ def target_pose(state: State) -> NDArray[np.floating]:
     return state[Joints].tool_pose if pose is None else pose
 
 
+def aimed_arm(state: State) -> Arm:
+    """Return the arm with the task that its target asks for."""
+    return asked_arm(state[Joints].arm, state[Target].asks)
+
+
 def verdict(state: State) -> Judged:
-    """Return the verdict on the present configuration for the target, with sentences on the way there."""
-    joints, target = state[Joints], state[Target]
-    found = ik.judge(joints.arm, target_pose(state), joints.q, joints.locked)
+    """Return the verdict on the present configuration for what counts of the target, with sentences on the way."""
+    joints, target, arm = state[Joints], state[Target], aimed_arm(state)
+    found = ik.judge(arm, target_pose(state), joints.q, joints.locked, weights_of(arm, target.favours))
     notes = tuple(said.text for said in (target.crossing, target.near) if said is not None)
+    if arm is not joints.arm:
+        notes = (ASKED[target.asks], *notes)
     return Judged(found.status, found.position_error, found.rotation_error, found.limits, notes)
 
 
@@ -203,10 +223,36 @@ class PlaceTarget(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the arm at a solution, or at the closest configuration found from where it is."""
-        joints, target = state[Joints], state[Target]
-        pose = _wanted(joints, self.pose)
-        result = ik.solve(joints.arm, pose, joints.q, target.method, locked=joints.locked, searches=SEARCHES_TYPED)
+        joints, target, arm = state[Joints], state[Target], aimed_arm(state)
+        pose, weights = _wanted(arm, joints, self.pose), weights_of(arm, target.favours)
+        # The list of all solutions has its last word on the arm's own task only: of less there are whole families.
+        own = arm is joints.arm
+        result = ik.solve(
+            arm, pose, joints.q, target.method, weights, locked=joints.locked, searches=SEARCHES_TYPED, complete=own
+        )
         return _placed(state, pose, result.q, catching_up=False)
+
+
+@dataclass(frozen=True)
+class AskFor(Command):
+    """Choose what counts of the target, and which error is kept smaller out of reach; the arm then goes there anew.
+
+    Parameters
+    ----------
+    asks, favours : str, optional
+        Keys of `armlab.session.asked`; None leaves a choice unchanged.
+    """
+
+    asks: str | None = None
+    favours: str | None = None
+    label: ClassVar[str] = "what counts of the target"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the choice made."""
+        given = {"asks": self.asks, "favours": self.favours}
+        target = state[Target].with_values({name: key for name, key in given.items() if key is not None})
+        changed = state.replace(target)
+        return changed if target.pose is None else PlaceTarget(target.pose).apply(changed)
 
 
 def brought_to(state: State, q: NDArray[np.float64]) -> State:
@@ -261,8 +307,9 @@ def _followed(state: State, handle: NDArray[np.floating] | None, travel: float) 
         if target.pose is None or not target.catching_up:
             return state
         handle = target.pose
-    pose = _wanted(joints, handle)
-    problem = problem_of(joints.arm, ik.method_named(target.method))
+    arm = aimed_arm(state)
+    pose = _wanted(arm, joints, handle)
+    problem = problem_of(arm, ik.method_named(target.method), weights_of(arm, target.favours))
     free = free_joints(joints.locked)
     q = np.array(come_closer(problem, problem.target(pose), joints.q, free, travel).q)
     scale = np.where(joints.arm.revolute, 1.0, joints.arm.length_scale)
@@ -271,17 +318,28 @@ def _followed(state: State, handle: NDArray[np.floating] | None, travel: float) 
 
 
 def _placed(state: State, pose: NDArray[np.float64], q: NDArray[np.float64], catching_up: bool) -> State:
-    joints = state[Joints].moved_to(q)
-    if joints.arm.task.rotation == "none":
+    joints, arm = state[Joints].moved_to(q), aimed_arm(state)
+    if arm.task.rotation == "none":
         pose = _with_rotation(pose, joints)
+    elif arm is not joints.arm:
+        pose = turned_like(pose, joints.tool_pose)
     pose.setflags(write=False)
     return state.replace(joints, replace(state[Target], pose=pose, catching_up=catching_up))
 
 
-def jumped_to(state: State, q: NDArray[np.float64]) -> State:
-    """Return the state with the arm at another solution for the same target."""
-    joints, target = state[Joints].moved_to(q), state[Target].jumped(state[Joints].moved_to(q))
-    if target.pose is not None and joints.arm.task.rotation == "none":
+def jumped_to(state: State, q: NDArray[np.float64], jumps: int = 1) -> State:
+    """Return the state with the arm at another solution for the same target.
+
+    Parameters
+    ----------
+    state : State
+    q : ndarray, shape (n,)
+    jumps : int
+        1 for a jump, which is shown as a move; 0 for one picture of a hand that moves it all the way.
+    """
+    joints = state[Joints].moved_to(q)
+    target = replace(state[Target].jumped(joints), jumps=state[Target].jumps + jumps)
+    if target.pose is not None and aimed_arm(state).task.rotation == "none":
         target = replace(target, pose=_with_rotation(target.pose, joints))
     return state.replace(joints, target)
 
@@ -294,10 +352,9 @@ def _with_rotation(pose: NDArray[np.float64], joints: Joints) -> NDArray[np.floa
     return turned
 
 
-def _wanted(joints: Joints, pose: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Return the pose with the components the arm does not control taken from its tool."""
+def _wanted(arm: Arm, joints: Joints, pose: NDArray[np.floating]) -> NDArray[np.float64]:
+    """Return the pose with the components that do not count taken from the tool."""
     checked = as_pose(pose, "target")
-    arm = joints.arm
     if np.linalg.norm(checked[:3, 3] - arm.base[:3, 3]) > FARTHEST * 2.0 * arm.length_scale:
         raise InputError(f"target: farther than {FARTHEST:g} times the reach of the arm")
     return feasible(arm, checked, joints.tool_pose)

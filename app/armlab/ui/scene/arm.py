@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from armlab.session.parts.joints import Joints
+from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 from armlab.ui.drawing import LayerCanvas
@@ -19,11 +20,15 @@ def build(canvas: LayerCanvas, state: State) -> Show:
         if glb is not None
     ]
 
+    jumps = state[Target].jumps
+
     def show(state: State) -> None:
+        nonlocal jumps
+        jumped, jumps = state[Target].jumps != jumps, state[Target].jumps
         for body in bodies:
             if body.visible == canvas.bare:
                 body.visible = not canvas.bare
-        canvas.show_pose(state[Joints].q, at_once=state[Timeline].playing)
+        canvas.show_pose(state[Joints].q, at_once=state[Timeline].playing, slow=jumped)
 
     return show
 

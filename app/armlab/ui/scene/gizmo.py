@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.target import DragTarget, EndDrag, Target, target_pose
+from armlab.session.parts.target import DragTarget, EndDrag, Target, aimed_arm, target_pose
 from armlab.session.state import State
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
@@ -29,7 +29,8 @@ class Gizmo:
     def show(self, state: State) -> None:
         """Put the handle on the target."""
         target = state[Target]
-        self._handle.show(target_pose(state), target.handle, target.axes)
+        turns = aimed_arm(state).task.rotation != "none"
+        self._handle.show(target_pose(state), target.handle if turns else "move", target.axes)
         if self._handle.held and target.catching_up:
             self._catch_up_later()
 

@@ -15,9 +15,8 @@ from armlab.kin import ik
 from armlab.registry import Registry
 from armlab.session.bench import Bench
 from armlab.session.chosen import Chosen
-from armlab.session.examples import with_clip_closed
+from armlab.session.examples import on_arm, with_clip_closed
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, State
 
 
@@ -195,10 +194,7 @@ class TakeExample(Command):
     def apply(self, state: State) -> State:
         """Return the state with the example's plan, its arm at the first waypoint."""
         robot, part = EXAMPLES[self.key].plan()
-        state = with_clip_closed(state)
-        if state[RobotPart].robot is not robot:
-            state = state.with_robot(robot)
-        state = state.replace(part)
+        state = on_arm(with_clip_closed(state), robot.key).replace(part)
         moved = state[Joints].moved_to(part.waypoints[0].q)
         return state if moved is state[Joints] else state.replace(moved)
 

@@ -27,6 +27,12 @@ DRAG_TRAVEL = 0.5
 """Largest motion of a joint of a dragged waypoint in one event, radians or length scales."""
 
 
+def refuse_more(part: Plan) -> None:
+    """Raise `InputError` if a plan has as many waypoints as it can have."""
+    if len(part.waypoints) >= MOST_WAYPOINTS:
+        raise InputError(f"waypoints: at most {MOST_WAYPOINTS}; a longer motion can be read from a file")
+
+
 @dataclass(frozen=True)
 class AddWaypoint(PlanCommand):
     """Add the present configuration after the selected waypoint."""
@@ -36,8 +42,7 @@ class AddWaypoint(PlanCommand):
     def apply(self, state: State) -> State:
         """Return the state with one more waypoint, which is selected; its move equals the previous one."""
         part, joints = state[Plan], state[Joints]
-        if len(part.waypoints) >= MOST_WAYPOINTS:
-            raise InputError(f"waypoints: at most {MOST_WAYPOINTS}; a longer motion can be read from a file")
+        refuse_more(part)
         point, k = Waypoint(tuple(joints.q.tolist())), part.selected + 1
         like = part.moves[max(k - 2, 0)].through() if part.moves else Move()
         changed = edited(
@@ -48,6 +53,32 @@ class AddWaypoint(PlanCommand):
             handled=False,
         )
         return with_plan(state, refitted(changed))
+
+
+@dataclass(frozen=True)
+class CopyWaypoint(PlanCommand):
+    """Put a copy of a waypoint behind it, with its handle, to be dragged or shifted to where it is wanted."""
+
+    k: int
+    label: ClassVar[str] = "copy of a waypoint"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the copy selected; its move equals that to the waypoint.
+
+        As long as the two are in the same place, the plan says so: a motion needs a way.
+        """
+        part = state[Plan]
+        k = checked_index(part, self.k)
+        refuse_more(part)
+        like = part.moves[max(k - 1, 0)].through() if part.moves else Move()
+        changed = edited(
+            part,
+            waypoints=(*part.waypoints[: k + 1], *part.waypoints[k:]),
+            moves=(*part.moves[:k], like, *part.moves[k:]),
+            selected=k + 1,
+            handled=True,
+        )
+        return state.replace(refitted(changed))
 
 
 @dataclass(frozen=True)

@@ -13,10 +13,10 @@ from armlab.benches.target.solutions.found import Found, Row
 from armlab.benches.target.solutions.motion import Motion
 from armlab.benches.target.solutions.proof import Proof
 from armlab.benches.target.solutions.question import question
-from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin import ik
 from armlab.registry import known_name
+from armlab.session.examples import on_arm
 from armlab.session.fields import FieldPart
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
@@ -187,7 +187,7 @@ class MoveAlong(Command):
         q = motion.at(found.question, min(max(self.part, 0.0), 1.0))
         if q is None:
             raise InputError("The self-motion cannot be followed here.")
-        moved = jumped_to(state, q)
+        moved = jumped_to(state, q, jumps=0)
         return state if moved[Joints] is state[Joints] else moved
 
 
@@ -220,10 +220,8 @@ class TakePreset(Command):
     def apply(self, state: State) -> State:
         """Return the state with the arm of the example in its pose."""
         key, pose, _ = PRESETS[known_name("example", self.name, PRESETS)]
-        robot = catalogue()[key]
-        if robot is not state[RobotPart].robot:
-            state = state.with_robot(robot)
-        return state.replace(state[Joints].freed_at(robot.poses[pose]), state[Target].on_tool())
+        state = on_arm(state, key)
+        return state.replace(state[Joints].freed_at(state[RobotPart].robot.poses[pose]), state[Target].on_tool())
 
 
 def _inside(found: Found, row: Row) -> NDArray[np.float64]:

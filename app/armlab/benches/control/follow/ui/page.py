@@ -23,6 +23,7 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import number, trimmed
 from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.playing import SPACE, by_space
 from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.symbols import with_symbol
 from armlab.ui.units import Units, units_of
@@ -73,10 +74,11 @@ def _play(form: Form, state: State) -> Markup:
     timeline = state[Timeline]
     on = timeline.clip == CLIP_KEY
     if on and timeline.playing:
-        return form.button("pause-control", "❚❚ Pause", Play(False), "main")
+        return form.button("pause-control", "❚❚ Pause", Play(False), "main", by_space(), data_key=SPACE)
     if on and 0.0 < timeline.time < duration(state):
-        return form.button("go-on", "▶ Go on", Play(True), "main")
-    return form.button("play-control", "▶ Run", OpenClip(CLIP_KEY, play=True), "main")
+        return form.button("go-on", "▶ Go on", Play(True), "main", by_space(), data_key=SPACE)
+    run = OpenClip(CLIP_KEY, play=True)
+    return form.button("play-control", "▶ Run", run, "main", by_space(), data_key=SPACE)
 
 
 def _push(form: Form, part: Control, units: Units) -> Inside:

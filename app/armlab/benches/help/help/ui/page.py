@@ -8,13 +8,15 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Post, State
 from armlab.ui.commands import shortcuts
 from armlab.ui.html import Markup, tag
+from armlab.ui.jog import KEYS as JOG
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.widgets import Gui
 
 PAGE_KEYS = (
     ("V", "projector: large text, no benches (Esc ends)"),
     ("Page ↑ ↓", "the step before or after, in a lesson"),
-    ("space , .", "play, step back, step on"),
+    ("space , .", "play what the open page shows, step back, step on"),
+    ("Esc", "close a question"),
 )
 """Keys that are handled by the page itself."""
 
@@ -26,6 +28,7 @@ MOUSE = (
     ("wheel, pinch", "zoom"),
     ("arrow keys, W A S D Q E", "fly, when no field or slider has the focus"),
     ("arrow keys on a slider", "move that joint step by step"),
+    ("arrow keys on a solution", "to the next one, half a second each"),
     ("Ctrl+K", "all commands"),
 )
 
@@ -47,6 +50,7 @@ WORDS = (
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the text."""
     gui.html(tag("h3", "Keys"), _table([*((s.shown, s.label) for s in shortcuts() if s.key), *PAGE_KEYS]))
+    gui.html(tag("h3", "While Jog is chosen on Joints or Target"), _table(JOG))
     gui.html(tag("p.dim", UNDO))
     gui.html(tag("h3", "Mouse and touch"), _table(MOUSE))
     gui.html(tag("h3", "What the verdict says"), _table(WORDS))

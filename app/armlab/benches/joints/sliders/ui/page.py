@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from armlab.benches.joints.sliders.ui.typed import TypedValue
 from armlab.kin.arm import Arm
 from armlab.kin.length_power import POWERS, length_power
 from armlab.kin.rotations import euler_zyx
+from armlab.session.parts.jog import Jog
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Post, State
@@ -14,6 +16,7 @@ from armlab.ui.factors import turns
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, matrix, number, pairs, subscript
 from armlab.ui.html import Inside, Markup, styles, tag
+from armlab.ui.jog import show_jog
 from armlab.ui.markup import row
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
@@ -24,21 +27,23 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     """Build a slider for each joint and the read-out of the tool."""
     joints, units = state[Joints], units_of(state)
     gui.heading("Joint variables")
-    sliders = [_slider(gui, joints, i, post, units) for i in range(joints.arm.n)]
-    gui.html(_colours(sliders))
-    locks, poses, readout = gui.form(post), gui.form(post), gui.html()
+    controls = [(_slider(gui, joints, i, post, units), TypedValue(gui, i, units, post)) for i in range(joints.arm.n)]
+    gui.html(_colours([slider for slider, _ in controls]))
+    locks, poses, jog, readout = gui.form(post), gui.form(post), gui.form(post), gui.html()
     names = tuple(dict.fromkeys([*state[RobotPart].robot.poses, "zero"]))
 
     def show(state: State) -> None:
         joints = state[Joints]
-        for i, slider in enumerate(sliders):
+        for i, (slider, typed) in enumerate(controls):
             slider.show(_shown(joints, i, units))
             slider.enable(not joints.locked[i])
+            typed.show(joints)
         if not locks.shows(joints.locked):
             locks.show(row("Hold", [_lock(locks, joints, i, units) for i in range(joints.arm.n)]))
         if not poses.shows():
             taken = [poses.chip(name, name.capitalize(), TakePose(name)) for name in names]
             poses.show(row("Pose", (taken, poses.chip("random", "Random", RandomPose()))))
+        show_jog(jog, state)
         readout.show(_readout(joints, units))
 
     return show
@@ -78,6 +83,7 @@ def _colours(sliders: list[Control]) -> Markup:
             f"[id='{key}'] .mantine-Slider-bar,[id='{key}'] .mantine-Slider-thumb"
             f"{{background:{colour}!important;border-color:{colour}!important}}"
             f"div:has(>p>label[for='{key}']){{width:4.6em!important}}"
+            f"div:has(>[id='{key}'])>.mantine-NumberInput-root{{visibility:hidden}}"  # `TypedValue` is in its place
         )
     return styles(rules)
 
@@ -131,4 +137,4 @@ def _manipulability(joints: Joints) -> str:
     return f"{number(joints.manipulability, 4)} {unit}".rstrip()
 
 
-PANEL = Panel((Joints,), build)
+PANEL = Panel((Joints, Jog), build)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption
 from armlab.benches.motion.plan.moves import TURNINGS, Move, Stretch
@@ -14,11 +14,35 @@ from armlab.session.chosen import Chosen
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.form import Form, Typed
-from armlab.ui.html import Markup, joined, tag
+from armlab.ui.format import capitalised
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.option_form import Scale, option_form
 from armlab.ui.units import units_of
 
 SPACES = {"joint": "Joint", "cartesian": "Cartesian"}
+
+
+class Industrial(NamedTuple):
+    """Two names of a move in the languages of industrial robots, and a sentence on it."""
+
+    name: str
+    other: str
+    says: str
+
+
+INDUSTRIAL = {
+    ("joint", "line"): Industrial(
+        "Move J", "PTP", "point to point: every joint goes straight from one value to the other, the tool as it comes"
+    ),
+    ("cartesian", "line"): Industrial("Move L", "LIN", "the tool goes along a straight line, and the joints follow it"),
+    ("cartesian", "circle"): Industrial("Move C", "CIRC", "the tool goes along an arc through three waypoints"),
+}
+"""These names, by the space and the path of a move; other moves have none that is common."""
+
+
+def industrial(move: Move) -> Industrial | None:
+    """Return the names of a move in the languages of industrial robots, if it has some."""
+    return INDUSTRIAL.get((move.space, move.path.key))
 
 
 def move_markup(form: Form, state: State) -> Markup | None:
@@ -41,6 +65,7 @@ def move_markup(form: Form, state: State) -> Markup | None:
     laws = {key: kind.title for key, kind in law_types().items()}
     return joined(
         tag("h3", f"Move {stretch.title}", tag("span.copies", like)),
+        _named(form, k, move),
         tag("div.bar", spaces, _stop(form, part, stretch)),
         _choice(form, "path", "Path", paths, move.path.key, lambda path: SetMove(k, path=path)),
         _form(form, k, "path", move.kind.fields, move.path, state),
@@ -50,6 +75,23 @@ def move_markup(form: Form, state: State) -> Markup | None:
         _form(form, k, "law", law_types()[move.law.key].fields, move.law, state),
         _bounds(state, stretch),
     )
+
+
+def _named(form: Form, k: int, move: Move) -> Inside:
+    """Return the moves that have names of their own, to be chosen by these, and what the chosen one is."""
+    here = industrial(move)
+    chips = [
+        form.chip(
+            f"named-{space}-{path}",
+            f"{each.name} ({each.other})",
+            SetMove(k, space=space, path=path),
+            capitalised(each.says),
+            each is here,
+        )
+        for (space, path), each in INDUSTRIAL.items()
+    ]
+    says = tag("p.dim", f"{here.name}, or {here.other}: {here.says}.") if here is not None else None
+    return tag("div.bar", chips), says
 
 
 def _choice(form: Form, cell: str, title: str, texts: dict[str, str], chosen: str, action: Typed) -> Markup:

@@ -8,6 +8,7 @@ from armlab.benches.motion.files.commands import BackToWaypoints, MakeWaypoints
 from armlab.benches.motion.plan.paths import shortfall
 from armlab.benches.motion.plan.points import (
     AddWaypoint,
+    CopyWaypoint,
     GoToWaypoint,
     RemoveWaypoint,
     SelectWaypoint,
@@ -18,6 +19,7 @@ from armlab.benches.motion.plan.points import (
 )
 from armlab.benches.motion.plan.question import Recorded
 from armlab.benches.motion.plan.state import Plan
+from armlab.benches.motion.plan.ui.move import industrial
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
@@ -65,6 +67,7 @@ def _row(form: Form, state: State, k: int) -> Markup:
     tools = (
         form.chip(f"up-{k}", "↑", ShiftWaypoint(k, -1), f"Exchange {name} with the one before", off=k == 0),
         form.chip(f"down-{k}", "↓", ShiftWaypoint(k, 1), f"Exchange {name} with the next", off=last),
+        form.chip(f"copy-{k}", "Copy", CopyWaypoint(k), f"Put a copy of {name} behind it, to be dragged or shifted"),
         form.chip(f"remove-{k}", "✕", RemoveWaypoint(k), f"Remove {name}", off=len(part.waypoints) == 1),
     )
     hint = f"Show {name}, and drag it in the scene"
@@ -87,7 +90,9 @@ def _move_line(part: Plan, k: int) -> Markup:
     move = stretch.move
     goes_on = "" if k - 1 == stretch.first else "… "
     stop = " · stop" if part.moves[k - 1].stop else ""
-    return tag("div.mo-move", f"↓ {goes_on}{SPACES[move.space]}: {lowered(move.kind.title)}{stop}")
+    named = industrial(move)
+    name = f" · {named.name}" if named is not None else ""
+    return tag("div.mo-move", f"↓ {goes_on}{SPACES[move.space]}: {lowered(move.kind.title)}{name}{stop}")
 
 
 def _selected(form: Form, state: State) -> Markup:

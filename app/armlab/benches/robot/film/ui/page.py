@@ -32,6 +32,7 @@ from armlab.ui.format import mathml, matrix, number
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import row
 from armlab.ui.matrices import copy_buttons
+from armlab.ui.playing import SPACE
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import NAMES, Units, units_of
 from armlab.ui.widgets import Gui
@@ -70,7 +71,9 @@ def _to_move(arm: Arm, row: int, move: int) -> Seek:
 
 
 def _invitation(form: Form) -> Inside:
-    return tag("p.dim", INTRODUCTION), form.button("show", "▶ Show the film", OpenClip(CLIP.key), "main")
+    hint = "Space shows it, and plays it then"
+    show = form.button("show", "▶ Show the film", OpenClip(CLIP.key), "main", hint, data_key=SPACE)
+    return tag("p.dim", INTRODUCTION), show
 
 
 # -- the row ---------------------------------------------------------------------------------------------------------

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from armlab.kin import ik
+from armlab.session.asked import ASKED, FAVOURS, MORE, asks_of, can_favour
 from armlab.session.fields import Set
+from armlab.session.parts.jog import Jog
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import (
+    AskFor,
     GoAnotherWay,
     PlaceTarget,
     Target,
     TargetToTool,
+    aimed_arm,
     target_pose,
     verdict,
 )
@@ -17,6 +21,8 @@ from armlab.session.state import Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised
 from armlab.ui.html import Inside, tag
+from armlab.ui.jog import show_jog
+from armlab.ui.markup import row
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.pose_fields import pose_form, product
 from armlab.ui.units import Units, units_of
@@ -29,7 +35,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     units, task = units_of(state), state[Joints].arm.task
     gui.heading("Target of the tool")
     form = gui.form(post)
-    handles = None
+    wish, handles = gui.form(post), None
     if task.rotation != "none" and task.position:
         handles = gui.segments(
             "Handle",
@@ -60,26 +66,49 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         "To the nearest other solution inside the limits. All of them are on the page Solutions.",
     )
 
+    jog = gui.form(post)
+
     def show(state: State) -> None:
         form.show(_fields(form, state, units))
+        wish.show(_wish(wish, state))
         if handles is not None:
             handles.show(state[Target].handle)
+            handles.visible(aimed_arm(state).task.rotation != "none")
         axes.show(state[Target].axes)
         method.show(state[Target].method)
         card.show(verdict_card(state.derived(verdict), units))
         away = state[Target].pose is not None and state.derived(verdict).status != "reached"
         if back.visible != away:
             back.visible = away
+        show_jog(jog, state, wide=True)
 
     return show
 
 
+def _wish(form: Form, state: State) -> Inside:
+    """Return the choices of what counts of the target, as far as the arm controls more than a position."""
+    arm, target = state[Joints].arm, state[Target]
+    asks, aimed = asks_of(arm), aimed_arm(state)
+    if len(asks) < 2:
+        return None
+    hint = (
+        "What the arm has to reach: all it controls, the position, or position and approach direction; the rest follows"
+    )
+    counts = form.chips("asks", asks, target.asks, hint, lambda key: AskFor(asks=key))
+    if not can_favour(aimed):
+        return row("What counts", counts, wide=True)
+    hint = f"The error that then counts {MORE:g} times as much as the other; what is in reach is reached all the same"
+    favoured = form.chips("favours", FAVOURS, target.favours, hint, lambda key: AskFor(favours=key))
+    return row("What counts", counts, wide=True), row("Out of reach", favoured, wide=True)
+
+
 def _fields(form: Form, state: State, units: Units) -> Inside:
-    arm = state[Joints].arm
+    arm = aimed_arm(state)
     shown = pose_form(form, arm, target_pose(state), units, PlaceTarget)
     if arm.task.rotation == "none":
-        return shown, tag("p.dim", "This arm controls the position only; its orientation follows.")
+        says = "This arm controls the position only" if arm is state[Joints].arm else capitalised(ASKED["position"])
+        return shown, tag("p.dim", f"{says}; its orientation follows.")
     return shown if arm.task.rotation == "phi" else (shown, product())
 
 
-PANEL = Panel((Joints, Target), build)
+PANEL = Panel((Joints, Target, Jog), build)

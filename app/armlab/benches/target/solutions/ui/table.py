@@ -58,16 +58,21 @@ class Table:
         """
         named = not all(row.name.startswith("solution ") for row in rows)
         short = self._arm.n <= (ACROSS if not named else FEW)
+        stop = next((row for row in rows if row is present), rows[0] if rows else None)
         lines = [
-            self._row(place, row, named, q if row is present else None, row is present, row.slot == chosen)
+            self._row(place, row, named, q if row is present else None, row is present, row.slot == chosen, row is stop)
             for place, row in enumerate(found.rows, start=1)
             if row in rows
         ]
         kind = classes("div.sols", short=short, named=named, wide=self._is_wide(named))
         head = tag("div.sol-head", tag("span.values", self._heads))
-        return tag(kind, head, lines, style=f"--n:{min(self._arm.n, ACROSS)}")
+        style = f"--n:{min(self._arm.n, ACROSS)}"
+        return tag(kind, head, lines, style=style, role="grid", aria_label="Solutions", data_roves="1")
 
-    def _row(self, place: int, row: Row, named: bool, q: Values | None, present: bool, chosen: bool) -> Markup:
+    def _row(
+        self, place: int, row: Row, named: bool, q: Values | None, present: bool, chosen: bool, reached: bool
+    ) -> Markup:
+        """Return a row; only the one that is ``reached`` by the tab key is a stop, from it arrow keys go on."""
         values = [
             tag("span", self._units.text(float(value), joint.revolute))
             for value, joint in zip(row.q if q is None else q, self._arm.rows, strict=True)
@@ -86,12 +91,16 @@ class Table:
             "sol",
             hint,
             label=f"Solution {place}: {row.name}",
+            tabindex="0" if reached else "-1",
+            data_rove="1",
         )
         see = None
         if not present and not self._is_wide(named):
             body = LookAtSolution(row.slot)
             see = self._form.button(f"see{row.slot}", "◉", body, "see", "Draw this one as a body", pressed=chosen)
-        return tag(classes("div.sol-row", now=present, off=not present and not row.within), go, see, data_place=place)
+        kind = classes("div.sol-row", now=present, off=not present and not row.within)
+        cells = [tag("div", each, role="gridcell") for each in (go, see) if each is not None]
+        return tag(kind, cells, data_place=place, role="row", aria_selected=str(present).lower())
 
     def _is_wide(self, named: bool) -> bool:
         """Return whether the values of a row need the whole width of the panel."""

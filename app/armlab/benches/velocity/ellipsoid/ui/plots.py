@@ -28,12 +28,13 @@ from armlab.benches.velocity.ellipsoid.state_sweep import (
 from armlab.benches.velocity.ellipsoid.ui.words import name_of_w, volume_unit
 from armlab.kin.ellipsoid import SingularPlaces
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.timeline import OpenClip, Timeline
+from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Post, State
 from armlab.ui import adapter
 from armlab.ui.colours import BLUE, GREEN, PURPLE, Rgb
 from armlab.ui.format import mathml, number
 from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.playing import play_button
 from armlab.ui.plot import TIME, Curve, Plot
 from armlab.ui.units import Units
 from armlab.ui.widgets import Gui
@@ -44,6 +45,7 @@ REST = 0.3
 """Time without a motion of the other joints after which the curves are drawn again, seconds."""
 
 HEIGHT = 104
+HINT = "Move this joint through its range and back; stops at limits, middle and singularities"
 SMALLEST, INVERSE = r"\sigma_{min}", r"\sigma_{min}/\sigma_1"
 
 
@@ -62,11 +64,7 @@ class Sweeping:
             "The joint that moves while the others stay.",
         )
 
-        self._button = gui.button(
-            "Sweep",
-            lambda: post(OpenClip(CLIP_KEY, play=True)),
-            "Move this joint through its range and back; stops at limits, middle and singularities.",
-        )
+        self._play = gui.form(post)
         self._note = gui.html()
         block = state[Manipulability].block
         unit = volume_unit(block, block.ellipsoid(state[Joints].q).joint_directions.shape[1])
@@ -89,8 +87,7 @@ class Sweeping:
         revolute = bool(joints.arm.revolute[joint])
         factor = self._units.factor(revolute)
         self._joint.show(str(joint))
-        if self._button.disabled != state[Timeline].playing:
-            self._button.disabled = state[Timeline].playing
+        self._play.show(tag("div.bar", play_button(self._play, state, CLIP_KEY, "sweep", "Sweep", hint=HINT)))
         wanted = state.derived(course)
         if self._shown is None or self._shown[:2] != wanted[:2]:
             self._draw(state)
@@ -110,7 +107,7 @@ class Sweeping:
     def _draw(self, state: State) -> None:
         """Draw the curves of a state."""
         self._wait()
-        if adapter.is_removed(self._button):
+        if adapter.is_removed(self._note.handle):
             return
         self._shown = self._wanted = state.derived(course)
         joint, found = state[Sweep].joint, state.derived(curves)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from armlab.session.fields import Set
 from armlab.session.parts.display import Display
@@ -46,16 +47,9 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     gui.buttons("Camera", tuple(PRESETS), gui.camera.look_from, "Drag to orbit, wheel to zoom, right button to pan.")
     gui.heading("Shared computer")
     gui.html(tag("p.dim", "Work is kept for this browser: the next person should start fresh."))
-    gui.button(
-        "Start fresh ...",
-        lambda: gui.confirm(
-            "Start fresh?",
-            "This arm, its pose, all steps of undo and the progress in all lessons are forgotten. This cannot be "
-            "undone. Work to hand in or to go on with elsewhere: save it first, in each lesson under Save my work.",
-            "Yes, start fresh",
-            lambda: post(StartFresh()),
-        ),
-        "For the next person at this computer.",
+    fresh = gui.form(post)
+    fresh.show(
+        fresh.chip("start-fresh", "Start fresh ...", partial(_ask, gui, post), "For the next person at this computer.")
     )
 
     def show(state: State) -> None:
@@ -64,6 +58,17 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             choice.show(getattr(state[Notation], name))
 
     return show
+
+
+def _ask(gui: Gui, post: Post) -> None:
+    """Ask before everything is forgotten."""
+    gui.confirm(
+        "Start fresh?",
+        "This arm, its pose, all steps of undo and the progress in all lessons are forgotten. This cannot be "
+        "undone. Work to hand in or to go on with elsewhere: save it first, in each lesson under Save my work.",
+        "Yes, start fresh",
+        lambda: post(StartFresh()),
+    )
 
 
 def _chooser(name: str, post: Post) -> Callable[[str], None]:

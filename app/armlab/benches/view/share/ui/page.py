@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
+from ipaddress import ip_address
+from urllib.parse import urlsplit
 
 from armlab.content.worksheet import worksheet
 from armlab.session.parts.joints import Joints
@@ -29,6 +31,11 @@ TRAVELS = (
     "progress in lessons stay here. Who opens it keeps their own work."
 )
 
+HERE = (
+    "Only this computer can open this link: a phone would look for the lab in itself. Start the lab with "
+    "--host 0.0.0.0, and make the link at the address it then prints."
+)
+
 TABLE = (RobotPart, Joints, Target)
 """Parts of the state whose change makes a link out of date."""
 
@@ -46,7 +53,18 @@ class Link:
         old = any(present[kind] is not self.state[kind] for kind in TABLE)
         about = f"{len(self.address)} characters." + (" It holds the arm as it was before." if old else "")
         line = tag("input.field", readonly=True, aria_label="Link", value=self.address)
-        return line, tag("p.dim", about), tag("div.qr", code) if code else tag("p.dim", "Too long for a QR code.")
+        here = tag("p.warn", f"◐ {HERE}") if is_loopback(self.address) else None
+        shown = tag("div.qr", code) if code else tag("p.dim", "Too long for a QR code.")
+        return line, tag("p.dim", about), here, shown
+
+
+def is_loopback(address: str) -> bool:
+    """Return whether an address means the computer on which it is opened, such as ``http://127.0.0.1:8080/``."""
+    host = urlsplit(address).hostname or ""
+    try:
+        return ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost" or host.endswith(".localhost")
 
 
 class SharePage:
