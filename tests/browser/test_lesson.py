@@ -166,7 +166,7 @@ def test_a_lesson_is_chosen_in_the_bench_and_its_dock_lets_a_typed_answer_be(vis
     lab.ready()
     lab.until(lambda: shown(lab, "1 of 3"))
     assert scene(lab)[0] > 270
-    assert lab.page.locator('[role=tab][title="Joints"]').get_attribute("aria-selected") == "true"
+    assert lab.tab("Joints").get_attribute("aria-selected") == "true"
     lab.press("lesson-step-2")
     field = lab.page.locator('input[data-cell="lesson-answer"]')
     lab.type_into("lesson-answer", "0.8")

@@ -1,13 +1,13 @@
-"""The page One variable of the lab."""
+"""The page Newton in 1D of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "newton_1d",
-    "One variable",
+    "Newton in 1D",
     "MATH_FUNCTION",
     34,
     tab="iterations",
-    about=("S4.4.1-newton-scalar", "Newton-Raphson", "tangent", "root of an equation"),
+    about=("S4.4.1-newton-scalar", "Newton-Raphson", "tangent", "root of an equation", "one variable"),
 )

@@ -1,13 +1,13 @@
-"""The page Film of the lab."""
+"""The page DH film of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "film",
-    "Film",
+    "DH film",
     "MOVIE",
     12,
     tab="robot",
-    about=("S4.1-dh", "(4.10-4.14)", "animation of a row", "four factors", "step by step"),
+    about=("S4.1-dh", "(4.10-4.14)", "animation of a row", "four factors", "step by step", "film"),
 )

@@ -1,13 +1,13 @@
-"""The page Trainer of the lab."""
+"""The page Assign frames of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "trainer",
-    "Trainer",
+    "Assign frames",
     "PENCIL",
     14,
     tab="robot",
-    about=("S4.1-common-normal", "S4.1-dh", "S4.1-dh-caveats", "assign frames", "practise the DH rules", "exercise"),
+    about=("S4.1-common-normal", "S4.1-dh", "S4.1-dh-caveats", "assign frames", "practise the DH rules", "exercise", "trainer"),
 )

@@ -1,11 +1,11 @@
-"""The page Solve of the lab."""
+"""The page Inverse velocity of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "solve",
-    "Solve",
+    "Inverse velocity",
     "EQUAL",
     36,
     tab="velocity",
@@ -32,5 +32,6 @@ PAGE = Page(
         "singular configuration",
         "self-motion of a redundant arm",
         "minimum norm",
+        "solve for joint speeds",
     ),
 )

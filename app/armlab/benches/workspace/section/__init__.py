@@ -1,11 +1,11 @@
-"""The page Section of the lab."""
+"""The page Cross-section of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "section",
-    "Section",
+    "Cross-section",
     "CUT",
     37,
     tab="workspace",
