@@ -272,7 +272,7 @@ class LabPage:
         """Open a tab, or the page that has this key, this title, or this name among the pages of its tab."""
         known = pages()
         page = known.get(name) or next((each for each in known.values() if name in (each.title, each.name)), None)
-        assert page is not None, f"no page is called {name!r}; there are {sorted(each.title for each in known.values())}"
+        assert page is not None, f"no page is called {name!r}; there are {[each.title for each in known.values()]}"
         self.tab(known[page.tab or page.key].title).click()
         self.rest()
         if page.tab or (page.page and name != page.title):

@@ -45,8 +45,8 @@ PANEL_INTERVAL = 0.125
 
 
 DOCK_WIDTH = 345
-"""Width of the dock without the rail of its tabs, pixels. It leaves the scene 71 % of a window of 1400, 60 % of 1024, and
-58 % of a tablet's 820, where there is no rail."""
+"""Width of the dock without the rail of its tabs, pixels. It leaves the scene 71 % of a window of 1400, 60 % of 1024,
+and 58 % of a tablet's 820, where there is no rail."""
 
 SETTLED = 0.6
 """Time after which a move made by the lab has ended, seconds."""
@@ -131,7 +131,9 @@ class View:
         self._post(command)
 
     def _dock(self) -> Iterator[None]:
-        inside = {first.title: "\n".join(page.name for page in (first, *more)) for first, *more in tabs().values() if more}
+        inside = {
+            first.title: "\n".join(page.name for page in (first, *more)) for first, *more in tabs().values() if more
+        }
         self._gui().html(tag("i", id="al-pages", hidden=True, data_pages=json.dumps(inside)))
         dock = self.client.gui.add_panel()
         for key, of_tab in tabs().items():

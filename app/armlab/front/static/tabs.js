@@ -6,7 +6,8 @@
   // A tab says its name at once; viser's own hint would say it once more, a second later. The lab tells what is in it.
   let inside = null;
   const name = tab => {
-    if (tab.title) tab.dataset.name = tab.title;
+    const said = tab.title || (tab.matches('.mantine-Tabs-tab') ? tab.textContent : ''); // viser's tabs on a telephone
+    if (said) tab.dataset.name = said;
     tab.removeAttribute('title');
     inside ??= JSON.parse(document.getElementById('al-pages')?.dataset.pages ?? 'null');
     const pages = inside?.[tab.dataset.name];
@@ -21,7 +22,7 @@
   };
 
   const see = records => {
-    for (const tab of document.querySelectorAll('[data-dock-tab]')) name(tab);
+    for (const tab of document.querySelectorAll('[data-dock-tab], .mantine-Tabs-tab')) name(tab);
     lay();
     for (const { type, target } of records) {
       // In a low window the open tab is brought into view.

@@ -3,5 +3,12 @@
 from armlab.page import Page
 
 PAGE = Page(
-    __name__, "picture", "View", "EYE", 60, page="Display", about=("camera", "theme", "labels", "units", "overlays"), always=True
+    __name__,
+    "picture",
+    "View",
+    "EYE",
+    60,
+    page="Display",
+    about=("camera", "theme", "labels", "units", "overlays"),
+    always=True,
 )
