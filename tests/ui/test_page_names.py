@@ -17,68 +17,23 @@ LONGEST_TAB = 9
 """Letters of the name of a tab, as many as the rail is wide."""
 
 KEYS = set(
-    [
-        "lessons",
-        "author",
-        "robot",
-        "table",
-        "film",
-        "normal",
-        "trainer",
-        "joints",
-        "pose",
-        "orientation",
-        "formulas",
-        "target",
-        "solutions",
-        "by_hand",
-        "iterations",
-        "newton_1d",
-        "basins",
-        "velocity",
-        "turning",
-        "solve",
-        "pictures",
-        "ellipsoid",
-        "statics",
-        "microscope",
-        "workspace",
-        "section",
-        "dexterous",
-        "what_if",
-        "motion",
-        "motion_plots",
-        "curves",
-        "laws",
-        "motion_steps",
-        "space_curve",
-        "motion_files",
-        "control",
-        "loop",
-        "exponential",
-        "picture",
-        "share",
-        "help",
-    ]
+    re.findall(
+        r"\w+",
+        """lessons author robot table film normal trainer joints pose orientation formulas target solutions by_hand
+        iterations newton_1d basins velocity turning solve pictures ellipsoid statics microscope workspace section
+        dexterous what_if motion motion_plots curves laws motion_steps space_curve motion_files control loop exponential
+        picture share help""",
+    )
 )
 """Keys that stand in lessons, links and saved work."""
 
-VAGUE = [
-    "Solve",
-    "Turning",
-    "Pictures",
-    "Runs",
-    "Loop",
-    "Steps",
-    "Curves",
-    "Geometry",
-    "Film",
-    "Trainer",
-    "Speeds",
-    "Laws",
-    "Files",
-]
-VAGUE += ["Five steps", "By hand", "What if", "e^At", "One variable"]
+VAGUE = set(
+    re.findall(
+        r"[^,\s][^,\n]+",
+        """Solve, Turning, Pictures, Runs, Loop, Steps, Five steps, Curves, Geometry, By hand, What if, Film, Trainer,
+        Speeds, Laws, Files, e^At, One variable, Microscope, Table""",
+    )
+)
 """Names that told only those who knew it what was inside."""
 
 SAID = re.compile(r"\b([Pp]age|[Tt]ab) \*([^*]+)\*")
