@@ -146,17 +146,24 @@ def test_arrow_keys_go_along_the_tabs_that_are_there_and_pass_over_the_others(vi
         assert lab.page.evaluate("() => document.activeElement.dataset.name") == title
 
 
-def test_tabs_torn_apart_stand_above_their_panels_and_are_the_rail_again_when_they_are_together(visit):
+def test_a_tab_is_torn_off_the_rail_sideways_and_tabs_apart_stand_above_their_panels(visit):
     lab = visit(size=SIZES[0])
     rail = "() => document.documentElement.hasAttribute('data-rail')"
+
+    def drag(to):
+        box = lab.tab("Pose").bounding_box()
+        lab.page.mouse.move(box["x"] + 10, box["y"] + 10)
+        lab.page.mouse.down()
+        for at in ((box["x"] - 200, box["y"] + 200), to):
+            lab.page.mouse.move(*at, steps=8)
+            lab.frames(5)
+        lab.page.mouse.up()
+
     assert lab.page.evaluate(rail)
-    box = lab.tab("Help").bounding_box()
-    lab.page.mouse.move(box["x"] + 20, box["y"] + 20)
-    lab.page.mouse.down()
-    for x, y in ((box["x"] - 60, box["y"]), (1200, 800), (1200, 830), (1200, 835)):
-        lab.page.mouse.move(x, y)
-        lab.frames(3)
-    lab.page.mouse.up()
+    drag((500, 400))  # into the scene
+    lab.until(lambda: lab.page.locator("[data-floating-window] [data-dock-tab]").count() == 1)
+    assert lab.page.evaluate(rail)
+    drag((1200, 840))  # below the other panel
     lab.until(lambda: not lab.page.evaluate(rail))
     lab.finds_none(f"() => ({UNREADABLE})({LEAST})")
 

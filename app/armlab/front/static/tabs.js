@@ -21,7 +21,26 @@
     for (const strip of strips) strip.ariaLabel ??= 'Topics';
   };
 
+  // viser tears a tab off where the hand leaves its strip upwards or downwards. The rail is as high as the window and is
+  // left sideways: then it is out of the window until viser has seen that the hand is no longer on it.
+  const AWAY = 30; // px
+  let held = null;
+  let edge = 0;
+  document.addEventListener('pointerdown', event => {
+    held = event.target.closest?.('[data-dock-region] [data-dock-strip] > [data-dock-tab]') ?? null;
+    edge = held ? held.parentElement.getBoundingClientRect().left - AWAY : 0;
+  }, true);
+  addEventListener('pointermove', event => {
+    if (held && event.clientX < edge) root.setAttribute('data-torn', '');
+  }, true);
+  const letGo = () => {
+    held = null;
+    root.removeAttribute('data-torn');
+  };
+  for (const name of ['pointerup', 'pointercancel']) addEventListener(name, letGo, true);
+
   const see = records => {
+    if (held && !held.isConnected) letGo();
     for (const tab of document.querySelectorAll('[data-dock-tab], .mantine-Tabs-tab')) name(tab);
     lay();
     for (const { type, target } of records) {
