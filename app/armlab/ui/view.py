@@ -43,7 +43,6 @@ log = logging.getLogger(__name__)
 PANEL_INTERVAL = 0.125
 """Time between updates of panels, seconds: the scene follows a drag at once, numbers at a pace that can be read."""
 
-
 DOCK_WIDTH = 345
 """Width of the dock without the rail of its tabs, pixels. It leaves the scene 71 % of a window of 1400, 60 % of 1024,
 and 58 % of a tablet's 820, where there is no rail."""

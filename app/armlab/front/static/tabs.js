@@ -45,7 +45,8 @@
     lay();
     for (const { type, target } of records) {
       // In a low window the open tab is brought into view.
-      if (type === 'attributes' && target.ariaSelected === 'true') target.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+      if (type !== 'attributes' || !target.matches('[data-dock-tab][aria-selected=true]')) continue;
+      target.scrollIntoView({ block: 'nearest', inline: 'nearest' });
     }
   };
   const watch = () => new MutationObserver(see).observe(document.body, {
