@@ -1,11 +1,11 @@
-"""The page Cross-section of the lab."""
+"""The page Section of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "section",
-    "Cross-section",
+    "Section",
     "CUT",
     37,
     tab="workspace",

@@ -1,1 +1,1 @@
-"""The panel of the page Cross-section, and its part of the scene."""
+"""The panel of the page Section, and its part of the scene."""
