@@ -3,6 +3,8 @@
 import pytest
 
 from armlab.session.pages import pages, tabs
+from support.lab import running_lab
+from support.own_lessons import lesson, write
 
 pytestmark = pytest.mark.browser
 
@@ -61,11 +63,15 @@ OPENED = """key => {
   for (const page of strip.children) page.ariaSelected = String(page.dataset.cell === key);
 }"""
 """Marks a page as the open one, as the lab does."""
-HIDE = """title => {
-  const element = document.getElementById('al-notes');
-  element.dataset.notes = JSON.stringify({ ...JSON.parse(element.dataset.notes), hidden: [title] });
-}"""
-"""Takes a tab away, as a lesson does."""
+
+
+@pytest.fixture(scope="module")
+def url(tmp_path_factory):
+    """A lab with a lesson that takes a tab away."""
+    front = 'robot = "planar_2r"\npanel = "joints"\nhidden = ["pose", "orientation", "formulas"]\n'
+    folder = write(tmp_path_factory.mktemp("lessons"), posed=lesson(front=front))
+    with running_lab(tmp_path_factory.mktemp("state"), lessons=folder) as address:
+        yield address
 
 
 def test_every_tab_can_be_read_and_hit_without_a_pointer_over_it(visit):
@@ -138,8 +144,7 @@ def test_a_screen_reader_hears_each_tab_and_page_by_its_name(visit):
 
 
 def test_arrow_keys_go_along_the_tabs_that_are_there_and_pass_over_the_others(visit):
-    lab = visit(size=SIZES[0])
-    lab.page.evaluate(HIDE, "Pose")
+    lab = visit("lesson/posed", size=SIZES[0])
     lab.until(lambda: not lab.tab("Pose").is_visible())
     lab.tab("Joints").focus()
     for key, title in (("ArrowDown", "Target"), ("ArrowUp", "Joints"), ("ArrowLeft", "Robot"), ("End", "Help")):
