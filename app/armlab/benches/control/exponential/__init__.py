@@ -17,6 +17,5 @@ PAGE = Page(
         "eigenvectors",
         "diagonalisation",
         "linear system",
-        "e^At",
     ),
 )

@@ -39,6 +39,5 @@ PAGE = Page(
         "encoder",
         "sampling time",
         "null space",
-        "runs of a controller",
     ),
 )

@@ -37,6 +37,5 @@ PAGE = Page(
         "virtual knots",
         "knots",
         "minimum time",
-        "curves of a joint",
     ),
 )

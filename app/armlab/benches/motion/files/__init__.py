@@ -19,6 +19,5 @@ PAGE = Page(
         "recording",
         "samples of a motion",
         "MATLAB",
-        "files of a motion",
     ),
 )

@@ -38,6 +38,5 @@ PAGE = Page(
         "helix",
         "orientation planning",
         "slerp",
-        "geometry of a path",
     ),
 )

@@ -9,13 +9,5 @@ PAGE = Page(
     "PENCIL",
     14,
     tab="robot",
-    about=(
-        "S4.1-common-normal",
-        "S4.1-dh",
-        "S4.1-dh-caveats",
-        "assign frames",
-        "practise the DH rules",
-        "exercise",
-        "trainer",
-    ),
+    about=("S4.1-common-normal", "S4.1-dh", "S4.1-dh-caveats", "assign frames", "practise the DH rules", "exercise"),
 )

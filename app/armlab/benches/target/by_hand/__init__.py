@@ -19,6 +19,5 @@ PAGE = Page(
         "derivation",
         "law of cosines",
         "Pieper",
-        "by hand",
     ),
 )

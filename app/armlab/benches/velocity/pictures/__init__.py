@@ -19,6 +19,5 @@ PAGE = Page(
         "torus",
         "two lines",
         "configuration space",
-        "pictures of two joints",
     ),
 )

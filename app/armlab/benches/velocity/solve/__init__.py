@@ -32,6 +32,5 @@ PAGE = Page(
         "singular configuration",
         "self-motion of a redundant arm",
         "minimum norm",
-        "solve for joint speeds",
     ),
 )

@@ -24,6 +24,5 @@ PAGE = Page(
         "Euler angles",
         "infinitesimal rotations",
         "gimbal lock",
-        "turning",
     ),
 )
