@@ -1,4 +1,4 @@
-"""The pages Solutions and Closed-form IK, and the ghosts, through the protocol a page speaks."""
+"""The pages Solutions and By hand, and the ghosts, through the protocol a page speaks."""
 
 import asyncio
 import math
