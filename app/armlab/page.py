@@ -39,6 +39,11 @@ class Page:
     always: bool = False
 
     @property
+    def name(self) -> str:
+        """What it is called among the pages of its tab."""
+        return self.page or self.title
+
+    @property
     def scope(self) -> str:
         """The class under which the stylesheets of its tab hold: ``b-`` and the name of the tab's folder."""
         return f"b-{self.package.split('.')[-2]}"

@@ -141,7 +141,7 @@ async def main(url):
     before = browser.counts["SetOrientationMessage"]
     await browser.set_value(browser.slider(1), 20.0)
     await browser.until(lambda: browser.counts["SetOrientationMessage"] > before)
-    assert not any(title in browser.html() for title in ("Basins", "Workspace"))
+    assert not any(title in browser.html() for title in ("Convergence map", "Workspace"))
     await browser.close()
 
 with running_lab() as url:

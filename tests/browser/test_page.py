@@ -158,13 +158,13 @@ def test_letters_are_commands_on_the_page_and_text_in_a_field(visit):
     field.click()
     lab.page.keyboard.type("h")
     assert "h" in field.input_value()
-    assert lab.page.locator('[role=tab][title="Help"]').get_attribute("aria-selected") == "false"
+    assert lab.tab("Help").get_attribute("aria-selected") == "false"
     field.fill("600")
     field.press("Enter")
     lab.rest()
     lab.page.keyboard.press("h")
     lab.rest()
-    assert lab.page.locator('[role=tab][title="Help"]').get_attribute("aria-selected") == "true"
+    assert lab.tab("Help").get_attribute("aria-selected") == "true"
 
 
 def test_the_cursor_goes_on_to_the_next_field(visit):

@@ -75,7 +75,7 @@ def test_an_exercise_wrongly_then_rightly(visit):
 
     lab.page.reload()
     lab.ready()
-    assert lab.page.locator('[role=tab][aria-selected=true][title="Robot"]').count() == 1
+    assert lab.tab("Robot").get_attribute("aria-selected") == "true"
     assert lab.page.locator("td.no").count() == 2
     lab.type_into("trainer-cell-1-a", "1000")
     lab.type_into("trainer-cell-1-alpha", "0")

@@ -1,4 +1,4 @@
-"""What if, in a real browser: a slider, both workspaces in the scene, what is said, and taking it over."""
+"""Compare designs, in a real browser: a slider, both workspaces in the scene, what is said, and taking it over."""
 
 import pytest
 
@@ -36,7 +36,7 @@ def drag_value(lab, fraction):
 
 def test_a_longer_link_is_previewed_compared_and_taken_over(visit):
     lab = visit("robot/elbow_3r")
-    lab.open_tab("What if")
+    lab.open_tab("Compare designs")
     lab.page.locator(".wi-section").wait_for()
     lab.until(lambda: points(lab, "kept") > 1000)
     drag_value(lab, 0.75)

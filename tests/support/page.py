@@ -11,7 +11,7 @@ from weakref import WeakSet
 
 import numpy as np
 from PIL import Image
-from playwright.sync_api import Browser, BrowserContext, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Locator, sync_playwright
 
 from armlab.session.pages import pages
 from support.at_rest import Traffic, told
@@ -264,13 +264,18 @@ class LabPage:
 
     # -- the panels ----------------------------------------------------------------------------------------------
 
-    def open_tab(self, title: str) -> None:
-        """Open a tab, or the page of a tab that has this title."""
-        page = next((panel for panel in pages().values() if panel.title == title and panel.tab), None)
-        tab = title if page is None else pages()[page.tab].title
-        self.page.locator(f'[role=tab][title="{tab}"]').click()
+    def tab(self, title: str) -> Locator:
+        """Return a tab of the dock."""
+        return self.page.locator(f'[data-dock-tab][data-name="{title}"]')
+
+    def open_tab(self, name: str) -> None:
+        """Open a tab, or the page that has this key, this title, or this name among the pages of its tab."""
+        known = pages()
+        page = known.get(name) or next((each for each in known.values() if name in (each.title, each.name)), None)
+        assert page is not None, f"no page is called {name!r}; there are {[each.title for each in known.values()]}"
+        self.tab(known[page.tab or page.key].title).click()
         self.rest()
-        if page is not None:
+        if page.tab or (page.page and name != page.title):
             self.press(page.key)
 
     def slider_track(self, joint: int) -> str:

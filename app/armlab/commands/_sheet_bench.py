@@ -26,7 +26,7 @@ def bench_words(action: BenchWord) -> str:
         return action.word
     page = constant_of(pages_with_words()[action.word.rpartition(".")[0]], "PAGE", Page)
     label = known.label or re.split("[:.;,]", known.says)[0].lower()
-    return f"on the page {page.page or page.title}: {label}{_given(action.given)}"
+    return f"on the page {page.name}: {label}{_given(action.given)}"
 
 
 def facts_asked(check: Check) -> Iterator[str]:

@@ -33,7 +33,7 @@ def _page(page: str) -> Iterator[str]:
     if not commands and facts is None:
         return
     about = constant_of(pages_with_words()[page], "PAGE", Page)
-    yield from (f"### `{page}`", "", f'The page *{about.page or about.title}*, `panel = "{about.key}"`.', "")
+    yield from (f"### `{page}`", "", f'The page *{about.name}*, `panel = "{about.key}"`.', "")
     if commands:
         yield from ("| command | arguments | what it does |", "|---|---|---|")
         yield from map(_command, commands.values())

@@ -36,3 +36,9 @@ def tabs() -> dict[str, tuple[Page, ...]]:
 def tab_of(page: str) -> str:
     """Return the key of the tab in which a page lies."""
     return pages()[page].tab or page
+
+
+def place_of(page: str) -> str:
+    """Return where a page is found: the title of its tab and, if there are several in it, the name of the page."""
+    tab = tabs()[tab_of(page)]
+    return f"{tab[0].title} › {pages()[page].name}" if len(tab) > 1 else tab[0].title

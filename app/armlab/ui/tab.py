@@ -51,6 +51,7 @@ class Tab:
         page_of: Callable[[State], str],
     ) -> None:
         self.pages = {page.key: page for page in pages}
+        self._name = f"Pages of {pages[0].title}"
         self._container, self._gui, self._post = container, make_gui(), post
         self._gui.again = self._show_again
         self._head: Form | None = None
@@ -74,16 +75,17 @@ class Tab:
         pages = [
             self._head.button(
                 key,
-                page.page or page.title,
+                page.name,
                 OpenPanel(key, self._window),
                 "page",
                 role="tab",
                 aria_selected=str(key == stands).lower(),
+                data_name=page.name,
             )
             for key, page in self.pages.items()
             if key not in hidden
         ]
-        self._head.show(tag("div.pages", pages, role="tablist"))
+        self._head.show(tag("div.pages", pages, role="tablist", aria_label=self._name))
 
     def show(self, state: State, again: bool = False) -> None:
         """Show a state on the present page of the tab.
@@ -145,8 +147,8 @@ class Tab:
             log.exception("panel %s failed", self._built)
         self._show = None
         self._gui.clear()
-        title = self.pages[self._built].title
-        self._gui.html(verdict_box("no", f"{title} has failed", "The rest works on."))
+        name = self.pages[self._built].name
+        self._gui.html(verdict_box("no", f"{name} has failed", "The rest works on."))
         return None
 
 

@@ -1,4 +1,4 @@
-"""The page "What if" through the protocol and as markup."""
+"""The page "Compare designs" through the protocol and as markup."""
 
 import math
 import re

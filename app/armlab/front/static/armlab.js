@@ -241,7 +241,7 @@
   // What the lab asks of the page: the address of the arm in use, and which tab to bring to the front.
   let asked = '';
   let wanted = '';
-  const tabCalled = title => [...document.querySelectorAll('[role=tab]')].find(tab => tab.title === title);
+  const tabCalled = name => document.querySelector(`:is([data-dock-tab], .mantine-Tabs-tab)[data-name="${CSS.escape(name)}"]`);
   // A page begins with the first tab, which nobody has asked for. Until the one the lab wants is open, or time is over,
   // the lab hears of none, or it would build the first one, and read all lessons for it.
   const OPENING = 3000; // ms
@@ -255,8 +255,8 @@
     if (!element) return;
     const notes = JSON.parse(element.dataset.notes);
     if (location.pathname !== notes.path) replace(null, '', notes.path + location.search);
-    for (const tab of document.querySelectorAll('[role=tab][title]')) {
-      tab.toggleAttribute('data-off', notes.hidden.includes(tab.title));
+    for (const tab of document.querySelectorAll(':is([data-dock-tab], .mantine-Tabs-tab)[data-name]')) {
+      tab.toggleAttribute('data-off', notes.hidden.includes(tab.dataset.name));
     }
     if (notes.asked !== asked) {
       asked = notes.asked;
@@ -266,8 +266,9 @@
     const tab = wanted && tabCalled(wanted);
     if (tab) {
       wanted = '';
-      // A tab answers to the keyboard and to a whole press, not to a bare click.
-      tab.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }));
+      // A tab of the dock answers to the keyboard and to a whole press, not to a bare click.
+      if (tab.matches('button')) tab.click();
+      else tab.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }));
     }
   };
 

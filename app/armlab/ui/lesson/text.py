@@ -11,7 +11,7 @@ from armlab.content.fact_words import said
 from armlab.content.lesson import Lesson
 from armlab.content.live import NONE, all_live_values
 from armlab.content.markdown import IN_METRES
-from armlab.session.pages import pages
+from armlab.session.pages import pages, place_of
 from armlab.session.parts.lesson import LessonPart, observed
 from armlab.session.parts.timeline import clips
 from armlab.session.state import State
@@ -32,9 +32,9 @@ def words_of(state: State) -> Words:
 
 @cache
 def _titles() -> dict[str, str]:
-    """Return the titles of films, panels and switches; if a name is shared the last one counts."""
+    """Return the titles of films and switches, and where panels are found; if a name is shared the last one counts."""
     films = {key: clip.title for key, clip in clips().items()}
-    named = {key: panel.title for key, panel in pages().items()}
+    named = {key: place_of(key) for key in pages()}
     return films | named | {switch.name: switch.title for switch in switches()}
 
 

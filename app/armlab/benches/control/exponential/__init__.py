@@ -1,11 +1,11 @@
-"""The page e^At of the lab."""
+"""The page Matrix exponential of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "exponential",
-    "e^At",
+    "Matrix exponential",
     "SUPERSCRIPT",
     47,
     tab="control",

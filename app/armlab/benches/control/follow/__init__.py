@@ -1,4 +1,4 @@
-"""The page Runs of the lab."""
+"""The page Tracking of the lab."""
 
 from armlab.page import Page
 
@@ -8,7 +8,7 @@ PAGE = Page(
     "Control",
     "STEERING_WHEEL",
     45,
-    page="Runs",
+    page="Tracking",
     about=(
         "S5.2-inverse",
         "S5.2-incremental",

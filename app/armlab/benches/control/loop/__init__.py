@@ -1,11 +1,11 @@
-"""The page Loop of the lab."""
+"""The page Velocity loop of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "loop",
-    "Loop",
+    "Velocity loop",
     "REFRESH",
     46,
     tab="control",

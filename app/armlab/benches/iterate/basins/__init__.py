@@ -1,11 +1,11 @@
-"""The page Basins of the lab."""
+"""The page Convergence map of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "basins",
-    "Basins",
+    "Convergence map",
     "MAP",
     38,
     tab="iterations",

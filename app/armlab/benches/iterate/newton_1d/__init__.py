@@ -1,11 +1,11 @@
-"""The page One variable of the lab."""
+"""The page Newton in 1D of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "newton_1d",
-    "One variable",
+    "Newton in 1D",
     "MATH_FUNCTION",
     34,
     tab="iterations",

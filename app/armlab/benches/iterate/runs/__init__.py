@@ -1,4 +1,4 @@
-"""The page Steps of the lab."""
+"""The page Numerical IK of the lab."""
 
 from armlab.page import Page
 
@@ -8,7 +8,7 @@ PAGE = Page(
     "Iterate",
     "STAIRS_UP",
     33,
-    page="Steps",
+    page="Numerical IK",
     about=(
         "S4.4.1-newton-ik",
         "S4.4.1-newton-redundant",

@@ -1,11 +1,11 @@
-"""The page Curves of the lab."""
+"""The page Interpolation of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "curves",
-    "Curves",
+    "Interpolation",
     "CHART_LINE",
     41,
     tab="motion",

@@ -1,11 +1,11 @@
-"""The page Files of the lab."""
+"""The page Import & export of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "motion_files",
-    "Files",
+    "Import & export",
     "FILE_EXPORT",
     45,
     tab="motion",

@@ -1,11 +1,11 @@
-"""The page Laws of the lab."""
+"""The page Timing laws of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "laws",
-    "Laws",
+    "Timing laws",
     "WAVE_SINE",
     42,
     tab="motion",

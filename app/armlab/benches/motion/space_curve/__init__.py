@@ -1,11 +1,11 @@
-"""The page Geometry of the lab."""
+"""The page Path geometry of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "space_curve",
-    "Geometry",
+    "Path geometry",
     "VECTOR_BEZIER_2",
     44,
     tab="motion",

@@ -1,11 +1,11 @@
-"""The page Five steps of the lab."""
+"""The page Planning steps of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "motion_steps",
-    "Five steps",
+    "Planning steps",
     "STAIRS",
     43,
     tab="motion",

@@ -1,11 +1,11 @@
-"""The page Formulas of the lab."""
+"""The page FK formulas of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "formulas",
-    "Formulas",
+    "FK formulas",
     "MATH_FUNCTION",
     27,
     tab="pose",

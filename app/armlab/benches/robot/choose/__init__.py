@@ -1,4 +1,4 @@
-"""The page Robot of the lab."""
+"""The page Arms of the lab."""
 
 from armlab.page import Page
 
@@ -8,5 +8,6 @@ PAGE = Page(
     "Robot",
     "ROBOT",
     10,
+    page="Arms",
     about=("R", "S1.1-joint-types", "S1.1-r4-robot", "S1.7-history", "catalogue of arms", "choose an arm"),
 )

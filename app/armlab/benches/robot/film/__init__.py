@@ -1,11 +1,11 @@
-"""The page Film of the lab."""
+"""The page DH film of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "film",
-    "Film",
+    "DH film",
     "MOVIE",
     12,
     tab="robot",

@@ -1,11 +1,11 @@
-"""The page Table of the lab."""
+"""The page DH table of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "table",
-    "Table",
+    "DH table",
     "TABLE",
     11,
     tab="robot",

@@ -1,11 +1,11 @@
-"""The page Trainer of the lab."""
+"""The page Assign frames of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "trainer",
-    "Trainer",
+    "Assign frames",
     "PENCIL",
     14,
     tab="robot",

@@ -1,11 +1,11 @@
-"""The page By hand of the lab."""
+"""The page Closed-form IK of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "by_hand",
-    "By hand",
+    "Closed-form IK",
     "TARGET_ARROW",
     32,
     tab="target",

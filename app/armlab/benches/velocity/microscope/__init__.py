@@ -1,15 +1,14 @@
-"""The page Microscope of the lab."""
+"""The page Singularities of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "microscope",
-    "Microscope",
+    "Singularities",
     "ZOOM_IN",
     40,
     tab="velocity",
-    page="Microscope",
     about=(
         "S5.2.1-dls",
         "S5.1.4-singularity",

@@ -1,11 +1,11 @@
-"""The page Pictures of the lab."""
+"""The page Joint space of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "pictures",
-    "Pictures",
+    "Joint space",
     "CHART_GRID_DOTS",
     37,
     tab="velocity",

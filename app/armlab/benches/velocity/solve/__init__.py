@@ -1,11 +1,11 @@
-"""The page Solve of the lab."""
+"""The page Inverse velocity of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "solve",
-    "Solve",
+    "Inverse velocity",
     "EQUAL",
     36,
     tab="velocity",

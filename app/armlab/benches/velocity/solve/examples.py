@@ -49,7 +49,7 @@ EXAMPLES: Registry[Example] = Registry(
             "planar_2r",
             (40.0, 55.0),
             (-0.5, 0.0),
-            "det J = sin q₂ is not zero: the two lines of the page Pictures meet in one point.",
+            "det J = sin q₂ is not zero: the two lines of the page Joint space meet in one point.",
         ),
         Example(
             "stretched_30",

@@ -1,4 +1,4 @@
-"""The page Speeds of the lab."""
+"""The page Jacobian of the lab."""
 
 from armlab.page import Page
 
@@ -8,7 +8,7 @@ PAGE = Page(
     "Velocity",
     "GAUGE",
     34,
-    page="Speeds",
+    page="Jacobian",
     about=(
         "S1.2-superposition",
         "S1.2-rigid-velocity",

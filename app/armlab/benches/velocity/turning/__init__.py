@@ -1,11 +1,11 @@
-"""The page Turning of the lab."""
+"""The page Angular velocity of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "turning",
-    "Turning",
+    "Angular velocity",
     "ROTATE_3D",
     35,
     tab="velocity",

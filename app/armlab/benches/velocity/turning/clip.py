@@ -15,7 +15,7 @@ def _stops(state: State) -> tuple[float, ...]:
 
 CLIP = Clip(
     CLIP_KEY,
-    "Turning",
+    "Angular velocity",
     lambda state: DURATION[state[Turning].shown],
     _stops,
     lambda state, time: state,

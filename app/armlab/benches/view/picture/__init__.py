@@ -1,7 +1,14 @@
-"""The page View of the lab."""
+"""The page Display of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
-    __name__, "picture", "View", "EYE", 60, about=("camera", "theme", "labels", "units", "overlays"), always=True
+    __name__,
+    "picture",
+    "View",
+    "EYE",
+    60,
+    page="Display",
+    about=("camera", "theme", "labels", "units", "overlays"),
+    always=True,
 )

@@ -1,4 +1,4 @@
-"""The page Reach of the lab."""
+"""The page Reachable of the lab."""
 
 from armlab.page import Page
 
@@ -8,7 +8,7 @@ PAGE = Page(
     "Workspace",
     "CHART_DOTS_3",
     36,
-    page="Reach",
+    page="Reachable",
     about=(
         "S4.2-ws1",
         "4.2",

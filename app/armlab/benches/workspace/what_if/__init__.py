@@ -1,11 +1,11 @@
-"""The page What if of the lab."""
+"""The page Compare designs of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "what_if",
-    "What if",
+    "Compare designs",
     "ARROWS_DIFF",
     38,
     tab="workspace",

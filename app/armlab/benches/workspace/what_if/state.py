@@ -1,4 +1,4 @@
-"""The page What if: supposed changes of the arm, and their effect on the workspace."""
+"""The page Compare designs: supposed changes of the arm, and their effect on the workspace."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The panel of the page e^At, and its part of the scene."""
+"""The panel of the page Matrix exponential, and its part of the scene."""

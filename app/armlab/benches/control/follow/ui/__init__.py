@@ -1,1 +1,1 @@
-"""The panel of the page Runs, and its part of the scene."""
+"""The panel of the page Tracking, and its part of the scene."""

@@ -1,1 +1,1 @@
-"""The panel of the page Loop, and its part of the scene."""
+"""The panel of the page Velocity loop, and its part of the scene."""

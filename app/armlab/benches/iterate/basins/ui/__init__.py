@@ -1,1 +1,1 @@
-"""The panel of the page Basins, and its part of the scene."""
+"""The panel of the page Convergence map, and its part of the scene."""

@@ -1,1 +1,1 @@
-"""The panel of the page One variable, and its part of the scene."""
+"""The panel of the page Newton in 1D, and its part of the scene."""

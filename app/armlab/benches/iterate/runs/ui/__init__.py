@@ -1,1 +1,1 @@
-"""The panel of the page Steps, and its part of the scene."""
+"""The panel of the page Numerical IK, and its part of the scene."""

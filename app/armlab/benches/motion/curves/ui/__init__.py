@@ -1,1 +1,1 @@
-"""The panel of the page Curves."""
+"""The panel of the page Interpolation."""

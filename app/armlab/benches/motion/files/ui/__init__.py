@@ -1,1 +1,1 @@
-"""The panel of the page Files."""
+"""The panel of the page Import & export."""

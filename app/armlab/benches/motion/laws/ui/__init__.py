@@ -1,1 +1,1 @@
-"""The panel of the page Laws."""
+"""The panel of the page Timing laws."""

@@ -31,7 +31,7 @@ from armlab.ui.pose_fields import pose_form
 from armlab.ui.units import Units, units_of
 
 MADE = 12
-"""Number of waypoints that are made here from a motion of a file; the page Files has the choice."""
+"""Number of waypoints that are made here from a motion of a file; the page Import & export has the choice."""
 
 SPACES = {"joint": "joint", "cartesian": "Cartesian"}
 

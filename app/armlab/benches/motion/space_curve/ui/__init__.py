@@ -1,1 +1,1 @@
-"""The panel of the page Geometry, and its part of the scene."""
+"""The panel of the page Path geometry, and its part of the scene."""

@@ -1,1 +1,1 @@
-"""The panel of the page Five steps, and its part of the scene."""
+"""The panel of the page Planning steps, and its part of the scene."""

@@ -1,1 +1,1 @@
-"""The panel of the page Formulas, and its part of the scene."""
+"""The panel of the page FK formulas, and its part of the scene."""

@@ -1,1 +1,1 @@
-"""The panel of the page Robot, and its part of the scene."""
+"""The panel of the page Arms, and its part of the scene."""

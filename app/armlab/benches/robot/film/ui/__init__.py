@@ -1,1 +1,1 @@
-"""The panel of the page Film, and its part of the scene."""
+"""The panel of the page DH film, and its part of the scene."""

@@ -1,1 +1,1 @@
-"""The panel of the page Table, and its part of the scene."""
+"""The panel of the page DH table, and its part of the scene."""

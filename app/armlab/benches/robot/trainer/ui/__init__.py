@@ -1,1 +1,1 @@
-"""The panel of the page Trainer, and its part of the scene."""
+"""The panel of the page Assign frames, and its part of the scene."""

@@ -1,1 +1,1 @@
-"""The panel of the page By hand, and its part of the scene."""
+"""The panel of the page Closed-form IK, and its part of the scene."""

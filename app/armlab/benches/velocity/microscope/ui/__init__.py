@@ -1,1 +1,1 @@
-"""The panel of the page Microscope, and its part of the scene."""
+"""The panel of the page Singularities, and its part of the scene."""

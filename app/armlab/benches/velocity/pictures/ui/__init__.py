@@ -1,1 +1,1 @@
-"""The panel of the page Pictures, and its part of the scene."""
+"""The panel of the page Joint space, and its part of the scene."""

@@ -24,7 +24,7 @@ from armlab.ui.widgets import Gui
 
 
 class PicturesPage:
-    """The page Pictures."""
+    """The page Joint space."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
         self._units = units_of(state)

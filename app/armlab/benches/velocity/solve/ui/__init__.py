@@ -1,1 +1,1 @@
-"""The panel of the page Solve, and its part of the scene."""
+"""The panel of the page Inverse velocity, and its part of the scene."""

@@ -50,7 +50,7 @@ FOLDS = {"spaces": "Four subspaces", "svd": "U, Σ, V", "penrose": "Penrose cond
 
 
 class SolvePage:
-    """The page Solve."""
+    """The page Inverse velocity."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
         self._units = units_of(state)

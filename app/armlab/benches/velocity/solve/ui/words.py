@@ -1,4 +1,4 @@
-"""The page Solve in words: verdict, joint speeds, subspaces and tests of singularity, as markup."""
+"""The page Inverse velocity in words: verdict, joint speeds, subspaces and tests of singularity, as markup."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The panel of the page Speeds, and its part of the scene."""
+"""The panel of the page Jacobian, and its part of the scene."""

@@ -1,1 +1,1 @@
-"""The panel of the page Turning, and its part of the scene."""
+"""The panel of the page Angular velocity, and its part of the scene."""

@@ -161,7 +161,7 @@ def tool_markup(state: State) -> Markup:
     ]
     wide = found.J.shape[1] > WIDE
     shown = tag("div.scroll.ve-wide" if wide else "div.scroll", matrix(found.J, 2 if wide else 3))
-    return joined(head, shown, pairs(rows), tag("p.dim", "With the joint speeds of “Speeds”. ", RATES))
+    return joined(head, shown, pairs(rows), tag("p.dim", "With the joint speeds of “Jacobian”. ", RATES))
 
 
 def laws_markup(state: State) -> Markup:

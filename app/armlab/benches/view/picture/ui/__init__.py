@@ -1,1 +1,1 @@
-"""The panel of the page View, and its part of the scene."""
+"""The panel of the page Display, and its part of the scene."""

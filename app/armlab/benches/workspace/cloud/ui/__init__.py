@@ -1,1 +1,1 @@
-"""The panel of the page Reach, and its part of the scene."""
+"""The panel of the page Reachable, and its part of the scene."""

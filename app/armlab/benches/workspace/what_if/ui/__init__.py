@@ -1,1 +1,1 @@
-"""The panel of the page What if, and its part of the scene."""
+"""The panel of the page Compare designs, and its part of the scene."""

@@ -1,4 +1,4 @@
-"""The page What if for longer links or wider limits: both workspaces side by side, before the arm is changed."""
+"""The page Compare designs: longer links or wider limits, both workspaces side by side, before the arm is changed."""
 
 from __future__ import annotations
 

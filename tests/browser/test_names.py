@@ -1,0 +1,183 @@
+"""Tabs and pages say their names: read without a pointer, large enough for a finger, and always in their places."""
+
+import pytest
+
+from armlab.session.pages import pages, tabs
+from support.lab import running_lab
+from support.own_lessons import lesson, write
+
+pytestmark = pytest.mark.browser
+
+SIZES = [(1400, 850), (1024, 700), (820, 1180)]
+
+LEAST = 32
+"""Side of what a finger can hit, pixels."""
+
+MORE = """() => {
+  const strip = document.querySelector('[data-dock-region=right] [data-dock-strip][role=tablist]');
+  for (const title of ['Orientation', 'Actuators']) {
+    const tab = strip.lastElementChild.cloneNode(true);
+    tab.querySelector('span').textContent = tab.dataset.name = title;
+    strip.append(tab);
+  }
+}"""
+"""Two tabs more than there are."""
+
+UNREADABLE = """least => {
+  const bad = [], boxes = [];
+  for (const tab of document.querySelectorAll('[data-dock-region=right] [data-dock-tab]')) {
+    const box = tab.getBoundingClientRect(), span = tab.querySelector('span'), style = getComputedStyle(span);
+    const range = document.createRange();
+    range.selectNodeContents(span);
+    const text = range.getBoundingClientRect(), name = tab.dataset.name;
+    const says = (what, wrong) => {
+      if (wrong) bad.push(`${name}: ${what} ${JSON.stringify(box)} ${JSON.stringify(text)}`);
+    };
+    says('no text', !name || span.textContent !== name);
+    says('small', box.width < least || box.height < least);
+    says('outside', text.left < 0 || text.right > innerWidth || box.top < 0 || box.bottom > innerHeight);
+    says('clipped', text.left < box.left || text.right > box.right || text.top < box.top || text.bottom > box.bottom);
+    says('tiny', parseFloat(style.fontSize) < 10 || text.width < 10 || text.height < 10);
+    says('pale', style.visibility !== 'visible' || style.clipPath !== 'none' || +getComputedStyle(tab).opacity < 1);
+    const hit = document.elementFromPoint((text.left + text.right) / 2, (text.top + text.bottom) / 2);
+    says('covered', !tab.contains(hit));
+    says('beside another', boxes.some(b => Math.min(b.right, box.right) - Math.max(b.left, box.left) > 1
+      && Math.min(b.bottom, box.bottom) - Math.max(b.top, box.top) > 1));
+    boxes.push(box);
+  }
+  return boxes.length < 12 ? ['too few tabs'] : bad;
+}"""
+"""What is wrong with the names of the tabs, while no pointer is over them."""
+
+PLACES = """() => {
+  const strip = [...document.querySelectorAll('.al .pages')].find(each => each.getClientRects().length);
+  return [...strip.children].map(page => {
+    const { left, top, width, height } = page.getBoundingClientRect();
+    return [page.dataset.name, left, top, width, height];
+  });
+}"""
+"""Name and place of each page of the open tab."""
+
+OPENED = """key => {
+  const strip = [...document.querySelectorAll('.al .pages')].find(each => each.getClientRects().length);
+  for (const page of strip.children) page.ariaSelected = String(page.dataset.cell === key);
+}"""
+"""Marks a page as the open one, as the lab does."""
+
+
+@pytest.fixture(scope="module")
+def url(tmp_path_factory):
+    """A lab with a lesson that takes a tab away."""
+    front = 'robot = "planar_2r"\npanel = "joints"\nhidden = ["pose", "orientation", "formulas"]\n'
+    folder = write(tmp_path_factory.mktemp("lessons"), posed=lesson(front=front))
+    with running_lab(tmp_path_factory.mktemp("state"), lessons=folder) as address:
+        yield address
+
+
+def test_every_tab_can_be_read_and_hit_without_a_pointer_over_it(visit):
+    """Also with two tabs more, and by a finger, which hovers over nothing."""
+    lab = visit(size=SIZES[0], has_touch=True)
+    for more in (False, True):
+        if more:
+            lab.page.evaluate(MORE)
+        for size in SIZES:
+            lab.resize(size)
+            lab.finds_none(f"() => ({UNREADABLE})({LEAST})")
+            assert lab.page.locator("canvas").first.bounding_box()["width"] >= 0.55 * size[0]
+
+
+def test_in_a_lesson_too_the_tabs_can_be_read(visit):
+    lab = visit("lesson/first_arm", size=SIZES[0])
+    lab.page.evaluate(MORE)
+    for size in SIZES:
+        lab.resize(size)
+        lab.finds_none(f"() => ({UNREADABLE})({LEAST})")
+
+
+def test_pages_of_a_tab_have_the_same_places_whichever_is_open(visit):
+    lab = visit(size=SIZES[1])
+    for first, *more in (tab for tab in tabs().values() if len(tab) > 1):
+        lab.open_tab(first.title)
+        places = lab.page.evaluate(PLACES)
+        assert [name for name, *_ in places] == [page.name for page in (first, *more)]
+        assert min(min(width, height) for *_, width, height in places) >= LEAST
+        for page in (first, *more):
+            lab.page.evaluate(OPENED, page.key)
+            assert lab.page.evaluate(PLACES) == places
+
+
+def test_turning_the_pages_of_a_tab_moves_none_of_them(visit):
+    lab = visit(size=SIZES[0])
+    lab.open_tab("Motion")
+    places = lab.page.evaluate(PLACES)
+    for page in tabs()["motion"]:
+        lab.press(page.key)
+        assert lab.page.locator(f'.page[data-cell="{page.key}"]').get_attribute("aria-selected") == "true"
+        assert lab.page.evaluate(PLACES) == places
+
+
+def test_what_is_in_a_tab_is_said_at_once_and_not_once_more_a_second_later(visit):
+    lab = visit(size=SIZES[0])
+    said = "tab => getComputedStyle(tab, '::after').content"
+    assert lab.tab("Velocity").evaluate(said) == "none"
+    lab.tab("Velocity").hover()
+    content = lab.tab("Velocity").evaluate(said)
+    assert all(page.name in content for page in tabs()["velocity"])
+    assert lab.page.locator("[data-dock-tab][title]").count() == 0
+    lab.tab("Motion").focus()
+    lab.page.keyboard.press("Tab")
+    assert "Matrix exponential" in lab.tab("Control").evaluate(said)
+    lab.page.keyboard.press("Enter")
+    lab.rest()
+    assert lab.tab("Control").evaluate(said) == "none"  # its pages are seen
+
+
+def test_a_screen_reader_hears_each_tab_and_page_by_its_name(visit):
+    lab = visit(size=SIZES[1])
+    for tab in tabs().values():
+        assert lab.page.get_by_role("tab", name=tab[0].title, exact=True).count() == 1
+    lab.open_tab("Control")
+    lab.tab("Control").hover()
+    for page in tabs()["control"]:
+        assert lab.page.get_by_role("tab", name=page.name, exact=True).count() == 1
+    assert lab.page.get_by_role("tablist", name="Pages of Control").count() == 1
+
+
+def test_arrow_keys_go_along_the_tabs_that_are_there_and_pass_over_the_others(visit):
+    lab = visit("lesson/posed", size=SIZES[0])
+    lab.until(lambda: not lab.tab("Pose").is_visible())
+    lab.tab("Joints").focus()
+    for key, title in (("ArrowDown", "Target"), ("ArrowUp", "Joints"), ("ArrowLeft", "Robot"), ("End", "Help")):
+        lab.page.keyboard.press(key)
+        lab.until(lambda title=title: lab.tab(title).get_attribute("aria-selected") == "true")
+        assert lab.page.evaluate("() => document.activeElement.dataset.name") == title
+
+
+def test_a_tab_is_torn_off_the_rail_sideways_and_tabs_apart_stand_above_their_panels(visit):
+    lab = visit(size=SIZES[0])
+    rail = "() => document.documentElement.hasAttribute('data-rail')"
+
+    def drag(to):
+        box = lab.tab("Pose").bounding_box()
+        lab.page.mouse.move(box["x"] + 10, box["y"] + 10)
+        lab.page.mouse.down()
+        for at in ((box["x"] - 200, box["y"] + 200), to):
+            lab.page.mouse.move(*at, steps=8)
+            lab.frames(5)
+        lab.page.mouse.up()
+
+    assert lab.page.evaluate(rail)
+    drag((500, 400))  # into the scene
+    lab.until(lambda: lab.page.locator("[data-floating-window] [data-dock-tab]").count() == 1)
+    assert lab.page.evaluate(rail)
+    drag((1200, 840))  # below the other panel
+    lab.until(lambda: not lab.page.evaluate(rail))
+    lab.finds_none(f"() => ({UNREADABLE})({LEAST})")
+
+
+def test_an_old_address_and_the_key_of_every_page_still_open(visit):
+    lab = visit("robot/puma560", size=SIZES[0])
+    for key in ("solve", "by_hand", "what_if", "loop"):
+        lab.open_tab(key)
+        assert lab.page.locator(f'.page[data-cell="{key}"]').get_attribute("aria-selected") == "true"
+        assert lab.page.locator(f'.page[data-cell="{key}"]').inner_text().strip() == pages()[key].name
