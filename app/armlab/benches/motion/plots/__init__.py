@@ -1,6 +1,6 @@
 """The page Plots of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -25,5 +25,8 @@ PAGE = Page(
         "joint limits over time",
         "joint move against Cartesian move",
         "travel time",
+        "graphs",
+        "curves over time",
     ),
+    exports=(Export("csv", "Plots of the motion as CSV", ("graph", "curves", "table")),),
 )

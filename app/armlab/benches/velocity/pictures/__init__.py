@@ -19,5 +19,6 @@ PAGE = Page(
         "torus",
         "two lines",
         "configuration space",
+        "null space of two joints",
     ),
 )

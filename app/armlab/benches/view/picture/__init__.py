@@ -3,5 +3,21 @@
 from armlab.page import Page
 
 PAGE = Page(
-    __name__, "picture", "View", "EYE", 60, about=("camera", "theme", "labels", "units", "overlays"), always=True
+    __name__,
+    "picture",
+    "View",
+    "EYE",
+    60,
+    about=(
+        "camera",
+        "theme",
+        "labels",
+        "units",
+        "overlays",
+        "settings",
+        "preferences",
+        "notation",
+        "start fresh",
+    ),
+    always=True,
 )

@@ -26,7 +26,7 @@ MOUSE = (
     ("wheel, pinch", "zoom"),
     ("arrow keys, W A S D Q E", "fly, when no field or slider has the focus"),
     ("arrow keys on a slider", "move that joint step by step"),
-    ("Ctrl+K", "all commands"),
+    ("Ctrl+K, /", "search: pages, arms, lessons, topics, commands, files"),
 )
 
 UNDO = "Undo takes back what was done to joints, table, target and exercises; not what is shown, or in which units."
