@@ -33,14 +33,14 @@ DIRECT, WITHIN, LINKED = 1000.0, 900.0, 800.0
 TITLE, WORDS, PARENT, DETAIL = 100.0, 60.0, 50.0, 20.0
 """Points of a word, by whether it is in a title, the other words, the title of what it is a part of, or the details."""
 
-MOST_OFF = 20
-"""Largest number of points that a long title loses, one for each word."""
+MOST_OFF = 10
+"""Largest number of points that a long title, or another long name, loses: one for each word."""
 
 PLURAL, SYNONYM, BEGINNING, SLIP = 0.95, 0.85, 0.6, 0.5
 """Factor for a word in the other number, for another word that means the same, for one of which only the beginning was
 typed, and for one with a slip."""
 
-WHOLE_TITLE, WHOLE_NAME = 40.0, 15.0
+WHOLE_TITLE, WHOLE_NAME = 40.0, 35.0
 """Additional points when the whole query is a title, or one of the other names."""
 
 WORTH: Mapping[Kind, float] = {
@@ -217,11 +217,12 @@ def _without(entry: Entry, hidden: Collection[Place]) -> Entry:
     """Return an entry without what it leads to that is hidden."""
     if not hidden or entry.kind != "row":
         return entry
-    leads = {"lessons": "lesson", "benches": "bench", "functions": "function"}
-    kept = {
-        name: tuple(key for key in getattr(entry, name) if (kind, key) not in hidden) for name, kind in leads.items()
-    }
-    return replace(entry, **kept)
+
+    def kept(kind: Kind, keys: tuple[str, ...]) -> tuple[str, ...]:
+        return tuple(key for key in keys if (kind, key) not in hidden)
+
+    lessons, benches = kept("lesson", entry.lessons), kept("bench", entry.benches)
+    return replace(entry, lessons=lessons, benches=benches)
 
 
 def _numbered(item: Item, term: Term) -> float:
@@ -273,7 +274,7 @@ def _whole(item: Item) -> dict[str, float]:
     if item.entry.kind == "function":
         return names
     titles = (item.entry.title, f"{item.entry.within} {item.entry.title}", *item.names)
-    return {**names, **{plain(title): worth * WHOLE_TITLE for title in titles}}
+    return {**names, **dict.fromkeys(map(plain, titles), WHOLE_TITLE)}
 
 
 def _postings(items: Iterable[Item]) -> Postings:
@@ -281,12 +282,12 @@ def _postings(items: Iterable[Item]) -> Postings:
     words: defaultdict[str, Points] = defaultdict(dict)
     for i, item in enumerate(items):
         entry, worth = item.entry, WORTH.get(item.entry.kind, 1.0)
-        titles = [list(tokens(title)) for title in (entry.title, *item.names)]
-        fields = [(title, TITLE - min(len(title), MOST_OFF)) for title in titles]
-        fields += [([token for word in item.words for token in tokens(word)], WORDS)]
-        fields += [(list(tokens(entry.within)), PARENT)]
-        fields += [(list(tokens(entry.detail)), DETAIL)] if entry.kind in SHOWS_DETAIL else []
-        for found, points in fields:
+        texts = [(title, TITLE) for title in (entry.title, *item.names)]
+        texts += [*((word, WORDS) for word in item.words), (entry.within, PARENT)]
+        texts += [(entry.detail, DETAIL)] if entry.kind in SHOWS_DETAIL else []
+        for text, most in texts:
+            found = list(tokens(text))
+            points = most - min(len(found), MOST_OFF)
             for token in found:
                 for form, factor in ((singular(token), PLURAL), (token, 1.0)):
                     words[form][i] = max(words[form].get(i, 0.0), worth * points * factor)

@@ -5,7 +5,9 @@ While it is closed only its field is in the page; nothing is looked for and noth
 
 from __future__ import annotations
 
+import asyncio
 import json
+import logging
 import secrets
 from collections.abc import Collection
 from functools import partial
@@ -25,6 +27,8 @@ from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.search.finds import find
 from armlab.ui.search.markup import CLOSED, dialog, examples, group, hit, search_field, topic_head
 from armlab.ui.search.offers import Offer, hidden, is_hidden, offers
+
+log = logging.getLogger(__name__)
 
 SHOWN = 14
 """Largest number of finds in the list."""
@@ -46,6 +50,8 @@ class SearchDialog:
         self._page = page
         self._form = Form(lambda on_input: Fields(page.client.gui, on_input), page.post, self._again, beside=False)
         self._query: str | None = None  # None while the dialog is closed
+        self._looked: tuple[object, ...] = ()  # what was last looked for, and in which state
+        self._found: tuple[Entry, ...] | None = None  # None while it is being looked for
         self._recent: tuple[Entry, ...] = ()
         self._wanted: Offer | None = None  # the file whose page is being opened
         self._bring = ""
@@ -72,10 +78,12 @@ class SearchDialog:
         self._query = None
 
     def _pick(self, entry: Entry, offer: Offer | None) -> None:
-        """Do what a find is for, and close."""
+        """Do what a find is for, and close; nothing more where it has been hidden since."""
+        self._query = None
+        if is_hidden(_place(entry), self._page.session.state):
+            return
         others = (each for each in self._recent if _place(each) != _place(entry))
         self._recent = (entry, *others)[:KEPT]
-        self._query = None
         self._wanted = offer if offer is not None and offer.at else None
         if offer is not None:
             offer.act(self._page)
@@ -88,27 +96,53 @@ class SearchDialog:
         state, query = self._page.session.state, self._query
         if self._wanted is not None and self._wanted.page in self._open:
             self._bring, self._wanted = _bring(self._wanted), None
-        open_on = () if query is None else (hidden(state), state[Display], state[Notation], lessons_read())
+        open_on: tuple[object, ...] = ()
+        if query is not None:
+            self._look(query, state)
+            if self._found is None:
+                return  # the list before stays until then
+            open_on = self._looked, self._found, state[Display], state[Notation]
         if self._form.shows(query, self._bring, *open_on):
             return
         self._form.takes(CLOSED, self._closed)
-        said, listed = ("", ()) if query is None else self._found(query, state)
+        said, listed = ("", ()) if query is None else self._listed(query, state)
         field = search_field(self._form, query or "", self._asked)
         self._form.show(
             dialog(field, query or "", said, listed),
             tag("i", id="al-bring", hidden=True, data_bring=self._bring) if self._bring else None,
         )
 
-    def _found(self, query: str, state: State) -> tuple[Inside, Inside]:
+    def _look(self, query: str, state: State) -> None:
+        """Look for a query beside the lab's own work: the first time the index has to be made."""
+        looked = query, hidden(state), lessons_read()
+        if looked == self._looked:
+            return
+        self._looked, self._found = looked, None
+        if not query.strip():
+            self._found = ()
+            return
+        looking = asyncio.get_running_loop().run_in_executor(None, find, query, state)
+        looking.add_done_callback(partial(self._came, looked))
+
+    def _came(self, looked: tuple[object, ...], looking: asyncio.Future[list[Entry]]) -> None:
+        """Show what has been found, unless something else is looked for by now."""
+        if looked != self._looked or looking.cancelled():
+            return
+        failure = looking.exception()
+        if failure is not None:
+            log.error("the search has failed", exc_info=failure)
+        self._found = () if failure is not None else tuple(looking.result())
+        self._again()
+
+    def _listed(self, query: str, state: State) -> tuple[Inside, Inside]:
         """Return the line about the finds of a query, and the list."""
         if not query.strip():
             recent = [entry for entry in self._recent if not is_hidden(_place(entry), state)]
             listed = self._hits(recent, state)
             return "What would you like to find?", (group("Recent", listed, "Recent") if recent else None, examples())
-        found = find(query, state)
-        topic = _topic(query)
+        found, topic = list(self._found or ()), _topic(query)
         if topic:
-            found = [entry for entry in found if _place(entry) != ("row", topic)]
+            found = [entry for entry in found if entry.kind != "row" and topic in entry.rows]
         listed = self._hits(found[:SHOWN], state)
         shown: Inside = group(topic_head(topic), listed, "Topic") if topic else listed
         return _said(query, len(found), bool(topic)), shown

@@ -124,8 +124,9 @@ def hit(form: Form, number: int, entry: Entry, action: Pressed, offer: Offer | N
         aside = f"{aside} · {'on' if offer.is_on(state) else 'off'}"
     inside = _inside(entry.title, aside, entry.detail, entry.within, offer.key if offer is not None else "")
     cell = f"{HIT}{entry.kind}:{entry.key}"
-    brings = {"data_brings": "1"} if offer is not None and offer.at else {}
-    return form.button(cell, inside, action, "hit", id=f"al-hit-{number}", role="option", tabindex="-1", **brings)
+    brings = "1" if offer is not None and offer.at else ""
+    named = {"id": f"al-hit-{number}", "role": "option", "tabindex": "-1", "data_brings": brings}
+    return form.button(cell, inside, action, "hit", "", "", None, False, **named)
 
 
 def topic_head(key: str) -> Inside:

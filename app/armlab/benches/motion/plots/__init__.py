@@ -15,7 +15,7 @@ PAGE = Page(
         "S6.2-classes",
         "S6.3.2-optimality",
         "S6.3-cartesian",
-        "6.18-6.19",
+        "(6.18-6.19)",
         "plots of the motion",
         "velocity",
         "acceleration",
