@@ -248,8 +248,7 @@ def test_an_arm_is_found_by_its_line_after_what_has_the_words_as_a_name():
 def test_what_is_to_be_used_comes_before_what_is_only_to_be_read():
     found = [entry.kind for entry in find("ellipsoid", 1000)]
     assert found[0] == "bench"
-    assert found.index("row") > found.index("bench")
-    assert max(i for i, kind in enumerate(found) if kind == "row") < found.index("function")
+    assert found.index("bench") < found.index("row") < found.index("function")
 
 
 def test_the_other_number_of_a_word_is_no_slip():

@@ -23,7 +23,7 @@ from armlab.ui.search.finds import find
 from armlab.ui.search.markup import EXAMPLES
 from armlab.ui.search.offers import hidden, offers
 from support.lab import running_lab
-from support.own_lessons import ARM, in_lesson, lesson, notes, write
+from support.own_lessons import ARM, in_lesson, lesson, notes, piece, to_step, write
 from support.sources import PACKAGE
 from support.student import run, student
 
@@ -33,6 +33,10 @@ SEARCHES = tomllib.loads((TESTS / "data/searches.toml").read_text(encoding="utf-
 HIDING = 'robot = "planar_2r"\nhidden = ["joints", "ellipsoid", "motion_files", "robot"]\n'
 
 PREDICTING = """
+## One
+
+Text.
+
 ## Predict
 
 ```question
@@ -195,8 +199,18 @@ def part(browser):
 async def ask(browser, query):
     """Open the dialog as the page does, and type a query; return what is found."""
     await browser.press("search", query)
-    await browser.until(lambda: unescape(re.search('data-query="([^"]*)"', part(browser))[1]) == query)
+    await browser.until(lambda: told(browser) and unescape(attribute(browser, "query")) == query)
     return part(browser)
+
+
+def told(browser):
+    """Return the line below the list; a closed dialog has none."""
+    return re.search('role="status">([^<]*)', part(browser))[1]
+
+
+def attribute(browser, name):
+    """Return what a data attribute of the dialog holds."""
+    return re.search(f'data-{name}="([^"]*)"', part(browser))[1]
 
 
 def test_a_closed_dialog_holds_nothing_but_its_field_and_looks_for_nothing(url, monkeypatch):
@@ -212,7 +226,7 @@ def test_a_closed_dialog_holds_nothing_but_its_field_and_looks_for_nothing(url, 
         assert asked == []
         await ask(browser, "undo")
         assert asked == ["undo"]
-        await browser.press("search-closed")
+        await browser.press_on(browser.channel("search"), "search-closed")
         await browser.until(lambda: 'role="option"' not in part(browser))
         await browser.close()
 
@@ -271,10 +285,12 @@ def test_a_file_leads_to_its_control_once_its_page_is_open(url):
         await ask(browser, "csv")
         assert "al-bring" not in part(browser)
         await browser.press("hit export:motion_files.csv")
+        await browser.until(lambda: notes(browser)["tab"] == "Motion")
+        assert "al-bring" not in part(browser)  # its page is not seen yet
+        await browser.press_on(notes(browser)["chan"], "tabs", '["motion"]')
         await browser.until(lambda: "al-bring" in part(browser))
-        note = json.loads(unescape(re.search('data-bring="([^"]*)"', part(browser))[1]))
+        note = json.loads(unescape(attribute(browser, "bring")))
         assert (note["tab"], note["at"]) == ("motion", '[data-cell="csv"]')
-        assert notes(browser)["tab"] == "Motion"
         assert 'data-cell="csv"' in browser.html()
         await browser.close()
 
@@ -303,7 +319,7 @@ def test_what_is_not_there_is_said_and_no_query_is_markup(url, query):
     async def main():
         browser = await student(url)
         await browser.press("search", query)
-        await browser.until(lambda: " found" in part(browser) or "Nothing is found" in part(browser))
+        await browser.until(lambda: told(browser) != "")
         assert "<script" not in part(browser)
         assert part(browser).count("</dialog>") == 1
         await browser.close()
@@ -323,8 +339,9 @@ def test_a_forged_pick_of_what_is_hidden_or_not_listed_does_nothing(url):
         for cell in ("hit bench:ellipsoid", "hit bench:help", "hit arm:scara", "hit export:motion_files.csv", "hit "):
             await browser.press_on(channel, cell)
         await browser.press_on(channel, "search", "zero pose")
+        undo = piece(browser, 'data-cell="undo"')
         await browser.press("hit command:zero")  # comes after all of these
-        await browser.until(lambda: browser.slider(1)["value"] == 0.0)
+        await browser.until(lambda: piece(browser, 'data-cell="undo"') != undo)
         assert notes(browser) == before
         await browser.close()
 
@@ -350,6 +367,7 @@ def test_a_find_that_is_hidden_meanwhile_is_gone_from_the_list_and_from_the_rece
 def test_while_a_prediction_is_asked_for_no_page_that_tells_is_found(url):
     async def main():
         browser = await in_lesson(url, "predicting")
+        await to_step(browser, 2)
         found = await ask(browser, "pose")
         assert "hit bench:" not in found
         await browser.close()

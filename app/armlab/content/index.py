@@ -221,8 +221,7 @@ def _without(entry: Entry, hidden: Collection[Place]) -> Entry:
     def kept(kind: Kind, keys: tuple[str, ...]) -> tuple[str, ...]:
         return tuple(key for key in keys if (kind, key) not in hidden)
 
-    lessons, benches = kept("lesson", entry.lessons), kept("bench", entry.benches)
-    return replace(entry, lessons=lessons, benches=benches)
+    return replace(entry, lessons=kept("lesson", entry.lessons), benches=kept("bench", entry.benches))
 
 
 def _numbered(item: Item, term: Term) -> float:
