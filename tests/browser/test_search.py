@@ -60,8 +60,8 @@ def test_what_is_typed_and_confirmed_at_once_is_what_is_done(visit):
     lab.page.keyboard.press("Control+k")
     lab.page.keyboard.type("zero pose")
     lab.page.keyboard.press("Enter")
+    lab.until(lambda: not is_open(lab))
     lab.rest()
-    assert not is_open(lab)
     np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)
 
 
@@ -88,7 +88,7 @@ def test_a_slash_opens_it_where_nothing_is_typed_and_is_a_sign_in_a_field(visit)
     field = lab.page.locator('input[data-cell="x"]')
     field.click()
     lab.page.keyboard.type("1/2")
-    assert field.input_value().endswith("1/2")
+    assert "1/2" in field.input_value()
     assert not is_open(lab)
     field.press("Escape")
     lab.page.evaluate("() => document.activeElement.blur()")
@@ -193,8 +193,9 @@ def test_a_file_brings_one_to_its_control(visit):
     open_search(lab, "samples of the motion csv")
     lab.page.keyboard.press("Enter")
     lab.until(lambda: lab.page.locator('[data-cell="python"]').count() > 0 and focused(lab) == "csv")
-    with lab.page.expect_download():
+    with lab.page.expect_download() as download:
         lab.page.keyboard.press("Enter")
+    assert download.value.suggested_filename == "puma_560_motion.csv"
 
 
 def test_the_key_of_undo_leaves_the_arm_alone_while_one_searches(visit):

@@ -2,7 +2,7 @@
 // Ctrl+K, "/" where nothing is being typed, and every <button data-search> open it.
 (() => {
   'use strict';
-  const BRINGING = 5000; // ms in which the page of a file may open
+  const BRINGING = 5000; // ms in which the page of a file may open, and the file become ready
   const LATE = 80; // ms after which nothing typed is still to be sent
 
   const dialog = () => document.getElementById('al-search');
@@ -130,7 +130,8 @@
     close();
   }, true);
 
-  // A file that was picked: its page is opened by the lab, which then says where its control is.
+  // A file that was picked: its page is opened by the lab, which then says where its control is. That may have to wait
+  // for the file to be ready; after a while it is shown as it is.
   const noted = () => document.getElementById('al-bring')?.dataset.bring ?? '';
   let bringing = 0;
   const bring = () => {
@@ -138,16 +139,18 @@
     const until = performance.now() + BRINGING;
     clearInterval(bringing);
     bringing = setInterval(() => {
+      const late = performance.now() > until;
       const found = noted() !== before && control(JSON.parse(noted()));
-      if (found) show(found);
-      if (found || performance.now() > until) clearInterval(bringing);
+      const ready = found && (late || !found.disabled);
+      if (ready) show(found);
+      if (ready || late) clearInterval(bringing);
     }, 60);
   };
+  const shownIn = element => (element.closest('label') ?? element).getClientRects().length > 0;
   const control = ({ tab, at }) => {
-    const seen = element => (element.closest('label') ?? element).getClientRects().length > 0;
-    const page = document.querySelector(`[data-tab="${CSS.escape(tab)}"]`)?.closest('[role=tabpanel]') ?? null;
-    if (page && !page.getClientRects().length) return null; // the tab is still being opened
-    return [...(page?.querySelectorAll(at) ?? []), ...document.querySelectorAll(at)].find(seen);
+    const mark = document.querySelector(`[data-tab="${CSS.escape(tab)}"]`);
+    if (mark && !mark.parentElement.getClientRects().length) return null; // the tab is still being opened
+    return [...document.querySelectorAll(at)].find(shownIn);
   };
   const show = element => {
     const shown = element.closest('label') ?? element;
