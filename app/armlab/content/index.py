@@ -1,4 +1,4 @@
-"""The index of the lab: whatever is on a word, a section or an equation of the notes.
+"""The index of the lab: topics, lessons, pages and other things on a word, a section or an equation of the notes.
 
 A query is split into terms. A number refers to the notes, anything else is a word, found also by its beginning, by a
 synonym or with one slip. Every term gives points to what it is found in; what lacks a term is left out, unless

@@ -1,4 +1,4 @@
-"""What the index of the lab holds: topics of the notes, lessons, pages and whatever else a person can look for."""
+"""Entries of the index of the lab: topics of the notes, lessons, pages and whatever else can be looked for."""
 
 from __future__ import annotations
 

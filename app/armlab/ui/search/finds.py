@@ -1,4 +1,4 @@
-"""What is found in a state: nothing that the open lesson hides, and lessons as soon as they have been read."""
+"""Finds in a state: nothing that the open lesson hides, and lessons as soon as they have been read."""
 
 from __future__ import annotations
 

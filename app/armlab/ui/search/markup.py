@@ -25,7 +25,7 @@ KINDS = {
     "setting": "setting",
     "export": "file",
 }
-"""What each kind of entry is called."""
+"""Names of the kinds of entries."""
 
 EXAMPLES = {
     "inverse kinematics": "a topic of the course",
@@ -62,7 +62,7 @@ def dialog(field: Markup, query: str, said: Inside, *listed: Inside) -> Markup:
     *listed : Markup
         Options, or groups of them.
     """
-    close = tag("button.shut", "Esc", type="button", data_shut=True, aria_label="Close the search", tabindex=-1)
+    close = tag("button.shut", "✕", type="button", data_shut=True, title="Close (Esc)", aria_label="Close", tabindex=-1)
     head = tag("div.ask-line", _glass(), field, close)
     found = tag("div.hits", listed, id="al-hits", role="listbox", aria_label="Finds", data_query=query)
     keys = tag("span.keys-line", tag("kbd", "↑"), tag("kbd", "↓"), " choose ", tag("kbd", "Enter"), " open")

@@ -1,4 +1,4 @@
-"""What the search offers besides lessons and topics of the notes: pages, arms, commands, settings, files.
+"""The offers of the search besides lessons and topics of the notes: pages, arms, commands, settings, files.
 
 Each is declared where it belongs: by its page, by its file, beside the keys, with its switch. Here they only meet.
 """
