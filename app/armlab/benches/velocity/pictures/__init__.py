@@ -19,6 +19,5 @@ PAGE = Page(
         "torus",
         "two lines",
         "configuration space",
-        "null space of two joints",
     ),
 )
