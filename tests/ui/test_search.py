@@ -309,6 +309,10 @@ def test_a_topic_leads_to_what_belongs_to_it_and_a_function_to_its_import(url):
         assert 'data-ask="S3.2.2-inverse"' not in found
         assert 'data-cell="hit lesson:axis_angle_quaternion"' in found
         assert 'data-cell="hit bench:orientation"' in found
+        assert 'data-ask="chapter 4"' in await ask(browser, "4")
+        found = await ask(browser, "chapter 4")
+        assert 'data-ask="chapter 4"' not in found
+        assert 'data-ask="S4.0-spaces"' in found
         await browser.close()
 
     run(main())

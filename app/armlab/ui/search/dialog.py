@@ -25,7 +25,7 @@ from armlab.ui.fields import Fields
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.search.finds import find
-from armlab.ui.search.markup import CLOSED, dialog, examples, group, hit, search_field, topic_head
+from armlab.ui.search.markup import CLOSED, asked_of, dialog, examples, group, hit, search_field, topic_head
 from armlab.ui.search.offers import Offer, hidden, is_hidden, offers
 
 log = logging.getLogger(__name__)
@@ -140,7 +140,7 @@ class SearchDialog:
             recent = [entry for entry in self._recent if not is_hidden(_place(entry), state)]
             listed = self._hits(recent, state)
             return "What would you like to find?", (group("Recent", listed, "Recent") if recent else None, examples())
-        found, topic = list(self._found or ()), _topic(query)
+        found, topic = [each for each in self._found or () if asked_of(each) != query.strip()], _topic(query)
         if topic:
             found = [entry for entry in found if entry.kind != "row" and topic in entry.rows]
         listed = self._hits(found[:SHOWN], state)

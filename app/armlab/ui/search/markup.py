@@ -109,9 +109,9 @@ def hit(form: Form, number: int, entry: Entry, action: Pressed, offer: Offer | N
 
     A topic is asked for in turn, a function of the core is copied as its line of import, anything else has an action.
     """
-    if entry.kind in ("row", "chapter"):
-        asked = entry.key if entry.kind == "row" else f"chapter {entry.key}"
-        return _option(f"hit-{number}", _inside(entry.title, "topic ›", _leads(entry)), data_ask=asked)
+    if asked := asked_of(entry):
+        kind = f"{KINDS[entry.kind]} ›"
+        return _option(f"hit-{number}", _inside(entry.title, kind, _leads(entry)), data_ask=asked)
     if entry.kind == "function":
         name = entry.key.removeprefix("armlab.kin.")
         module, _, last = entry.key.rpartition(".")
@@ -127,6 +127,11 @@ def hit(form: Form, number: int, entry: Entry, action: Pressed, offer: Offer | N
     brings = "1" if offer is not None and offer.at else ""
     named = {"id": f"al-hit-{number}", "role": "option", "tabindex": "-1", "data_brings": brings}
     return form.button(cell, inside, action, "hit", "", "", None, False, **named)
+
+
+def asked_of(entry: Entry) -> str:
+    """Return the query that a topic or a chapter stands for; empty for anything else."""
+    return {"row": entry.key, "chapter": f"chapter {entry.key}"}.get(entry.kind, "")
 
 
 def topic_head(key: str) -> Inside:
