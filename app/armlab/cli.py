@@ -114,6 +114,9 @@ def _look(running: Running, ended: Ended) -> None:
         except PluginError as error:
             ended.put(str(error))
             return
+        from armlab.ui.search.finds import prepare
+
+        prepare()
     for problem in (*catalogue().problems, *lessons().problems):
         print(f"armlab: {problem}", file=sys.stderr)
 

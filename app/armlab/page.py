@@ -6,6 +6,27 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
+class Export:
+    """A file or text to take away from a page, so that it can be found before the page is opened.
+
+    Parameters
+    ----------
+    at : str
+        Cell of its control, such as ``"csv"``; or, after ``copy``, the name of a button that copies: ``"copy LaTeX"``.
+    title : str
+    about : tuple of str
+        Other words by which it is found.
+    after : str
+        What has to be done on the page before the control is there; empty for nothing.
+    """
+
+    at: str
+    title: str
+    about: tuple[str, ...] = ()
+    after: str = ""
+
+
+@dataclass(frozen=True)
 class Page:
     """The constant ``PAGE`` of the package of a page; its panel is imported when it is first opened.
 
@@ -26,6 +47,7 @@ class Page:
         What the index finds it by: sections and equations of the notes, rows of the inventory, words.
     always : bool
         Whether it may be read also while a question of a lesson hides the arm or its values.
+    exports : tuple of Export
     """
 
     package: str
@@ -37,6 +59,7 @@ class Page:
     page: str = ""
     about: tuple[str, ...] = ()
     always: bool = False
+    exports: tuple[Export, ...] = ()
 
     @property
     def name(self) -> str:

@@ -184,17 +184,6 @@ def test_the_cursor_goes_on_to_the_next_field(visit):
     np.testing.assert_allclose(lab.target()[:2], [0.55, -0.25], atol=1e-6)
 
 
-def test_the_command_palette_knows_the_commands(visit):
-    lab = visit()
-    lab.page.keyboard.press("Control+k")
-    lab.rest()
-    lab.page.keyboard.type("zero pose")
-    lab.rest()
-    lab.page.keyboard.press("Enter")
-    lab.rest()
-    np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)
-
-
 def test_a_new_page_tells_of_the_tab_the_lab_opens_and_of_no_tab_before(visit, monkeypatch):
     """The page begins with the first tab, the lessons, all of which would be read for it."""
     told, take = [], View._tabs_seen

@@ -7,15 +7,19 @@ import string
 import pytest
 
 from armlab.content.citations import citations, functions
-from armlab.content.index import Bench, Taught, search
+from armlab.content.index import Taught, Thing, search
 from armlab.content.lessons import lessons
-from armlab.content.query import one_slip, terms_of
+from armlab.content.query import one_slip, plain, terms_of
 from armlab.content.rows import chapters, known, rows
+from armlab.content.synonyms import GROUPS, synonyms
 
-BENCHES = (
-    Bench("table", "Table", ("4.1", "DH table")),
-    Bench("ellipsoid", "Ellipsoid", ("5.3", "velocity ellipsoid")),
-    Bench("target", "Target", ("S4.3-multiplicity", "(4.115-4.116)", "inverse kinematics")),
+THINGS = (
+    Thing("bench", "table", "Table", ("4.1", "DH table"), "Robot"),
+    Thing("bench", "ellipsoid", "Ellipsoid", ("5.3", "velocity ellipsoid")),
+    Thing("bench", "target", "Target", ("S4.3-multiplicity", "(4.115-4.116)", "inverse kinematics")),
+    Thing("arm", "kr6r900", "KUKA KR 6 R900", ("cobot",), detail="A spherical wrist."),
+    Thing("command", "undo", "Undo", ("take back",)),
+    Thing("export", "table.csv", "The table as CSV", ("save",)),
 )
 TAUGHT = (
     Taught("stretch", "Stretch the arm", "5 Singularities", ("S5.1.4-2R", "S5.3-manipulability")),
@@ -24,7 +28,7 @@ TAUGHT = (
 
 
 def find(text, limit=20):
-    return search(text, limit, benches=BENCHES, taught=TAUGHT)
+    return search(text, limit, things=THINGS, taught=TAUGHT)
 
 
 def keys(text, kind=None, limit=1000):
@@ -213,6 +217,67 @@ def test_the_lessons_of_the_lab_are_in_the_index():
     for key, lesson in lessons().lessons.items():
         row = next(row for row in lesson.teaches if known(row))
         assert key in [entry.key for entry in search(row, 1000) if entry.kind == "lesson"]
+
+
+# --- Other things of the lab
+
+
+@pytest.mark.parametrize(
+    ("text", "first"),
+    [
+        ("undo", "undo"),
+        ("take back", "undo"),
+        ("kuka", "kr6r900"),
+        ("kr 6", "kr6r900"),
+        ("cobot", "kr6r900"),
+        ("csv", "table.csv"),
+        ("excel", "table.csv"),
+        ("download", "table.csv"),
+        ("robot table", "table"),
+    ],
+)
+def test_arms_commands_and_files_are_found_by_title_words_synonyms_and_what_they_are_a_part_of(text, first):
+    assert find(text)[0].key == first
+
+
+def test_an_arm_is_found_by_its_line_after_what_has_the_words_as_a_name():
+    assert keys("spherical wrist", "arm") == ["kr6r900"]
+    assert keys("spherical wrist")[0] != "kr6r900"
+
+
+def test_what_is_to_be_used_comes_before_what_is_only_to_be_read():
+    found = [entry.kind for entry in find("ellipsoid", 1000)]
+    assert found[0] == "bench"
+    assert found.index("bench") < found.index("row") < found.index("function")
+
+
+def test_the_other_number_of_a_word_is_no_slip():
+    assert keys("ellipsoids")[0] == "ellipsoid"
+    assert keys("tables")[0] == "table"
+    assert "S5.1.4-singularity" in keys("singularities", "row")
+
+
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [("ellipsoid", ("bench", "ellipsoid")), ("5.3", ("bench", "ellipsoid")), ("kuka", ("arm", "kr6r900"))],
+)
+def test_what_is_hidden_is_not_found_and_no_topic_leads_to_it(text, place):
+    def everything(hidden):
+        return search(text, 1000, things=THINGS, taught=TAUGHT, hidden=hidden)
+
+    assert place in [(entry.kind, entry.key) for entry in everything(frozenset())]
+    found = everything({place})
+    assert place not in [(entry.kind, entry.key) for entry in found]
+    assert all(place[1] not in entry.benches for entry in found)
+
+
+def test_every_synonym_stands_in_one_form_and_leads_to_the_others():
+    for group in GROUPS:
+        assert len(set(group)) == len(group)
+        for word in group:
+            assert word == word.casefold()
+            if word == plain(word) and " " not in word:
+                assert set(synonyms([word])) >= {other for other in group if other != word}
 
 
 # --- The list

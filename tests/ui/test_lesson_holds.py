@@ -167,39 +167,6 @@ def test_panels_a_lesson_hides_are_not_there(url):
     run(main())
 
 
-def test_a_bench_a_lesson_hides_is_not_opened_from_the_palette(url):
-    async def main():
-        browser = await in_lesson(url, "hiding")
-
-        async def choose(label):
-            await browser.send({"type": "CommandTriggerMessage", "uuid": browser.control(label)["uuid"]})
-
-        await choose("Help")
-        await browser.until(lambda: notes(browser)["tab"] == "Help")
-        looked = browser.counts["SetCameraPositionMessage"]
-        for label in ("Open Joints", "Open Ellipsoid", "Look from the front"):
-            await choose(label)
-        await browser.until(lambda: browser.counts["SetCameraPositionMessage"] > looked)
-        assert notes(browser)["tab"] == "Help"
-        await browser.close()
-
-    run(main())
-
-
-def test_a_bench_a_lesson_hides_is_not_offered_in_the_index(url):
-    async def main():
-        browser = await in_lesson(url, "hiding")
-        await browser.open("lessons")
-        await browser.press("query", "ellipsoid")
-        await browser.until(lambda: 'class="found"' in browser.html() or "Nothing is found." in browser.html())
-        assert 'data-cell="bench:ellipsoid"' not in browser.html()
-        await browser.press("lesson-close")
-        await browser.until(lambda: 'data-cell="bench:ellipsoid"' in browser.html())
-        await browser.close()
-
-    run(main())
-
-
 # -- variants ----------------------------------------------------------------------------------------------------
 
 

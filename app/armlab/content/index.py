@@ -1,25 +1,25 @@
-"""The index of the lab: everything on a word, a section or an equation of the notes.
+"""The index of the lab: topics, lessons, pages and other things on a word, a section or an equation of the notes.
 
-A query is split into terms. A number refers to the notes, anything else is a word, found also by its beginning or with
-one slip. Every term gives points to what it is found in; what lacks a term is left out, unless everything does.
+A query is split into terms. A number refers to the notes, anything else is a word, found also by its beginning, by a
+synonym or with one slip. Every term gives points to what it is found in; what lacks a term is left out, unless
+everything does.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Literal, NamedTuple
 
-from armlab import kin
-from armlab.content.citations import functions
-from armlab.content.lessons import lessons
+from armlab.content.index_items import Entry as Entry
+from armlab.content.index_items import Item, Kind, items_of
+from armlab.content.index_items import Taught as Taught
+from armlab.content.index_items import Thing as Thing
+from armlab.content.lessons import Lessons, lessons
 from armlab.content.query import Term, one_slip, plain, terms_of, tokens, without_one
-from armlab.content.rows import SECTION, Reference, Row, chapters, reference, rows
-
-Kind = Literal["chapter", "row", "lesson", "bench", "function"]
+from armlab.content.synonyms import singular, synonyms
 
 LIMIT = 20
 """Default of the largest number of results."""
@@ -30,81 +30,50 @@ LONGEST = 200
 DIRECT, WITHIN, LINKED = 1000.0, 900.0, 800.0
 """Points of a number: for an entry that has it, for the subsections of a section, for what belongs to such a row."""
 
-TITLE, WORDS, DETAIL = 100.0, 60.0, 20.0
-"""Points of a word, by whether it is in the title, the other words or the details."""
+TITLE, WORDS, PARENT, DETAIL = 100.0, 60.0, 50.0, 20.0
+"""Points of a word, by whether it is in a title, the other words, the title of what it is a part of, or the details."""
 
-MOST_OFF = 20
-"""Largest number of points that a long title loses, one for each word."""
+MOST_OFF = 10
+"""Largest number of points that a long title, or another long name, loses: one for each word."""
 
-BEGINNING, SLIP = 0.8, 0.5
-"""Factor for a word of which only the beginning was typed, and for one with a slip."""
+PLURAL, SYNONYM, BEGINNING, SLIP = 0.95, 0.85, 0.6, 0.5
+"""Factor for a word in the other number, for another word that means the same, for one of which only the beginning was
+typed, and for one with a slip."""
 
-WHOLE_TITLE, WHOLE_NAME = 40.0, 15.0
+WHOLE_TITLE, WHOLE_NAME = 40.0, 35.0
 """Additional points when the whole query is a title, or one of the other names."""
 
-OF_FUNCTIONS = 0.7
-"""Factor for the points of words of functions: whoever asks for a topic is not looking for code."""
+WORTH: Mapping[Kind, float] = {
+    "setting": 0.65,
+    "lesson": 0.6,
+    "export": 0.6,
+    "chapter": 0.55,
+    "row": 0.55,
+    "function": 0.4,
+}
+"""Factor for the points of words by kind, 1 for the others: who types a word wants to go where it can be seen or done
+before reading of it, and hardly ever wants code."""
 
-SHARE = {"lesson": 0.7, "bench": 0.6, "function": 0.5}
+SHARE: Mapping[Kind, float] = {"lesson": 0.7, "bench": 0.6, "function": 0.5}
 """Fractions of the points of a row that are given to what belongs to it."""
 
 SHORTEST_SLIP = 4
 """Length of the shortest word, in letters, in which a slip is allowed."""
 
+SHOWS_DETAIL: tuple[Kind, ...] = ("arm", "function")
+"""Kinds that are found also by the words of their line."""
 
-@dataclass(frozen=True)
-class Bench:
-    """A bench of the lab, as its layer describes it.
-
-    Attributes
-    ----------
-    key, title : str
-    about : tuple of str
-        Sections with all that is in them (``"4.1"``), rows (``"S4.1-dh"``), equations (``"(5.139-5.152)"``), words.
-    """
-
-    key: str
-    title: str
-    about: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
-class Entry:
-    """A result of the index.
-
-    Attributes
-    ----------
-    kind : "chapter", "row", "lesson", "bench" or "function"
-    key : str
-        Number of the chapter, id of the row, key of the lesson or the bench, dotted name of the function.
-    title, detail : str
-    rows : tuple of str
-        Ids of the rows it belongs to; of a row its own.
-    lessons, benches, functions : tuple of str
-        Only of rows: keys of what belongs to them.
-    """
-
-    kind: Kind
-    key: str
-    title: str
-    detail: str
-    rows: tuple[str, ...] = ()
-    lessons: tuple[str, ...] = ()
-    benches: tuple[str, ...] = ()
-    functions: tuple[str, ...] = ()
-
-
-class Taught(NamedTuple):
-    """The data of a lesson for the index."""
-
-    key: str
-    title: str
-    chapter: str
-    teaches: tuple[str, ...]
+Place = tuple[str, str]
+"""Kind and key of an entry."""
 
 
 def search(
-    text: str, limit: int = LIMIT, *, benches: Iterable[Bench] = (), taught: Iterable[Taught] | None = None
+    text: str,
+    limit: int = LIMIT,
+    *,
+    things: Iterable[Thing] = (),
+    taught: Iterable[Taught] | None = None,
+    hidden: Collection[Place] = frozenset(),
 ) -> list[Entry]:
     """Return the entries on words, sections or equations, the best first.
 
@@ -115,10 +84,12 @@ def search(
         anything to look for the chapters are returned.
     limit : int
         Most entries.
-    benches : iterable of Bench
-        The existing benches, which content itself does not know.
+    things : iterable of Thing
+        Pages, arms, commands and whatever else of the lab can be found, which content itself does not know.
     taught : iterable of Taught, optional
         The lessons; those of the lab when left out.
+    hidden : collection of (str, str)
+        Kind and key of what is not to be found now.
 
     Returns
     -------
@@ -130,24 +101,16 @@ def search(
     >>> [entry.key for entry in search("3.66")][:1], search("rodriges")[0].title[:10]
     (['S3.2.2-inverse'], "Rodrigues'")
     """
-    if taught is None:
-        found = lessons().lessons.values()
-        taught = (Taught(lesson.key, lesson.title, lesson.chapter, lesson.teaches) for lesson in found)
-    return _index(tuple(taught), tuple(benches)).search(text[:LONGEST])[: max(0, limit)]
+    taught = taught_in(lessons()) if taught is None else tuple(taught)
+    return _index(taught, tuple(things)).search(text[:LONGEST], hidden)[: max(0, limit)]
+
+
+def taught_in(found: Lessons) -> tuple[Taught, ...]:
+    """Return the data of lessons for the index."""
+    return tuple(Taught(each.key, each.title, each.chapter, each.teaches) for each in found.lessons.values())
 
 
 # --- The index
-
-
-@dataclass(frozen=True)
-class _Item:
-    """An entry together with the words and numbers by which it is found."""
-
-    entry: Entry
-    words: tuple[str, ...] = ()
-    references: tuple[Reference, ...] = ()
-    sections: tuple[str, ...] = ()
-
 
 Points = dict[int, float]
 Postings = dict[str, Points]
@@ -155,37 +118,43 @@ Postings = dict[str, Points]
 
 @dataclass(frozen=True, eq=False)
 class _Index:
-    items: tuple[_Item, ...]
+    items: tuple[Item, ...]
     names: tuple[Mapping[str, float], ...]
     words: Postings
     ordered: tuple[str, ...]
     slips: Mapping[str, tuple[str, ...]]
     belonging: Mapping[str, tuple[int, ...]]
 
-    def search(self, text: str) -> list[Entry]:
+    def search(self, text: str, hidden: Collection[Place]) -> list[Entry]:
         terms = terms_of(text)
         if not terms:
             return [item.entry for item in self.items if item.entry.kind == "chapter"]
-        each = [self._shared(self._points(term)) for term in terms]
+        each = [self._shared(self._points(term, len(terms) > 1)) for term in terms]
         total: defaultdict[int, float] = defaultdict(float)
         matched: defaultdict[int, int] = defaultdict(int)
         for points in each:
             for i, value in points.items():
-                total[i] += value
-                matched[i] += 1
+                if self._place(i) not in hidden:
+                    total[i] += value
+                    matched[i] += 1
         most = max(matched.values(), default=0)
         phrase = plain(text)
         best = {i: value + self.names[i].get(phrase, 0.0) for i, value in total.items() if matched[i] == most}
         order = sorted(best, key=lambda i: (-round(best[i], 6), i))
-        return [self.items[i].entry for i in order]
+        return [_without(self.items[i].entry, hidden) for i in order]
 
-    def _points(self, term: Term) -> Points:
+    def _place(self, i: int) -> Place:
+        entry = self.items[i].entry
+        return entry.kind, entry.key
+
+    def _points(self, term: Term, among_others: bool) -> Points:
         if term.kind == "word":
             return self._word(term.text)
         found = {i: points for i, item in enumerate(self.items) if (points := _numbered(item, term)) > 0.0}
         if not found and term.kind == "section" and "." in term.text:
-            return self._points(term._replace(text=term.text.rpartition(".")[0]))
-        return found
+            return self._points(term._replace(text=term.text.rpartition(".")[0]), among_others)
+        # Beside a name a number may be a part of it, as in KR 6.
+        return {**self._word(term.text), **found} if among_others and term.kind == "any" else found
 
     def _shared(self, points: Points) -> Points:
         """Add a fraction of the points of rows to what belongs to them."""
@@ -195,27 +164,39 @@ class _Index:
             if entry.kind != "row":
                 continue
             for j in self.belonging.get(entry.key, ()):
-                kind = self.items[j].entry.kind
-                part = value - DIRECT + LINKED if value > LINKED else value * SHARE[kind]
-                result[j] = max(result.get(j, 0.0), part)
+                share = SHARE.get(self.items[j].entry.kind)
+                if share is not None:
+                    part = value - DIRECT + LINKED if value > LINKED else value * share
+                    result[j] = max(result.get(j, 0.0), part)
         return result
 
     def _word(self, word: str) -> Points:
         best: Points = {}
         for form, worth in self._forms(word):
-            for i, points in self.words[form].items():
-                best[i] = max(best.get(i, 0.0), points * worth)
+            _raise(best, self.words[form], worth)
+        bare = word.replace("-", "")
+        for other in synonyms((bare, singular(bare))):
+            _raise(best, self._all_of(other.replace("-", " ").split()), SYNONYM)
         if "-" in word:
-            parts = [self._word(part) for part in word.split("-")]
-            for i in set.intersection(*(set(part) for part in parts)):
-                best[i] = max(best.get(i, 0.0), sum(part[i] for part in parts) / len(parts))
+            _raise(best, self._of_parts([self._word(part) for part in word.split("-")]), 1.0)
         return best
+
+    def _all_of(self, words: list[str]) -> Points:
+        """Return the points of what has all of some words as they stand."""
+        return self._of_parts([self.words.get(word, {}) for word in words])
+
+    def _of_parts(self, parts: list[Points]) -> Points:
+        both = set.intersection(*(set(part) for part in parts))
+        return {i: sum(part[i] for part in parts) / len(parts) for i in both}
 
     def _forms(self, word: str) -> Iterator[tuple[str, float]]:
         """Yield indexed words and their factors for a word of the query."""
         word = word.replace("-", "")
         if word in self.words:
             yield word, 1.0
+        one = singular(word)
+        if one != word and one in self.words:
+            yield one, PLURAL
         if len(word) > 1:
             for form in self.ordered[bisect_left(self.ordered, word) :]:
                 if not form.startswith(word):
@@ -226,7 +207,24 @@ class _Index:
             yield from ((form, SLIP) for form in near if one_slip(word, form))
 
 
-def _numbered(item: _Item, term: Term) -> float:
+def _raise(best: Points, points: Mapping[int, float], worth: float) -> None:
+    """Take over points that are more than those there are."""
+    for i, value in points.items():
+        best[i] = max(best.get(i, 0.0), value * worth)
+
+
+def _without(entry: Entry, hidden: Collection[Place]) -> Entry:
+    """Return an entry without what it leads to that is hidden."""
+    if not hidden or entry.kind != "row":
+        return entry
+
+    def kept(kind: Kind, keys: tuple[str, ...]) -> tuple[str, ...]:
+        return tuple(key for key in keys if (kind, key) not in hidden)
+
+    return replace(entry, lessons=kept("lesson", entry.lessons), benches=kept("bench", entry.benches))
+
+
+def _numbered(item: Item, term: Term) -> float:
     """Return the points of an item for a number or an id."""
     entry = item.entry
     if term.kind == "id":
@@ -244,16 +242,14 @@ def _numbered(item: _Item, term: Term) -> float:
 
 
 @lru_cache(maxsize=8)
-def _index(taught: tuple[Taught, ...], benches: tuple[Bench, ...]) -> _Index:
-    """Return the index of these lessons and benches, which is kept between queries."""
-    others = [*map(_lesson_item, taught), *map(_bench_item, benches), *_function_items()]
-    of_row: defaultdict[str, list[_Item]] = defaultdict(list)
-    for item in others:
-        for row in item.entry.rows:
-            of_row[row].append(item)
-    own = [_row_item(row, of_row[row.id]) for row in rows().values()]
-    items = (*(_chapter_item(key, own) for key in chapters()), *own, *others)
-    place = {id(item): i for i, item in enumerate(items)}
+def _index(taught: tuple[Taught, ...], things: tuple[Thing, ...]) -> _Index:
+    """Return the index of these lessons and things, which is kept between queries."""
+    items = items_of(taught, things)
+    belonging: defaultdict[str, list[int]] = defaultdict(list)
+    for i, item in enumerate(items):
+        if item.entry.kind not in ("chapter", "row"):
+            for row in item.entry.rows:
+                belonging[row].append(i)
     words = _postings(items)
     slips: defaultdict[str, list[str]] = defaultdict(list)
     for word in words:
@@ -266,93 +262,32 @@ def _index(taught: tuple[Taught, ...], benches: tuple[Bench, ...]) -> _Index:
         words=words,
         ordered=tuple(sorted(words)),
         slips={part: tuple(whole) for part, whole in slips.items()},
-        belonging={row: tuple(place[id(item)] for item in found) for row, found in of_row.items()},
+        belonging={row: tuple(found) for row, found in belonging.items()},
     )
 
 
-def _chapter_item(key: str, own: Iterable[_Item]) -> _Item:
-    """Return a chapter with the numbers of what it contains."""
-    entries = [item.entry for item in own if rows()[item.entry.key].chapter == key]
-    counts = [_count(len(entries), "topic", "topics")]
-    for kind, one, many in (("lessons", "lesson", "lessons"), ("functions", "function", "functions")):
-        number = len({name for entry in entries for name in getattr(entry, kind)})
-        counts += [_count(number, one, many)] if number else []
-    entry = Entry("chapter", key, chapters()[key], ", ".join(counts), tuple(entry.key for entry in entries))
-    return _Item(entry, sections=(key,))
-
-
-def _count(number: int, one: str, many: str) -> str:
-    return f"{number} {one if number == 1 else many}"
-
-
-def _row_item(row: Row, belonging: Iterable[_Item]) -> _Item:
-    of = {kind: tuple(item.entry.key for item in belonging if item.entry.kind == kind) for kind in SHARE}
-    title = chapters()[row.section] if row.section in ("A", "R") else f"Section {row.section}"
-    equations = "equation" if len(row.equations) == 1 and "-" not in row.equations[0] else "equations"
-    cited = ([f"{equations} {', '.join(row.equations)}"] if row.equations else []) + list(row.numbered)
-    entry = Entry(
-        "row", row.id, row.title, "; ".join([title, *cited]), (row.id,), of["lesson"], of["bench"], of["function"]
-    )
-    return _Item(entry, row.words, row.references, (row.section,))
-
-
-def _lesson_item(lesson: Taught) -> _Item:
-    entry = Entry("lesson", lesson.key, lesson.title, lesson.chapter, lesson.teaches)
-    return _Item(entry)
-
-
-def _bench_item(bench: Bench) -> _Item:
-    """Return a bench; it is found by sections, rows, equations in brackets, or words."""
-    sections = tuple(about for about in bench.about if SECTION.fullmatch(about))
-    cited = [reference("equation", about[1:-1]) for about in bench.about if about.startswith("(")]
-    references = tuple(one for one in cited if one is not None)
-    words = tuple(
-        about for about in bench.about if about not in sections and about not in rows() and not about.startswith("(")
-    )
-    belongs = tuple(
-        row.id
-        for row in rows().values()
-        if row.id in bench.about
-        or any(row.section == section or row.section.startswith(f"{section}.") for section in sections)
-        or any(row.cites(one) for one in references)
-    )
-    entry = Entry("bench", bench.key, bench.title, ", ".join(words), belongs)
-    return _Item(entry, words, references, sections)
-
-
-def _function_items() -> Iterator[_Item]:
-    """Yield functions; each belongs to the rows whose equations it cites, or to those of its section without any."""
-    by_equation = {
-        row.id: [one.name for one in functions() if any(map(row.cites, one.cites.references))]
-        for row in rows().values()
-    }
-    for one in functions():
-        belongs = tuple(
-            row.id
-            for row in rows().values()
-            if one.name in by_equation[row.id] or (not by_equation[row.id] and row.section in one.cites.sections)
-        )
-        title = one.name.removeprefix(f"{kin.__name__}.").rpartition(".")[2]
-        entry = Entry("function", one.name, title, one.says, belongs)
-        yield _Item(entry, (), one.cites.references, one.cites.sections)
-
-
-def _whole(item: _Item) -> dict[str, float]:
+def _whole(item: Item) -> dict[str, float]:
     """Return the whole queries that find an item, and the points for each."""
-    names = {plain(word): WHOLE_NAME for word in item.words}
-    return names if item.entry.kind == "function" else {**names, plain(item.entry.title): WHOLE_TITLE}
+    worth = WORTH.get(item.entry.kind, 1.0)
+    names = {plain(word): worth * WHOLE_NAME for word in item.words}
+    if item.entry.kind == "function":
+        return names
+    titles = (item.entry.title, f"{item.entry.within} {item.entry.title}", *item.names)
+    return {**names, **dict.fromkeys(map(plain, titles), WHOLE_TITLE)}
 
 
-def _postings(items: Iterable[_Item]) -> Postings:
+def _postings(items: Iterable[Item]) -> Postings:
     """Return the items that contain each word, with points; a short title counts slightly more."""
     words: defaultdict[str, Points] = defaultdict(dict)
     for i, item in enumerate(items):
-        title = list(tokens(item.entry.title))
-        detail = item.entry.detail if item.entry.kind == "function" else ""
-        others = (token for word in item.words for token in tokens(word))
-        fields = ((title, TITLE - min(len(title), MOST_OFF)), (others, WORDS), (tokens(detail), DETAIL))
-        part = OF_FUNCTIONS if item.entry.kind == "function" else 1.0
-        for found, points in fields:
+        entry, worth = item.entry, WORTH.get(item.entry.kind, 1.0)
+        texts = [(title, TITLE) for title in (entry.title, *item.names)]
+        texts += [*((word, WORDS) for word in item.words), (entry.within, PARENT)]
+        texts += [(entry.detail, DETAIL)] if entry.kind in SHOWS_DETAIL else []
+        for text, most in texts:
+            found = list(tokens(text))
+            points = most - min(len(found), MOST_OFF)
             for token in found:
-                words[token][i] = max(words[token].get(i, 0.0), part * points)
+                for form, factor in ((singular(token), PLURAL), (token, 1.0)):
+                    words[form][i] = max(words[form].get(i, 0.0), worth * points * factor)
     return dict(words)

@@ -71,6 +71,13 @@ class Table:
             raise self.fail(key, f"unknown value {value!r}{suggestion(value, names)}")
         return value
 
+    def texts(self, key: str) -> tuple[str, ...]:
+        """Take a list of texts; an empty tuple when it is missing."""
+        value = self._take(key, [])
+        if not isinstance(value, list) or not all(isinstance(entry, str) and entry.strip() for entry in value):
+            raise self.fail(key, f"expected a list of texts, got {shown(value)}")
+        return tuple(value)
+
     def value(self, key: str, default: Any = None) -> Any:
         """Take a value of any kind, unchanged."""
         return self._take(key, default)

@@ -78,6 +78,8 @@ class Robot:
     key : str
         File name without its ending.
     name, family, summary, source : str
+    words : tuple of str
+        Other words by which it is found, such as its maker.
     arm : Arm
     poses : dict
         Named configurations; the first is where the arm stands when it is chosen.
@@ -94,6 +96,7 @@ class Robot:
     poses: dict[str, NDArray[np.float64]]
     expected: tuple[Expected, ...]
     camera: Camera
+    words: tuple[str, ...] = ()
 
     @property
     def home(self) -> NDArray[np.float64]:
@@ -150,6 +153,7 @@ def parse_robot(key: str, text: str, file: str | None = None, *, proven: bool = 
         poses=dict(_named_poses(top, arm, kinds, required=proven)) or {"home": _rest(arm)},
         expected=tuple(_expected(table, kinds) for table in top.tables("expected")),
         camera=_camera(top.table("camera"), arm),
+        words=top.texts("words"),
     )
     if proven and len(robot.expected) < 2:
         raise top.fail("expected", f"give at least two poses that prove the table, got {len(robot.expected)}")

@@ -11,7 +11,7 @@ from importlib import resources
 from types import MappingProxyType
 from typing import NamedTuple
 
-from armlab.content.reader import Table, shown
+from armlab.content.reader import Table
 from armlab.errors import ContentError
 
 FILE = "rows.toml"
@@ -124,7 +124,7 @@ def parse_rows(text: str, file: str = FILE) -> tuple[dict[str, str], dict[str, R
     heads.done()
     rows: dict[str, Row] = {}
     for table in top.tables("rows"):
-        row = _row(_RowTable(table), chapters)
+        row = _row(table, chapters)
         if row.id in rows:
             raise table.fail("id", f"{row.id!r} comes twice")
         rows[row.id] = row
@@ -132,23 +132,11 @@ def parse_rows(text: str, file: str = FILE) -> tuple[dict[str, str], dict[str, R
     return chapters, rows
 
 
-class _RowTable(Table):
-    def __init__(self, table: Table) -> None:
-        super().__init__(table.file, table._data, table.where)
-
-    def texts(self, key: str) -> tuple[str, ...]:
-        """Take a list of texts; an empty tuple when it is missing."""
-        value = self._take(key, [])
-        if not isinstance(value, list) or not all(isinstance(entry, str) and entry.strip() for entry in value):
-            raise self.fail(key, f"expected a list of texts, got {shown(value)}")
-        return tuple(value)
-
-
 def _chapters(heads: Table) -> Iterable[str]:
     return (key for key in ("1", "2", "3", "4", "5", "6", "7", "A", "R") if heads.has(key))
 
 
-def _row(table: _RowTable, chapters: Mapping[str, str]) -> Row:
+def _row(table: Table, chapters: Mapping[str, str]) -> Row:
     row = Row(
         id=table.text("id"),
         section=table.text("section"),

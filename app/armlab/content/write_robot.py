@@ -34,7 +34,8 @@ def robot_toml(robot: Robot) -> str:
     if arm.task.key not in NAMED:
         raise InputError(f"task: expected one with a name ({', '.join(NAMED)}), got {arm.task.title!r}")
     words = (("name", robot.name), ("family", robot.family), ("summary", robot.summary))
-    lines = [*(f"{key} = {_text(value)}" for key, value in words), f'convention = "{arm.convention}"']
+    also = [f"words = [{', '.join(map(_text, robot.words))}]"] if robot.words else []
+    lines = [*(f"{key} = {_text(value)}" for key, value in words), *also, f'convention = "{arm.convention}"']
     lines += [f'task = "{arm.task.key}"', f"source = {_text(robot.source)}", "", "[camera]"]
     lines += [f"azimuth_deg = {shortest(robot.camera.azimuth_deg)}"]
     lines += [

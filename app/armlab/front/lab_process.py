@@ -12,6 +12,7 @@ from armlab.content.robots import catalogue
 from armlab.front.start import SWITCH_INTERVAL
 from armlab.ui.lab import Lab
 from armlab.ui.plugin import panels
+from armlab.ui.search.finds import prepare
 
 
 def main() -> None:
@@ -25,6 +26,7 @@ def main() -> None:
     panels()
     lab = Lab(catalogue()[settings["opening"]], folder, settings["secret"])
     print(json.dumps({"port": lab.port}), flush=True)
+    prepare()
     sys.stdin.read()
     lab.stop()
 

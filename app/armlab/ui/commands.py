@@ -1,4 +1,4 @@
-"""The command palette (Ctrl+K) and the keyboard shortcuts."""
+"""Commands of a page, with their keys: what the search finds and the keyboard does."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from typing import Any, Literal, Protocol, cast
 
 import viser
 
-from armlab.session.pages import pages
 from armlab.session.parts.display import Show
 from armlab.session.parts.joints import RandomPose, TakePose
 from armlab.session.parts.target import TargetToTool
@@ -23,7 +22,7 @@ from armlab.ui.switches import Switch
 
 
 class Page(Protocol):
-    """The page of a browser, on which an entry acts."""
+    """The page of a browser, on which a command acts."""
 
     client: viser.ClientHandle
     camera: Camera
@@ -38,18 +37,22 @@ class Page(Protocol):
 
 @dataclass(frozen=True)
 class Shortcut:
-    """One entry of the palette.
+    """One command.
 
     Parameters
     ----------
     label : str
     key : str or None
-        viser's name of the key; None for an entry without one.
+        viser's name of the key; None for a command without one.
     shown : str
         The key in its usual notation.
     act : callable
         Gets the view.
     modifier : str or None
+    name : str
+        Under which the search finds it; empty for what it finds as something else: a page, a switch.
+    about : tuple of str
+        Other words by which it is found.
     """
 
     label: str
@@ -57,46 +60,76 @@ class Shortcut:
     shown: str
     act: Callable[[Page], None]
     modifier: Literal["cmd/ctrl", "cmd/ctrl+shift"] | None = None
+    name: str = ""
+    about: tuple[str, ...] = ()
+
+
+def _look(place: str, label: str, name: str, *about: str, key: str | None = None) -> Shortcut:
+    words = ("camera", "view", *about)
+    return Shortcut(label, key, key or "", lambda view: view.camera.look_from(place), name=name, about=words)
 
 
 _FIXED: tuple[Shortcut, ...] = (
     Shortcut("Help", "H", "H", lambda view: view.open_tab("help")),
-    Shortcut("Undo", "Z", "Ctrl+Z", lambda view: view.post(Undo()), "cmd/ctrl"),
-    Shortcut("Redo", "Z", "Ctrl+Shift+Z", lambda view: view.post(Redo()), "cmd/ctrl+shift"),
-    Shortcut("Home pose", "O", "O", lambda view: view.post(TakePose(next(iter(view.session.robot.poses))))),
-    Shortcut("Zero pose", "0", "0", lambda view: view.post(TakePose("zero"))),
-    Shortcut("Random pose", "R", "R", lambda view: view.post(RandomPose())),
-    Shortcut("Target back to the tool", "B", "B", lambda view: view.post(TargetToTool())),
-    Shortcut("Look from home", "C", "C", lambda view: view.camera.look_from("Home")),
-    Shortcut("Look from the front", None, "", lambda view: view.camera.look_from("Front")),
-    Shortcut("Look from the side", None, "", lambda view: view.camera.look_from("Side")),
-    Shortcut("Look from the top", None, "", lambda view: view.camera.look_from("Top")),
+    Shortcut("Undo", "Z", "Ctrl+Z", lambda view: view.post(Undo()), "cmd/ctrl", "undo", ("take back", "step back")),
+    Shortcut("Redo", "Z", "Ctrl+Shift+Z", lambda view: view.post(Redo()), "cmd/ctrl+shift", "redo", ("do again",)),
+    Shortcut(
+        "Home pose",
+        "O",
+        "O",
+        lambda view: view.post(TakePose(next(iter(view.session.robot.poses)))),
+        name="home",
+        about=("reset the joints", "start pose", "ready"),
+    ),
+    Shortcut(
+        "Zero pose",
+        "0",
+        "0",
+        lambda view: view.post(TakePose("zero")),
+        name="zero",
+        about=("all joints zero", "reset the joints"),
+    ),
+    Shortcut(
+        "Random pose", "R", "R", lambda view: view.post(RandomPose()), name="random", about=("random joint values",)
+    ),
+    Shortcut(
+        "Target back to the tool",
+        "B",
+        "B",
+        lambda view: view.post(TargetToTool()),
+        name="target_to_tool",
+        about=("reset the target", "handle"),
+    ),
+    _look("Home", "Look from home", "look_home", "reset the view", "zoom to fit", "fit", key="C"),
+    _look("Front", "Look from the front", "look_front", "front view"),
+    _look("Side", "Look from the side", "look_side", "side view"),
+    _look("Top", "Look from the top", "look_top", "top view", "plan view", "above"),
 )
 
 
-def _toggle(switch: Switch) -> Shortcut:
+def toggle(switch: Switch) -> Shortcut:
+    """Return the command that switches a part of the picture on or off."""
+
     def act(view: Page) -> None:
         view.post(Show(switch.name, not switch.on(view.session.state)))
 
     return Shortcut(f"Show or hide: {lowered(switch.title)}", switch.key or None, switch.key, act)
 
 
-def _open(key: str, title: str) -> Shortcut:
-    return Shortcut(f"Open {title}", None, "", lambda view: view.open_tab(key))
-
-
 @cache
 def shortcuts() -> tuple[Shortcut, ...]:
-    """Return all entries: the fixed ones, one for each switch of the picture, one for each panel."""
-    toggles = (_toggle(switch) for switch in switches())
-    return (*_FIXED, *toggles, *(_open(panel.key, panel.title) for panel in pages().values()))
+    """Return all commands: the fixed ones, and one for each switch of the picture."""
+    return (*_FIXED, *map(toggle, switches()))
 
 
 def register(view: Page) -> None:
-    """Add all entries to the palette of a browser."""
+    """Let the keys of a browser do their commands."""
     for shortcut in shortcuts():
-        handle = view.client.gui.add_command(shortcut.label, hotkey=cast(Any, shortcut.key), modifier=shortcut.modifier)
-        adapter.on_event(handle, "on_trigger", partial(_do, shortcut, view))
+        if shortcut.key is not None:
+            handle = view.client.gui.add_command(
+                shortcut.label, hotkey=cast(Any, shortcut.key), modifier=shortcut.modifier
+            )
+            adapter.on_event(handle, "on_trigger", partial(_do, shortcut, view))
 
 
 def _do(shortcut: Shortcut, view: Page, _: object) -> None:

@@ -1,4 +1,4 @@
-"""The layer over the scene: a line with the verdict or the next step, undo and redo, and notes to the page's script.
+"""The layer over the scene: the search, the verdict or the next step, undo and redo, and notes to the page's script.
 
 The markup is put into viser's own main window, which the style sheet hides except for these children; so it stays
 mounted whatever tab is open.
@@ -22,6 +22,7 @@ from armlab.session.state import Post
 from armlab.ui.fields import Fields
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.search.markup import search_button
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import verdict_line
 
@@ -51,7 +52,7 @@ class Overlay:
         if self._form.shows(line, *self._made_of(session)):
             return
         hint = tag("div.al-over.al-hint", line, role="status") if line else None
-        self._form.show(hint, self._place(session), self._steps(session), self._notes(session))
+        self._form.show(hint, self._top(), self._place(session), self._steps(session), self._notes(session))
 
     def _made_of(self, session: Session) -> tuple[object, ...]:
         """Return all values on which the layer depends besides the line."""
@@ -62,6 +63,10 @@ class Overlay:
             (robot.own, robot.robot.key, session.state[LessonPart].open, hidden_tabs(session.state)),
             (self._tab, self._asked),
         )
+
+    def _top(self) -> Markup:
+        """Return the row at the top left of the scene."""
+        return tag("div.al-over.al-top", search_button("Search"))
 
     def _place(self, session: Session) -> Markup | None:
         """Return a sentence on where the student is, unless at the lesson or own work, with the button back."""

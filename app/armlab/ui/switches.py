@@ -21,6 +21,8 @@ class Switch:
         The letter that toggles it; empty for none.
     default : bool
         Its position while it has not been set.
+    about : tuple of str
+        Other words by which it is found.
     """
 
     name: str
@@ -28,17 +30,34 @@ class Switch:
     hint: str
     key: str = ""
     default: bool = False
+    about: tuple[str, ...] = ()
 
     def on(self, state: State) -> bool:
         """Return whether the switch is on."""
         return state[Display].switches.get(self.name, self.default)
 
 
-SKELETON = Switch("skeleton", "Skeleton", "Textbook symbols instead of bodies: cylinders turn, boxes slide.", "K")
-SHADOWS = Switch(
-    "shadows", "Shadows", "Without them the picture moves twice as fast on a weak graphics processor.", default=True
+SKELETON = Switch(
+    "skeleton",
+    "Skeleton",
+    "Textbook symbols instead of bodies: cylinders turn, boxes slide.",
+    "K",
+    about=("stick figure", "schematic"),
 )
-DARK = Switch("dark", "Dark theme", "Light on dark, for a dark room.", "L")
+SHADOWS = Switch(
+    "shadows",
+    "Shadows",
+    "Without them the picture moves twice as fast on a weak graphics processor.",
+    default=True,
+    about=("slow picture", "graphics"),
+)
+DARK = Switch(
+    "dark",
+    "Dark theme",
+    "Light on dark, for a dark room.",
+    "L",
+    about=("dark mode", "light mode", "light theme", "night"),
+)
 
 GENERAL = (SHADOWS, DARK)
 """Switches that do not belong to one layer."""

@@ -33,6 +33,7 @@ from armlab.ui.lesson.dock import LessonDock
 from armlab.ui.overlay import Overlay
 from armlab.ui.pace import Pace
 from armlab.ui.plugin import NOTHING, Panel, Points, layers, whole_panel
+from armlab.ui.search.dialog import SearchDialog
 from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
 from armlab.ui.timeline_bar import TimelineBar
@@ -110,6 +111,7 @@ class View:
         with self.client.atomic():
             self._theme(self.session.state)
             self._overlay = Overlay(self.client, self.post, self._tabs_seen)
+            self._search = SearchDialog(self)
             self._timeline = TimelineBar(self.client, self.post)
             yield
             yield from self._dock()
@@ -367,6 +369,7 @@ class View:
                 self._pace.timed(self._tabs[key].show, state, again)
             self._lesson.show(state)
             self._show_overlay()
+            self._search.show(self._open_panels(state))
             self._timeline.show(state, self._open_panels(state))
             self._tell()
 

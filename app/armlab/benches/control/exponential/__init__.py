@@ -1,6 +1,6 @@
 """The page Matrix exponential of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -17,5 +17,11 @@ PAGE = Page(
         "eigenvectors",
         "diagonalisation",
         "linear system",
+        "expm",
+        "eigenvalues",
+    ),
+    exports=(
+        Export("csv", "Errors over time as CSV", ("e^At", "curves", "table")),
+        Export("copy LaTeX", "Matrix exponential as LaTeX"),
     ),
 )

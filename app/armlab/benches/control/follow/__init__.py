@@ -1,6 +1,6 @@
 """The page Tracking of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -39,5 +39,10 @@ PAGE = Page(
         "encoder",
         "sampling time",
         "null space",
+        "simulation",
+        "clik",
+        "feedforward",
+        "gain",
     ),
+    exports=(Export("csv", "Runs of the control as CSV", ("simulation", "curves", "table")),),
 )

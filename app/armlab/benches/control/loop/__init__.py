@@ -1,6 +1,6 @@
 """The page Velocity loop of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -19,5 +19,8 @@ PAGE = Page(
         "Bode plot",
         "cutoff frequency",
         "feedback loop",
+        "frequency response",
+        "step response",
     ),
+    exports=(Export("csv", "Velocity of the loop as CSV", ("step response", "curves", "table")),),
 )

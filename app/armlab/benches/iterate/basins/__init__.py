@@ -1,6 +1,6 @@
 """The page Convergence map of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -19,5 +19,8 @@ PAGE = Page(
         "which solution a method finds",
         "start of an iteration",
         "convergence",
+        "local minimum",
+        "initial guess",
     ),
+    exports=(Export("png", "Map of the basins as PNG", ("picture", "image"), "a map has been made"),),
 )

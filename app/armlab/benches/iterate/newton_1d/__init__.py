@@ -9,5 +9,5 @@ PAGE = Page(
     "MATH_FUNCTION",
     34,
     tab="iterations",
-    about=("S4.4.1-newton-scalar", "Newton-Raphson", "tangent", "root of an equation"),
+    about=("S4.4.1-newton-scalar", "Newton-Raphson", "tangent", "root of an equation", "root finding", "Newton method"),
 )

@@ -1,6 +1,6 @@
 """The page Numerical IK of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -24,5 +24,10 @@ PAGE = Page(
         "damped least squares",
         "cyclic coordinate descent",
         "Broyden",
+        "Newton method",
+        "gradient descent",
+        "Levenberg-Marquardt",
+        "convergence",
     ),
+    exports=(Export("csv", "Errors of the iterations as CSV", ("residual", "curves", "table")),),
 )

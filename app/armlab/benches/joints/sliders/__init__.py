@@ -16,5 +16,12 @@ PAGE = Page(
         "joint limits",
         "move the arm",
         "forward kinematics",
+        "jog",
+        "jog a joint",
+        "fk",
+        "held joints",
+        "lock a joint",
+        "named poses",
+        "degrees of freedom",
     ),
 )

@@ -1,6 +1,6 @@
 """The page For teachers of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -9,6 +9,7 @@ PAGE = Page(
     "PENCIL",
     6,
     tab="lessons",
-    about=("write a lesson", "teacher", "save as lesson"),
+    about=("write a lesson", "teacher", "save as lesson", "write an exercise", "own lesson"),
     always=True,
+    exports=(Export("save-lesson", "This arm as a lesson file", ("Markdown", "new lesson")),),
 )

@@ -1,6 +1,6 @@
 """The page Lessons of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -8,6 +8,10 @@ PAGE = Page(
     "Lessons",
     "BOOK",
     5,
-    about=("exercises", "course", "chapters", "index of the notes"),
+    about=("exercises", "course", "chapters", "index of the notes", "assignments", "homework", "tutorial"),
     always=True,
+    exports=(
+        Export("lesson-load", "Open saved work", ("import", "load", "continue", "progress")),
+        Export("lesson-save", "Save my work", ("hand in", "submit", "progress"), "a lesson is open"),
+    ),
 )

@@ -1,6 +1,6 @@
 """The page Interpolation of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -37,5 +37,9 @@ PAGE = Page(
         "virtual knots",
         "knots",
         "minimum time",
+        "minimum jerk",
+        "polynomial",
+        "via points",
     ),
+    exports=(Export("csv", "Curves through the knots as CSV", ("polynomial", "curves", "table")),),
 )

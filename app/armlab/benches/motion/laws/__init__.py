@@ -1,6 +1,6 @@
 """The page Timing laws of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -30,5 +30,10 @@ PAGE = Page(
         "time scaling",
         "velocity bound",
         "acceleration bound",
+        "trapezoidal profile",
+        "S-curve",
+        "velocity profile",
+        "minimum jerk",
     ),
+    exports=(Export("csv", "Timing law as CSV", ("profile", "curves", "table")),),
 )

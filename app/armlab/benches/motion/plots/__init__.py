@@ -1,6 +1,6 @@
 """The page Plots of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -15,7 +15,7 @@ PAGE = Page(
         "S6.2-classes",
         "S6.3.2-optimality",
         "S6.3-cartesian",
-        "6.18-6.19",
+        "(6.18-6.19)",
         "plots of the motion",
         "velocity",
         "acceleration",
@@ -25,5 +25,8 @@ PAGE = Page(
         "joint limits over time",
         "joint move against Cartesian move",
         "travel time",
+        "graphs",
+        "curves over time",
     ),
+    exports=(Export("csv", "Plots of the motion as CSV", ("graph", "curves", "table")),),
 )

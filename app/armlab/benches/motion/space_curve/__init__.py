@@ -1,6 +1,6 @@
 """The page Path geometry of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -38,5 +38,10 @@ PAGE = Page(
         "helix",
         "orientation planning",
         "slerp",
+        "blending",
+        "circle",
+        "arc",
+        "orientation path",
     ),
+    exports=(Export("csv", "Curvature and torsion as CSV", ("path", "curves", "table")),),
 )

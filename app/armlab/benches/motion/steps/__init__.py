@@ -1,6 +1,6 @@
 """The page Planning steps of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -21,5 +21,8 @@ PAGE = Page(
         "sampling",
         "knots",
         "inverse kinematics along a path",
+        "planning steps",
+        "pipeline",
     ),
+    exports=(Export("csv", "Plots of the steps as CSV", ("planning", "curves", "table")),),
 )

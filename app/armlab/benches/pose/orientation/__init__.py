@@ -1,6 +1,6 @@
 """The page Orientation of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -19,5 +19,10 @@ PAGE = Page(
         "quaternion",
         "Euler angles",
         "roll pitch yaw",
+        "rotation matrix",
+        "rotation vector",
+        "rpy",
+        "convert an orientation",
     ),
+    exports=(Export("copy NumPy", "Rotation matrix as NumPy", ("MATLAB", "LaTeX")),),
 )

@@ -1,6 +1,6 @@
 """The page Pose of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -20,5 +20,12 @@ PAGE = Page(
         "matrix",
         "position",
         "coordinates",
+        "end effector",
+        "tcp",
+        "homogeneous transformation",
+        "transform",
+        "frames",
+        "transformation matrix",
     ),
+    exports=(Export("copy NumPy", "Pose matrix as NumPy", ("MATLAB", "LaTeX", "transform")),),
 )

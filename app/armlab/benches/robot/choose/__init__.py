@@ -9,5 +9,16 @@ PAGE = Page(
     "ROBOT",
     10,
     page="Arms",
-    about=("R", "S1.1-joint-types", "S1.1-r4-robot", "S1.7-history", "catalogue of arms", "choose an arm"),
+    about=(
+        "R",
+        "S1.1-joint-types",
+        "S1.1-r4-robot",
+        "S1.7-history",
+        "catalogue of arms",
+        "choose an arm",
+        "all arms",
+        "gallery",
+        "switch the arm",
+        "another robot",
+    ),
 )

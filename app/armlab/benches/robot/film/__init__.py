@@ -9,5 +9,5 @@ PAGE = Page(
     "MOVIE",
     12,
     tab="robot",
-    about=("S4.1-dh", "(4.10-4.14)", "animation of a row", "four factors", "step by step"),
+    about=("S4.1-dh", "(4.10-4.14)", "animation of a row", "four factors", "step by step", "animation of the DH table"),
 )

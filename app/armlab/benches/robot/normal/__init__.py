@@ -9,5 +9,13 @@ PAGE = Page(
     "VECTOR",
     13,
     tab="robot",
-    about=("S4.1-common-normal", "(4.8-4.9)", "common normal", "skew lines", "twist angle"),
+    about=(
+        "S4.1-common-normal",
+        "(4.8-4.9)",
+        "common normal",
+        "skew lines",
+        "twist angle",
+        "skew axes",
+        "distance of two lines",
+    ),
 )

@@ -9,5 +9,15 @@ PAGE = Page(
     "PENCIL",
     14,
     tab="robot",
-    about=("S4.1-common-normal", "S4.1-dh", "S4.1-dh-caveats", "assign frames", "practise the DH rules", "exercise"),
+    about=(
+        "S4.1-common-normal",
+        "S4.1-dh",
+        "S4.1-dh-caveats",
+        "assign frames",
+        "practise the DH rules",
+        "exercise",
+        "quiz",
+        "DH quiz",
+        "assigning frames",
+    ),
 )

@@ -19,5 +19,8 @@ PAGE = Page(
         "derivation",
         "law of cosines",
         "Pieper",
+        "analytic solution",
+        "geometric solution",
+        "worked by hand",
     ),
 )

@@ -15,5 +15,12 @@ PAGE = Page(
         "inverse kinematics",
         "reach a point",
         "drag",
+        "ik",
+        "goal",
+        "damping",
+        "weights",
+        "position only",
+        "out of reach",
+        "unreachable",
     ),
 )

@@ -24,5 +24,11 @@ PAGE = Page(
         "self-motion",
         "redundant arm",
         "multistart",
+        "multiple solutions",
+        "branches",
+        "configurations",
+        "postures",
+        "eight solutions",
+        "flip",
     ),
 )

@@ -1,6 +1,6 @@
 """The page Ellipsoid of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -21,5 +21,11 @@ PAGE = Page(
         "manipulability over the distance",
         "condition number",
         "singular places",
+        "manipulability",
+        "Yoshikawa",
+        "singular values",
+        "isotropy",
+        "force ellipse",
     ),
+    exports=(Export("csv", "Manipulability as CSV", ("ellipsoid", "curves", "table")),),
 )

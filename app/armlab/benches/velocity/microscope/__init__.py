@@ -18,5 +18,12 @@ PAGE = Page(
         "singular directions",
         "inverse condition",
         "wrist singularity",
+        "singularity",
+        "singular",
+        "singularities",
+        "DLS",
+        "damping",
+        "det J",
+        "near a singularity",
     ),
 )

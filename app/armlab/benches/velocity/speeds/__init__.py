@@ -1,6 +1,6 @@
 """The page Jacobian of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -27,7 +27,14 @@ PAGE = Page(
         "joint speeds",
         "linear velocity",
         "angular velocity",
-        "acceleration",
-        "jerk",
+        "acceleration of the tool",
+        "jerk of the tool",
+        "geometric Jacobian",
+        "tool velocity",
+        "twist",
+        "joint velocities",
+        "forward differential kinematics",
+        "det J",
     ),
+    exports=(Export("copy NumPy", "Jacobian as NumPy", ("MATLAB", "LaTeX", "matrix")),),
 )

@@ -20,5 +20,10 @@ PAGE = Page(
         "virtual work",
         "transpose of the Jacobian",
         "force without torque",
+        "force",
+        "payload",
+        "torque",
+        "load",
+        "weight",
     ),
 )

@@ -1,6 +1,6 @@
 """The page Angular velocity of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -24,5 +24,9 @@ PAGE = Page(
         "Euler angles",
         "infinitesimal rotations",
         "gimbal lock",
+        "representation singularity",
+        "analytic Jacobian",
+        "angle rates",
     ),
+    exports=(Export("csv", "det T over the angle as CSV", ("representation singularity", "curves", "table")),),
 )

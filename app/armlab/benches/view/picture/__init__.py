@@ -9,6 +9,16 @@ PAGE = Page(
     "EYE",
     60,
     page="Display",
-    about=("camera", "theme", "labels", "units", "overlays"),
+    about=(
+        "camera",
+        "theme",
+        "labels",
+        "units",
+        "overlays",
+        "settings",
+        "preferences",
+        "notation",
+        "start fresh",
+    ),
     always=True,
 )

@@ -1,6 +1,6 @@
 """The page Reachable of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -19,6 +19,16 @@ PAGE = Page(
         "reachable workspace",
         "primary workspace",
         "reach",
-        "manipulability",
+        "coloured by manipulability",
+        "point cloud",
+        "reachability",
+        "voxels",
+    ),
+    exports=(
+        Export("csv", "Points of the workspace as CSV", ("cloud", "table"), "the workspace has been sampled"),
+        Export("ply", "Points of the workspace as PLY", ("cloud", "3D"), "the workspace has been sampled"),
+        Export(
+            "png", "Picture of the scene as PNG", ("screenshot", "image", "photo"), "the workspace has been sampled"
+        ),
     ),
 )

@@ -30,5 +30,7 @@ PAGE = Page(
         "orientation",
         "approach direction",
         "number of solutions",
+        "reachable orientations",
+        "dexterity",
     ),
 )

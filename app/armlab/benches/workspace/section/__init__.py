@@ -19,5 +19,8 @@ PAGE = Page(
         "volume of the workspace",
         "boundary of the workspace",
         "reach",
+        "slice",
+        "area",
+        "envelope",
     ),
 )

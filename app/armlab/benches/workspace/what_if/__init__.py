@@ -19,5 +19,7 @@ PAGE = Page(
         "compare workspaces",
         "volume",
         "parameter",
+        "longer links",
+        "compare arms",
     ),
 )

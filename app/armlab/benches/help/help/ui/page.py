@@ -29,7 +29,7 @@ MOUSE = (
     ("arrow keys, W A S D Q E", "fly, when no field or slider has the focus"),
     ("arrow keys on a slider", "move that joint step by step"),
     ("arrow keys on a solution", "to the next one, half a second each"),
-    ("Ctrl+K", "all commands"),
+    ("Ctrl+K, /", "search: pages, arms, lessons, topics, commands, files"),
 )
 
 UNDO = "Undo takes back what was done to joints, table, target and exercises; not what is shown, or in which units."

@@ -193,4 +193,4 @@ def save_link(found: Map, robot: str) -> Markup:
     """Return the link that saves the picture without axes as a PNG file."""
     name = f"basins_{file_name(robot)}_{found.question.run.method}.png"
     picture = as_address(png(enlarged(pixels(found.found))))
-    return tag("a.chip", "Save as PNG", download=name, href=picture)
+    return tag("a.chip", "Save as PNG", data_cell="png", download=name, href=picture)

@@ -15,21 +15,9 @@ from armlab.ui.camera import PRESETS
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.plugin import Panel, Show, switches
+from armlab.ui.settings import NOTATION
 from armlab.ui.switches import GENERAL, Switch
-from armlab.ui.units import BOOKS
 from armlab.ui.widgets import Gui
-
-NOTATION = {
-    "angle": ("Angles in", {"deg": "°", "rad": "rad"}, "Labels only: nothing is computed differently"),
-    "length": ("Lengths in", {"mm": "mm", "m": "m"}, "Matrices are always in metres"),
-    "variable": ("Variables", {"q": "q", "theta": "θ, d"}, "One letter for all joint variables, or as in the table"),
-    "book": (
-        "Table as in",
-        {key: book.title for key, book in BOOKS.items()},
-        "Order of the columns and letters; standard or modified is chosen with the table",
-    ),
-}
-
 
 ARM = ("skeleton", "frames", "names")
 """Switches for drawings of the arm itself; those of other layers are overlays."""
@@ -40,8 +28,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     grid = gui.form(post)
     gui.heading("Units and names")
     choices = {
-        name: gui.segments(title, options, getattr(state[Notation], name), _chooser(name, post), hint)
-        for name, (title, options, hint) in NOTATION.items()
+        name: gui.segments(each.title, each.options, getattr(state[Notation], name), _chooser(name, post), each.hint)
+        for name, each in NOTATION.items()
     }
     gui.heading("Look from")
     gui.buttons("Camera", tuple(PRESETS), gui.camera.look_from, "Drag to orbit, wheel to zoom, right button to pan.")

@@ -1,0 +1,29 @@
+"""Finds in a state: nothing that the open lesson hides, and lessons as soon as they have been read."""
+
+from __future__ import annotations
+
+from armlab.content.index import Entry, search, taught_in
+from armlab.content.lessons import lessons, lessons_read
+from armlab.session.panel_commands import hidden_panels
+from armlab.session.state import State
+from armlab.ui.search.offers import LESSONS, hidden, things
+
+MOST = 1000
+"""Largest number of finds that are counted."""
+
+
+def find(query: str, state: State) -> list[Entry]:
+    """Return everything on a query, the best first; nothing for an empty one.
+
+    The lessons are those read last: whoever searches in the first second does not wait for them.
+    """
+    if not query.strip():
+        return []
+    known = lessons_read()
+    taught = () if known is None or LESSONS in hidden_panels(state) else taught_in(known)
+    return search(query, MOST, things=things(), taught=taught, hidden=hidden(state))
+
+
+def prepare() -> None:
+    """Make the index of the lab, so that nobody waits for it: reads all lessons and imports all of kin."""
+    search("index", things=things(), taught=taught_in(lessons()))

@@ -1,0 +1,241 @@
+"""The search in a real browser: its keys, the focus, what a pick does, and how it stands on screens of all sizes."""
+
+import numpy as np
+import pytest
+
+from armlab.session.pages import pages
+from armlab.ui.search.offers import title_of
+
+pytestmark = pytest.mark.browser
+
+SIZES = [(1400, 850), (1024, 700), (390, 844)]
+
+DIALOG = "#al-search"
+
+INSIDE = """() => {
+  const dialog = document.getElementById('al-search').getBoundingClientRect();
+  const bad = [];
+  if (dialog.left < 0 || dialog.right > innerWidth || dialog.top < 0 || dialog.bottom > innerHeight) bad.push('dialog');
+  for (const e of document.querySelectorAll('#al-search *')) {
+    const r = e.getBoundingClientRect();
+    if (e.closest('svg') || !r.width) continue;
+    if (r.left < dialog.left - 1 || r.right > dialog.right + 1) bad.push(e.className);
+  }
+  return bad;
+}"""
+
+
+def is_open(lab):
+    return lab.page.evaluate("() => document.getElementById('al-search').open")
+
+
+def open_search(lab, text=""):
+    lab.page.keyboard.press("Control+k")
+    lab.page.keyboard.type(text)
+    lab.rest()
+    assert is_open(lab)
+
+
+def options(lab):
+    return lab.page.eval_on_selector_all(f"{DIALOG} [role=option]", "all => all.map(one => one.dataset.cell ?? '')")
+
+
+def active(lab):
+    """Return the cell of the option that the field points to, the only one that is selected."""
+    found = lab.page.evaluate(
+        """() => {
+          const named = document.querySelector('#al-search input').getAttribute('aria-activedescendant');
+          const chosen = [...document.querySelectorAll('#al-search [aria-selected=true]')];
+          return chosen.length === 1 && chosen[0].id === named ? chosen[0].dataset.cell ?? '' : null;
+        }"""
+    )
+    assert found is not None
+    return found
+
+
+def sees(lab, tab):
+    """Return whether a tab is seen, which its mark tells."""
+    seen = "tab => document.querySelector(`[data-tab=${tab}]`)?.parentElement.getClientRects().length > 0"
+    return lab.page.evaluate(seen, tab)
+
+
+def focused(lab):
+    return lab.page.evaluate("() => document.activeElement.dataset.cell ?? document.activeElement.tagName")
+
+
+def test_what_is_typed_and_confirmed_at_once_is_what_is_done(visit):
+    """Enter waits for the list of the text in the field, however slow the way to the lab."""
+    lab = visit()
+    lab.page.keyboard.press("Control+k")
+    lab.page.keyboard.type("zero pose")
+    lab.page.keyboard.press("Enter")
+    lab.until(lambda: not is_open(lab))
+    lab.rest()
+    np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)
+
+
+def test_the_palette_of_viser_stays_away_and_the_keys_of_commands_go_on_working(visit):
+    lab = visit()
+    for keys in ("Control+k", "Control+Shift+P"):
+        lab.page.keyboard.press(keys)
+        lab.rest()
+        assert is_open(lab)
+        assert lab.page.locator(".mantine-Spotlight-search").count() == 0
+        lab.page.keyboard.press(keys)
+        assert not is_open(lab)
+    lab.page.keyboard.press("0")
+    lab.rest()
+    np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)
+    lab.page.keyboard.press("h")
+    lab.rest()
+    assert sees(lab, "help")
+
+
+def test_a_slash_opens_it_where_nothing_is_typed_and_is_a_sign_in_a_field(visit):
+    lab = visit()
+    lab.open_tab("Target")
+    field = lab.page.locator('input[data-cell="x"]')
+    field.click()
+    lab.page.keyboard.type("1/2")
+    assert "1/2" in field.input_value()
+    assert not is_open(lab)
+    field.press("Escape")
+    lab.page.evaluate("() => document.activeElement.blur()")
+    lab.page.keyboard.press("/")
+    lab.rest()
+    assert is_open(lab)
+    assert focused(lab) == "search"
+    assert lab.page.locator(f"{DIALOG} input").input_value() == ""
+
+
+def test_escape_closes_it_and_gives_the_focus_back(visit):
+    lab = visit()
+    lab.open_tab("Target")
+    lab.page.locator('input[data-cell="y"]').focus()
+    open_search(lab, "ellipsoid")
+    assert focused(lab) == "search"
+    lab.page.keyboard.press("Escape")
+    lab.rest()
+    assert not is_open(lab)
+    assert focused(lab) == "y"
+    assert lab.page.locator(f"{DIALOG} [role=option]").count() == 0
+    open_search(lab)
+    assert lab.page.locator(f"{DIALOG} input").input_value() == ""
+
+
+def test_escape_leaves_the_projector_as_it_is(visit):
+    lab = visit()
+    lab.page.keyboard.press("v")
+    open_search(lab)
+    lab.page.keyboard.press("Escape")
+    lab.rest()
+    assert not is_open(lab)
+    assert lab.page.evaluate("() => document.documentElement.hasAttribute('data-projector')")
+    lab.page.keyboard.press("Escape")
+    assert not lab.page.evaluate("() => document.documentElement.hasAttribute('data-projector')")
+
+
+def test_arrow_keys_go_through_the_list_and_leave_the_camera_alone(visit):
+    lab = visit()
+    camera = lab.camera()
+    open_search(lab, "ellipsoid")
+    listed = options(lab)
+    assert len(listed) > 3
+    assert active(lab) == listed[0] == "hit bench:ellipsoid"
+    lab.page.keyboard.press("ArrowDown")
+    assert active(lab) == listed[1]
+    lab.page.keyboard.press("ArrowUp")
+    lab.page.keyboard.press("ArrowUp")
+    assert active(lab) == listed[-1]
+    lab.page.keyboard.press("ArrowDown")
+    lab.page.keyboard.type(" force")
+    lab.rest()
+    assert active(lab) == options(lab)[0]
+    np.testing.assert_allclose(lab.camera(), camera, atol=1e-9)
+    lab.page.keyboard.press("Enter")
+    lab.rest()
+    assert sees(lab, "velocity")
+
+
+def test_the_magnifier_opens_it_and_a_click_beside_it_closes_it(visit):
+    lab = visit()
+    lab.page.locator(".al-top .seek").click()
+    lab.rest()
+    assert is_open(lab)
+    lab.page.locator(f"{DIALOG} [data-ask=UR5]").click()
+    lab.rest()
+    assert focused(lab) == "search"
+    assert options(lab)[0] == "hit arm:ur5e"
+    lab.page.locator(f'{DIALOG} [data-cell="hit arm:ur5e"]').click()
+    lab.rest()
+    assert not is_open(lab)
+    assert lab.address().partition("?")[0].endswith("/robot/ur5e")
+    open_search(lab)
+    assert options(lab)[0] == "hit arm:ur5e"  # the recent find
+    lab.page.mouse.click(5, 5)
+    lab.rest()
+    assert not is_open(lab)
+
+
+def test_a_topic_is_asked_for_in_turn(visit):
+    lab = visit()
+    open_search(lab, "4.1")
+    lab.page.keyboard.press("Enter")
+    lab.rest()
+    assert is_open(lab)
+    assert lab.page.locator(f"{DIALOG} input").input_value() == "S4.1-common-normal"
+    assert "hit lesson:dh_frames" in options(lab)
+    assert "hit bench:normal" in options(lab)
+
+
+def test_a_file_brings_one_to_its_control(visit):
+    lab = visit()
+    open_search(lab, "csv")
+    lab.page.keyboard.press("Enter")
+    lab.until(lambda: focused(lab) == "csv")
+    assert sees(lab, "motion")
+    control = lab.page.locator("[data-brought]")
+    assert control.inner_text() == "CSV"
+    assert control.evaluate("e => { const r = e.getBoundingClientRect(); return r.top > 0 && r.bottom < innerHeight; }")
+    # The same from another page with a control of that name.
+    lab.open_tab(pages()["laws"].title)
+    open_search(lab, "samples of the motion csv")
+    lab.page.keyboard.press("Enter")
+    lab.until(lambda: lab.page.locator('[data-cell="python"]').count() > 0 and focused(lab) == "csv")
+    with lab.page.expect_download() as download:
+        lab.page.keyboard.press("Enter")
+    assert download.value.suggested_filename == "puma_560_motion.csv"
+
+
+def test_the_key_of_undo_leaves_the_arm_alone_while_one_searches(visit):
+    lab = visit()
+    lab.press("zero")
+    open_search(lab)
+    lab.page.keyboard.press("Control+z")
+    lab.rest()
+    np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=["wide", "narrow", "telephone"])
+def test_it_fits_screens_of_all_sizes_light_and_dark(visit, size):
+    lab = visit("", size)
+    for _look in ("light", "dark"):
+        for text in ("", "velocity", "qqzzx"):
+            open_search(lab, text)
+            lab.finds_none(INSIDE)
+            lab.page.keyboard.press("Escape")
+            lab.rest()
+        lab.page.keyboard.press("l")
+        lab.rest()
+
+
+def test_the_dialog_says_what_it_is_to_who_cannot_see_it(visit):
+    lab = visit()
+    open_search(lab, "velocity")
+    dialog = lab.page.get_by_role("dialog", name="Search")
+    assert dialog.count() == 1
+    field = dialog.get_by_role("combobox", name="Search")
+    assert field.get_attribute("aria-controls") == dialog.get_by_role("listbox").get_attribute("id")
+    assert dialog.get_by_role("option", selected=True).count() == 1
+    assert "of" in dialog.get_by_role("status").inner_text()
+    assert dialog.get_by_role("option").first.inner_text().startswith(title_of(pages()["velocity"]))
