@@ -37,7 +37,7 @@ class LayerCanvas:
     def __init__(self, canvas: Canvas, pace: Pace | None = None) -> None:
         self._canvas, self._pace = canvas, pace
         self._paced: list[Paced] = []
-        self._nodes = _Remembered(canvas.client.scene)
+        self._nodes = _Remembered(canvas)
         self._on_hide: list[Callable[[], None]] = []
         self.hidden = False
         self.bare = False
@@ -125,8 +125,10 @@ class LayerCanvas:
 class _Remembered:
     """A scene that remembers the nodes added through it."""
 
-    def __init__(self, scene: viser.SceneApi) -> None:
-        self._scene = scene
+    def __init__(self, canvas: Canvas) -> None:
+        self._scene, self._canvas = canvas.client.scene, canvas
+        self._labels: dict[str, float] = {}
+        canvas.on_letter(self._letter)
         self._made: dict[str, Any] = {}
         self._hidden: list[Any] = []
 
@@ -136,11 +138,22 @@ class _Remembered:
             return attribute
 
         def add(*arguments: Any, **options: Any) -> Any:
+            if name == "add_label":
+                size = options.get("font_screen_scale", 1.0)
+                options["font_screen_scale"] = size * self._canvas.lettering
             handle = attribute(*arguments, **options)
+            if name == "add_label":
+                self._labels[handle.name] = size
             self._made[handle.name] = handle
             return handle
 
         return add
+
+    def _letter(self, size: float) -> None:
+        """Give all labels another size, relative to the usual one."""
+        for handle in self._present():
+            if handle.name in self._labels:
+                handle.font_screen_scale = size * self._labels[handle.name]
 
     def _present(self) -> list[Any]:
         self._made = {name: handle for name, handle in self._made.items() if not adapter.is_removed(handle)}

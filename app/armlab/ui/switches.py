@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from armlab.session.parts.display import Display
+from armlab.session.parts.display import SYSTEM_DARK, Display
 from armlab.session.state import State
 
 
@@ -21,6 +21,8 @@ class Switch:
         The letter that toggles it; empty for none.
     default : bool
         Its position while it has not been set.
+    follows : str
+        Name of another switch that it goes with until then; empty for none.
     """
 
     name: str
@@ -28,17 +30,19 @@ class Switch:
     hint: str
     key: str = ""
     default: bool = False
+    follows: str = ""
 
     def on(self, state: State) -> bool:
         """Return whether the switch is on."""
-        return state[Display].switches.get(self.name, self.default)
+        switches = state[Display].switches
+        return switches.get(self.name, switches.get(self.follows, self.default))
 
 
 SKELETON = Switch("skeleton", "Skeleton", "Textbook symbols instead of bodies: cylinders turn, boxes slide.", "K")
 SHADOWS = Switch(
     "shadows", "Shadows", "Without them the picture moves twice as fast on a weak graphics processor.", default=True
 )
-DARK = Switch("dark", "Dark theme", "Light on dark, for a dark room.", "L")
+DARK = Switch("dark", "Dark theme", "Light on dark, for a dark room.", "L", follows=SYSTEM_DARK)
 
 GENERAL = (SHADOWS, DARK)
 """Switches that do not belong to one layer."""

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from armlab.benches.workspace.section.found import Found
-from armlab.benches.workspace.section.slice import hull, in_own_plane, slice_at
+from armlab.benches.workspace.section.slice import hull, in_own_plane, plane_drawn, slice_at
 from armlab.benches.workspace.section.state import (
     COLOURS,
     GoInSection,
@@ -24,6 +24,7 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.state import Command, Post, State
+from armlab.ui.eye import Facing
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised
 from armlab.ui.html import Inside, Markup, tag
@@ -40,7 +41,7 @@ class SectionPage:
     """The page."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
-        self._gui, self._units = gui, units_of(state)
+        self._units = units_of(state)
         self._choices, self._view = gui.form(post), gui.form(post)
         self._told = gui.html()
         self._image = gui.html()
@@ -55,8 +56,6 @@ class SectionPage:
             self._told.show()
             return
         if found is not self._pictured:
-            if self._pictured is None:
-                self._gui.camera.keep_in_view()
             self._pictured = found
             self._image.show(image_rule(found, IMAGE))
         self._view.show(view_markup(self._view, state, found, self._units))
@@ -125,12 +124,24 @@ def _picked(found: Found, x: float, y: float, _drag: int) -> Command:
 
 
 def _around(state: State) -> Points:
-    """Return the corners of the reached region."""
-    found = found_of(state)
+    """Return the corners of the slice, or points around the reached region."""
+    found, plane = found_of(state), plane_drawn(state)
     if found is None or not found.section.filled.any():
         return NOTHING
-    points = hull(found.section)
-    return np.array([points.min(axis=0), points.max(axis=0)])
+    return hull(found.section) if plane is None else plane.corners
+
+
+def _faces(state: State) -> Facing | None:
+    """Return the plane of the slice."""
+    plane = plane_drawn(state)
+    return None if plane is None else Facing(np.cross(plane.right, plane.up), plane.up, state[SectionView].slice)
+
+
+def _looks(state: State) -> tuple[object, ...]:
+    """Return how far the section is known, and the kind of slice: a hand may move the slice itself."""
+    found = found_of(state)
+    known = (False, False) if found is None else (bool(found.section.filled.any()), found.finished)
+    return *known, state[SectionView].slice
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
@@ -138,4 +149,11 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return SectionPage(gui, state, post).show
 
 
-PANEL = Panel((SectionView, Joints, Target), build, rebuilds=(RobotPart, Notation), around=_around)
+PANEL = Panel(
+    (SectionView, Joints, Target),
+    build,
+    rebuilds=(RobotPart, Notation),
+    around=_around,
+    faces=_faces,
+    looks=_looks,
+)
