@@ -40,8 +40,6 @@ class Canvas:
     number : int
         Another one for each canvas of a browser. The page keeps the pose of a node that is removed and made again
         under its name, so no name may be used twice.
-    lettering : float
-        Size of labels, relative to the usual one.
     """
 
     def __init__(
@@ -49,11 +47,9 @@ class Canvas:
     ) -> None:
         self.client, self.drawn, self.post, self._number = client, drawn, post, number
         self.scene = client.scene
-        self.lettering = 1.0
         self.size = drawn.figure.anatomy.size
         self._scale = np.where(drawn.figure.anatomy.arm.revolute, 1.0, self.size).tolist()
         self._listeners: list[PoseListener] = []
-        self._on_letter: list[Callable[[float], None]] = []
         self._nodes: list[viser.FrameHandle] = []
         self._make_nodes(q)
         self._shown = q
@@ -82,17 +78,6 @@ class Canvas:
     def on_pose(self, listener: PoseListener) -> None:
         """Call back with every configuration that is shown, including those of moves."""
         self._listeners.append(listener)
-
-    def letter(self, size: float) -> None:
-        """Draw all labels in another size, relative to the usual one."""
-        if size != self.lettering:
-            self.lettering = size
-            for listener in self._on_letter:
-                listener(size)
-
-    def on_letter(self, listener: Callable[[float], None]) -> None:
-        """Call back when labels are to have another size."""
-        self._on_letter.append(listener)
 
     @property
     def gliding(self) -> bool:

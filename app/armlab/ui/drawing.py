@@ -37,7 +37,7 @@ class LayerCanvas:
     def __init__(self, canvas: Canvas, pace: Pace | None = None) -> None:
         self._canvas, self._pace = canvas, pace
         self._paced: list[Paced] = []
-        self._nodes = _Remembered(canvas)
+        self._nodes = _Remembered(canvas.client.scene)
         self._on_hide: list[Callable[[], None]] = []
         self.hidden = False
         self.bare = False
@@ -106,6 +106,10 @@ class LayerCanvas:
             listener()
         self._nodes.hide()
 
+    def letter(self, size: float) -> None:
+        """Give all labels of the layer another size, relative to the usual one."""
+        self._nodes.letter(size)
+
     def reveal(self) -> None:
         """Make the nodes visible again that were visible before."""
         self.hidden = False
@@ -125,10 +129,9 @@ class LayerCanvas:
 class _Remembered:
     """A scene that remembers the nodes added through it."""
 
-    def __init__(self, canvas: Canvas) -> None:
-        self._scene, self._canvas = canvas.client.scene, canvas
+    def __init__(self, scene: viser.SceneApi) -> None:
+        self._scene, self._lettering = scene, 1.0
         self._labels: dict[str, float] = {}
-        canvas.on_letter(self._letter)
         self._made: dict[str, Any] = {}
         self._hidden: list[Any] = []
 
@@ -140,7 +143,7 @@ class _Remembered:
         def add(*arguments: Any, **options: Any) -> Any:
             if name == "add_label":
                 size = options.get("font_screen_scale", 1.0)
-                options["font_screen_scale"] = size * self._canvas.lettering
+                options["font_screen_scale"] = size * self._lettering
             handle = attribute(*arguments, **options)
             if name == "add_label":
                 self._labels[handle.name] = size
@@ -149,8 +152,8 @@ class _Remembered:
 
         return add
 
-    def _letter(self, size: float) -> None:
-        """Give all labels another size, relative to the usual one."""
+    def letter(self, size: float) -> None:
+        self._lettering = size
         for handle in self._present():
             if handle.name in self._labels:
                 handle.font_screen_scale = size * self._labels[handle.name]

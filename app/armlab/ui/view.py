@@ -208,8 +208,8 @@ class View:
         """Follow what the person's system and room ask for."""
         self.camera.gaze.still = screen.still
         self._lettering = PROJECTED if screen.large else 1.0
-        if self._canvas is not None:
-            self._canvas.letter(self._lettering)
+        for drawing in self._drawings:
+            drawing.canvas.letter(self._lettering)
         if self.session.state[Display].switches.get(SYSTEM_DARK, False) != screen.dark:
             self._post(Show(SYSTEM_DARK, screen.dark))
 
@@ -298,9 +298,10 @@ class View:
         self._remove_drawings()
         self._canvases += 1
         self._canvas = Canvas(self.client, drawn, self.post, state[Joints].q, self._canvases)
-        self._canvas.letter(self._lettering)
         before, self._robot = self._robot, state[RobotPart]
         self._drawings = [Drawing(layer, self._canvas, self._pace) for layer in layers().values()]
+        for drawing in self._drawings:
+            drawing.canvas.letter(self._lettering)
         yield
         yield from self._layer_by_layer(state)
         self._look_at(drawn, before)
