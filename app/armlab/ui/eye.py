@@ -16,7 +16,7 @@ FIELD_OF_VIEW = math.radians(32.0)
 TALL = math.tan(FIELD_OF_VIEW / 2.0)
 """Half the height of a picture at a depth of 1."""
 
-ROOM = 1.06
+ROOM = 1.1
 """Height of a picture relative to what has to fit into it."""
 
 SQUARE = math.radians(0.1)

@@ -196,32 +196,15 @@
     } else if (same?.select) same.select();
   };
 
-  // Projector mode: large text, no benches, and the keys of a clicker go through the lesson. It is the page's own
-  // affair: the teacher's other screen stays as it is.
-  const wayBack = document.createElement('button');
-  Object.assign(wayBack, { type: 'button', className: 'al-back', textContent: 'Back: V or Esc', onclick: () => project(false) });
-  const project = on => {
-    if (on) document.body.append(wayBack);
-    else wayBack.remove();
-    document.documentElement.toggleAttribute('data-projector', on);
-    dispatchEvent(new Event('resize')); // viser fits the picture to what is left
-    tellScreen();
-  };
+  // The keys of a clicker go through the lesson.
   const steps = { PageDown: 'lesson-next', PageUp: 'lesson-back' };
   document.addEventListener('keydown', event => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
     if (event.target.closest?.('input, select, textarea, [contenteditable]')) return;
-    const root = document.documentElement;
-    if (event.code === 'KeyV') {
-      project(!root.hasAttribute('data-projector'));
-    } else if (event.code === 'Escape' && root.hasAttribute('data-projector')) {
-      project(false);
-    } else if (steps[event.code]) {
-      const button = document.querySelector(`.lesson-foot button[data-cell=${steps[event.code]}]`);
-      if (!button) return;
-      event.preventDefault();
-      button.click();
-    }
+    const button = steps[event.code] && document.querySelector(`.lesson-foot button[data-cell=${steps[event.code]}]`);
+    if (!button) return;
+    event.preventDefault();
+    button.click();
   });
 
   // Keys that move the camera must not do so while a slider, a tab or a list has the focus.
@@ -301,22 +284,6 @@
     send({ dataset: { chan, cell: 'tabs' } }, text);
   };
   let toldTo = '';
-
-  // What system and room ask for: a dark page, which the lab shows until the person chooses, no moving pictures, and large
-  // letters in the scene on a projector.
-  const asks = { dark: matchMedia('(prefers-color-scheme: dark)'), still: matchMedia('(prefers-reduced-motion: reduce)') };
-  let screenTold = '';
-  const tellScreen = () => {
-    const element = document.getElementById('al-notes');
-    if (!element) return;
-    const { chan } = JSON.parse(element.dataset.notes);
-    const large = document.documentElement.hasAttribute('data-projector');
-    const text = JSON.stringify({ dark: asks.dark.matches, still: asks.still.matches, large });
-    if (chan + text === screenTold) return;
-    screenTold = chan + text;
-    send({ dataset: { chan, cell: 'screen' } }, text);
-  };
-  for (const query of Object.values(asks)) query.addEventListener('change', tellScreen);
 
   // The timeline: between two marks of the lab its thumb and the cursors of plots follow the page's own clock.
   let clock = null;
@@ -398,7 +365,6 @@
         obey();
         toTop();
         tellTabs();
-        tellScreen();
         readClock();
         placeCursors(clock && clock.end > 0 ? clock.time / clock.end : NaN);
         measure();

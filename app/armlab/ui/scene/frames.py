@@ -20,7 +20,6 @@ SHRINK = 0.72
 OF_TOOL = 0.6
 """Size of the frame of the tool, relative to the others: the handle of the target mostly stands in the same place."""
 
-
 TOOL = "E"
 """Name of the tool's frame."""
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from armlab.benches.robot.trainer.commands import EndTrainer, StartTrainer, TakeTrainerPose, at_reference
 from armlab.benches.robot.trainer.exercise import usable_robots
 from armlab.benches.robot.trainer.state import Trainer
@@ -121,7 +123,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 def _around(state: State) -> Points:
     """Return the origins of the frames of an exercise, whose pose may lie outside the picture."""
     joints = state[Joints]
-    return joints.arm.frames(joints.q)[:, :3, 3] if state[Trainer].started else NOTHING
+    return np.array(joints.arm.frames(joints.q)[:, :3, 3]) if state[Trainer].started else NOTHING
 
 
 PANEL = Panel(
