@@ -84,7 +84,10 @@ def test_who_wants_no_moving_pictures_is_shown_a_section_at_once(visit):
     lab = visit("robot/elbow_3r", reduced_motion="reduce")
     places = """() => {
       window.__places = new Set();
-      const look = () => { window.__places.add(window.__viserMutable.camera.position.x.toFixed(4)); requestAnimationFrame(look); };
+      const look = () => {
+        window.__places.add(window.__viserMutable.camera.position.x.toFixed(4));
+        requestAnimationFrame(look);
+      };
       look();
     }"""
     lab.page.evaluate(places)

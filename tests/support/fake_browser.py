@@ -147,6 +147,10 @@ class FakeBrowser:
         elif kind == "TransformControlsMessage":
             self.owner = message["owner"]
             self.nodes.setdefault(message["name"], {})
+        elif kind == "SceneNodeUpdateMessage" and message["name"] in self.nodes:
+            self.nodes[message["name"]].update(message["updates"])
+        elif kind == "SetSceneNodeVisibilityMessage" and message["name"] in self.nodes:
+            self.nodes[message["name"]]["visible"] = message["visible"]
         elif kind in LOOKS:
             part, key = LOOKS[kind]
             self.camera[part] = message[key]
