@@ -142,9 +142,9 @@ class ClearWorkspace(Command):
 
 @dataclass(frozen=True)
 class LookAtWorkspace(Command):
-    """Change settings; None leaves one unchanged.
+    """Change settings; None leaves one unchanged. Another measure is computed at once if there are samples.
 
-    Another measure is computed at once if there are samples. A slice across another axis begins where most points are.
+    A slice across another axis begins where most points are.
     """
 
     measure: str | None = None
