@@ -115,6 +115,15 @@ def slice_at(state: State, found: Found) -> float:
     return float(found.section.joint.split(state[Joints].tool_pose[:3, 3])[2]) if turn is None else turn
 
 
+def slice_range(found: Found, kind: str) -> tuple[float, float]:
+    """Return between which places a slice of a kind meets the workspace, rad or m."""
+    points, joint, base = hull(found.section), found.section.joint, found.arm.base
+    if kind == "axis" and joint.revolute:
+        return -math.pi, math.pi
+    along = joint.split(points)[:, 2] if kind == "axis" else (points - base[:3, 3]) @ base[:3, AXES.index(kind)]
+    return float(along.min()), float(along.max())
+
+
 def picture(found: Found, plane: Plane) -> Slice:
     """Return the reached part of a plane."""
     step = max(plane.width, plane.height) / PIXELS

@@ -158,19 +158,15 @@ def _slice(form: Form, state: State, units: Units) -> Markup:
 
 def _show_slider(slider: Control, state: State, units: Units) -> None:
     """Show the place of a slice on a slider as long as the cloud; hide it where there is no slice."""
-    part, handle = state[Workspace], slider.handle
-    cut = _cut(state)
+    part, cut = state[Workspace], _cut(state)
     shown = cut in AXES and part.found is not None
-    if handle.visible != shown:
-        handle.visible = shown
+    slider.visible(shown)
     if not shown:
         return
     low, high = (units.value(end, False) for end in range_of(part))
     step = 10.0 ** -units.decimals(False)
-    place, label = units.value(place_of(part), False), f"{cut} {units.length_unit}"
-    low, high = min(low, place), max(high, place, low + step)
-    if (handle.label, handle.min, handle.max) != (label, low, high):
-        handle.label, handle.min, handle.max, handle.step = label, low, high, step
+    place = units.value(place_of(part), False)
+    slider.span(f"{cut} {units.length_unit}", min(low, place), max(high, place, low + step), step)
     slider.show(place)
 
 

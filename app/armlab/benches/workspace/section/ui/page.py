@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from armlab.benches.workspace.section.found import Found
-from armlab.benches.workspace.section.slice import hull, in_own_plane, plane_drawn, slice_at
+from armlab.benches.workspace.section.slice import hull, in_own_plane, plane_drawn, slice_at, slice_range
 from armlab.benches.workspace.section.state import (
     COLOURS,
     GoInSection,
@@ -42,7 +42,10 @@ class SectionPage:
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
         self._units = units_of(state)
-        self._choices, self._view = gui.form(post), gui.form(post)
+        self._post, self._turns = post, False
+        self._choices = gui.form(post)
+        self._slider = gui.slider("slice", 0.0, 1.0, 0.1, 0.0, self._slid, None)
+        self._view = gui.form(post)
         self._told = gui.html()
         self._image = gui.html()
         self._pictured: Found | None = None
@@ -51,6 +54,7 @@ class SectionPage:
         """Show a state; the picture of the reached region is sent only when it has changed."""
         found = found_of(state)
         self._choices.show(choices_markup(self._choices, state, self._units))
+        self._show_slider(state)
         if found is None or not found.section.filled.any():
             self._view.show(tag("p.dim", "The section of the workspace is being found …"))
             self._told.show()
@@ -60,6 +64,24 @@ class SectionPage:
             self._image.show(image_rule(found, IMAGE))
         self._view.show(view_markup(self._view, state, found, self._units))
         self._told.show(facts(found, self._units))
+
+    def _slid(self, value: float) -> None:
+        self._post(PlaceSlice(value * self._units.factor(self._turns)))
+
+    def _show_slider(self, state: State) -> None:
+        """Show the place of the slice; the handle in the scene is hard to grasp where it is looked at end on."""
+        found, kind = found_of(state), state[SectionView].slice
+        shown = plane_drawn(state) is not None and found is not None and not found.section.grid.flat
+        self._slider.visible(shown)
+        if found is None or not shown:
+            return
+        self._turns = kind == "axis" and found.section.joint.revolute
+        at = slice_at(state, found) if kind == "axis" else state[SectionView].offset
+        place, low, high = (self._units.value(each, self._turns) for each in (at, *slice_range(found, kind)))
+        step = 10.0 ** -self._units.decimals(self._turns)
+        label = f"{'at' if kind == 'axis' else kind} {self._units.unit(self._turns)}"
+        self._slider.span(label, min(low, place), max(high, place, low + step), step)
+        self._slider.show(place)
 
 
 def view_markup(form: Form, state: State, found: Found, units: Units) -> Inside:

@@ -54,11 +54,10 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             exact.forgive()  # what was refused there was about something else
         present = state
         choices.show(choices_markup(choices, part, units))
-        angle, handle = turns(part.arm, part.row, part.field), slider.handle
+        angle = turns(part.arm, part.row, part.field)
         label = f"{name_of(part.arm, part.row, part.field, units)} {units.unit(angle)}"
         low, high = (units.value(end, angle) for end in span_of(part.arm, part.other, part.row, part.field))
-        if (handle.label, handle.min, handle.max) != (label, low, high):
-            handle.label, handle.min, handle.max, handle.step = label, low, high, 10.0 ** -units.decimals(angle)
+        slider.span(label, low, high, 10.0 ** -units.decimals(angle))
         slider.show(units.value(value_of(part.other, part.row, part.field), angle))
         exact.show(exact_markup(exact, part, units))
         told.show(told_markup(told, state, units))
