@@ -52,7 +52,7 @@ _NOTHING_YET = object()
 
 @dataclass(frozen=True, eq=False)
 class Wish:
-    """What the open pages want in the picture.
+    """The wishes of the open pages for the picture.
 
     Attributes
     ----------

@@ -33,7 +33,7 @@ FIRST_HINT = "Drag the handle: the arm follows"
 
 
 class Screen(NamedTuple):
-    """What a person's system and room ask for.
+    """The wishes of a person's system and room.
 
     Attributes
     ----------
