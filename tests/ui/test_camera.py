@@ -145,8 +145,8 @@ def test_a_slice_is_looked_at_square_and_fits_in_every_window(seen, facing, aspe
 
 def test_after_a_window_was_resized_all_points_fit_again(seen):
     camera, page, now = seen
+    tells(page, by_hand(page.eye))
     before = page.eye
-    camera._began -= 100.0  # the panels have long taken their part of the window
     now.wish = Wish(FAR)
     camera.attend(PAGE, None)
     for aspect in (0.5, 2.0, 0.8):
@@ -155,6 +155,19 @@ def test_after_a_window_was_resized_all_points_fit_again(seen):
     now.wish = NO_WISH
     camera.attend(OTHER, None)
     assert page.eye.near(before)
+
+
+def test_the_home_view_follows_a_window_that_becomes_too_narrow_and_no_other_one(seen):
+    camera, page, now = seen
+    camera._began -= 100.0  # the panels have long taken their part of the window
+    home = page.eye
+    tells(page, aspect=1.2)
+    assert page.eye.near(home), "all is in the picture"
+    now.q = np.zeros(6)
+    tells(page, aspect=0.5)
+    assert page.sees(camera._corners()), "the whole arm, not its joints alone"
+    x, y, z = home.back
+    np.testing.assert_allclose(page.eye.back, [x, y, z], atol=1e-9)
 
 
 def test_an_arm_that_moves_on_a_page_keeps_its_cloud_in_the_picture(seen):

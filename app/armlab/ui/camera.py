@@ -116,7 +116,9 @@ class Camera:
         self._aspect = self._client.camera.aspect
         if self.gaze.goal is None or self._figure is None:
             return
-        if self._at_home and time.monotonic() - self._began < SETTLING:
+        own = self.gaze.present if self._taken is None else self._taken[0]
+        settling = time.monotonic() - self._began < SETTLING
+        if self._at_home and (settling or not own.sees(self._corners(), TALL, self._aspect)):
             home = self._view_from("Home")
             if self._taken is None:
                 self.gaze.go(home)
