@@ -153,6 +153,14 @@ def test_a_slice_of_a_cloud_is_looked_at_square(axis):
     assert degrees_off(upper_side(eye), base[:3, 1] if axis == "z" else base[:3, 2]) < 0.1
 
 
+@pytest.mark.parametrize("axis", AXES)
+def test_a_slice_stays_in_the_picture_wherever_it_is_moved(axis):
+    state = apply(whole("puma560"), LookAtWorkspace(cut=axis))
+    page, points = looked_at(state), state[Workspace].found.shown.points.astype(float)
+    for place in np.linspace(*range_of(state[Workspace]), 9):
+        assert page.sees(points[apply(state, LookAtWorkspace(offset=place)).derived(kept)])
+
+
 def test_what_if_shows_all_of_a_body_that_would_mostly_be_cut_away():
     for key, least in (("scara", 1.0), ("puma560", 0.4)):
         state = compared(State.initial(catalogue()[key]))

@@ -9,7 +9,7 @@ import pytest
 
 from armlab.benches.workspace.section.found import Question, finding
 from armlab.benches.workspace.section.job import found_section
-from armlab.benches.workspace.section.slice import hull, slice_at, slice_range
+from armlab.benches.workspace.section.slice import hull, plane_drawn, slice_at, slice_range
 from armlab.benches.workspace.section.state import GoInSection, GoToPoint, PlaceSlice, SectionView, found_of
 from armlab.benches.workspace.section.ui.page import PANEL, choices_markup, view_markup
 from armlab.benches.workspace.section.ui.picture import SPECK, _outlines, frame_of, image_rule
@@ -213,7 +213,7 @@ def test_a_slice_is_moved_by_its_slider(url):
 @pytest.mark.parametrize("kind", ["axis", "x", "y", "z"])
 def test_a_section_is_looked_at_square_from_the_side_of_its_picture(key, kind):
     state = apply(whole(key), Set(SectionView, "slice", kind))
-    facing, corners = PANEL.faces(state), PANEL.around(state)
+    facing, corners = PANEL.faces(state), plane_drawn(state).corners
     back, up = facing.direction()
     middle = corners.mean(axis=0)
     assert np.abs((corners - middle) @ back).max() < 2e-3 * np.linalg.norm(corners - middle, axis=1).max()

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.benches.workspace.cloud.cuts import cut_of, left_by_cut
+from armlab.benches.workspace.cloud.cuts import AXES, cut_of, left_by_cut
 from armlab.benches.workspace.cloud.state import Workspace
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.surface import Surface, near_boundary, surface
@@ -64,10 +64,12 @@ def boundary(state: State) -> Surface | None:
 
 
 def in_the_picture(state: State) -> Floats:
-    """Return points (k, 3) of the world around all that is drawn; none where nothing is."""
+    """Return points (k, 3) of the world around all that is drawn, wherever a slice is moved; none where nothing is."""
     found, draw = state[Workspace].found, drawing(state)
     if found is None:
         return np.zeros((0, 3))
+    if cut_of(state[Workspace]) in AXES:
+        return found.shown.points.astype(np.float64)
     if draw == "surface" and (drawn := state.derived(boundary)) is not None:
         return np.asarray(drawn.vertices[np.unique(drawn.faces)], dtype=np.float64)
     if draw == "voxels":

@@ -146,11 +146,12 @@ def _picked(found: Found, x: float, y: float, _drag: int) -> Command:
 
 
 def _around(state: State) -> Points:
-    """Return the corners of the slice, or points around the reached region."""
+    """Return the corners of a slice that only turns or keeps its place, or points wherever another one may be moved."""
     found, plane = found_of(state), plane_drawn(state)
     if found is None or not found.section.filled.any():
         return NOTHING
-    return hull(found.section) if plane is None else plane.corners
+    turns = found.section.grid.flat or (state[SectionView].slice == "axis" and found.section.joint.revolute)
+    return plane.corners if plane is not None and turns else hull(found.section)
 
 
 def _faces(state: State) -> Facing | None:
