@@ -114,7 +114,7 @@ class Camera:
         A view of a hand stays.
         """
         self._aspect = self._client.camera.aspect
-        if self.gaze.goal is None or self._figure is None:
+        if self.gaze.goal is None or not self._arm_is_here:
             return
         own = self.gaze.present if self._taken is None else self._taken[0]
         settling = time.monotonic() - self._began < SETTLING
