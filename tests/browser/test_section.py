@@ -30,7 +30,9 @@ def test_a_click_in_the_side_view_moves_the_tool_and_a_slice_is_drawn(visit):
     lab.type_into("at", "400")
     position = "name => window.__viserMutable.nodePoseData[name].position"
     lab.until(lambda: abs(lab.page.evaluate(position, lab.node("section/slice"))[2] - 0.4) < 1e-6)
-    # Up by its handle.
+    # Up by its handle, from where its arrow is not seen end on.
+    lab.page.keyboard.press("c")
+    lab.rest()
     lab.drag_handle(2, catalogue()["elbow_3r"].arm.reach, (0, -60), node=lab.node("section/handle/z"))
     lab.until(lambda: lab.page.evaluate(position, lab.node("section/slice"))[2] > 0.45)
     assert float(lab.page.locator("input[data-cell=at]").input_value()) > 450

@@ -10,6 +10,7 @@ from armlab.errors import InputError, UnknownName
 from armlab.session.edits import RemoveJoint
 from armlab.session.fields import Set
 from armlab.session.mailbox import Mailbox
+from armlab.session.pages import pages, tabs
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.timeline import Advance, OpenClip, Play, Seek, Step, Timeline, clips, duration
@@ -161,3 +162,29 @@ def test_random_presses_never_leave_the_clip():
         kinds += [Advance(state[Timeline].time, max(time, 0.0)), OpenClip("film")]
         state = apply(state, kinds[rng.integers(len(kinds))])
         assert 0.0 <= state[Timeline].time <= END
+
+
+def test_the_bar_of_a_film_is_seen_on_its_page_alone():
+    assert timeline().seen({"film"})
+    assert not timeline(Play(True), Seek(3.0)).seen({"joints", "table"})
+    assert not Timeline().seen({"film", "motion"})
+
+
+def test_the_bar_of_a_motion_is_seen_on_its_tab_and_elsewhere_once_it_moves_the_arm():
+    for key, at_home in (("motion", "motion_plots"), ("sweep", "ellipsoid"), ("iterations", "iterations")):
+        still = Timeline(key)
+        assert still.seen({at_home})
+        assert not still.seen({"joints"})
+        assert Timeline(key, 0.5).seen({"joints"})
+        assert Timeline(key, playing=True).seen({"joints"})
+
+
+def test_a_motion_goes_with_its_arm_and_a_film_begins_again():
+    robot = catalogue()["panda"]
+    assert Timeline("motion", 2.0, True, 0.5).for_robot(robot) == Timeline("", 0.0, False, 0.5)
+    assert Timeline("film", 2.0, True, 0.5).for_robot(robot) == Timeline("film", 0.0, False, 0.5)
+
+
+def test_every_clip_that_moves_the_arm_says_where_it_belongs():
+    for clip in clips().values():
+        assert clip.panel in pages() if clip.panel else clip.tab in tabs()

@@ -47,6 +47,13 @@ CAMERA = {
     "up_direction": (0.0, 0.0, 1.0),
 }
 
+LOOKS = {
+    "SetCameraPositionMessage": ("position", "position"),
+    "SetCameraLookAtMessage": ("look_at", "look_at"),
+    "SetCameraUpDirectionMessage": ("up_direction", "position"),
+}
+"""What a message of the lab sets of the camera, and under which name it says it."""
+
 Message = dict[str, Any]
 
 
@@ -68,6 +75,8 @@ class FakeBrowser:
         Every control: identifier to its message, kept up to date.
     counts : Counter
         Messages received, by type.
+    camera : dict
+        Where the lab has put the camera last: position, look_at, up_direction.
     downloads : dict
         Files that were sent to be saved: name to what has come of them.
     """
@@ -78,6 +87,7 @@ class FakeBrowser:
         self.controls: dict[str, Message] = {}
         self.counts: Counter[str] = Counter()
         self.notices: list[str] = []
+        self.camera: Message = {}
         self.downloads: dict[str, bytes] = {}
         self._transfers: dict[str, str] = {}
         self.owner = ""
@@ -137,6 +147,13 @@ class FakeBrowser:
         elif kind == "TransformControlsMessage":
             self.owner = message["owner"]
             self.nodes.setdefault(message["name"], {})
+        elif kind == "SceneNodeUpdateMessage" and message["name"] in self.nodes:
+            self.nodes[message["name"]].update(message["updates"])
+        elif kind == "SetSceneNodeVisibilityMessage" and message["name"] in self.nodes:
+            self.nodes[message["name"]]["visible"] = message["visible"]
+        elif kind in LOOKS:
+            part, key = LOOKS[kind]
+            self.camera[part] = message[key]
         elif kind == "NotificationShowMessage":
             self.notices.append(message["props"]["body"])
         elif kind == "FileTransferStartDownload":

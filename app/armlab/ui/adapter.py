@@ -9,6 +9,7 @@ import asyncio
 import contextlib
 import io
 import logging
+import time
 import warnings
 from collections.abc import Awaitable, Callable, MutableMapping
 from typing import Any
@@ -189,6 +190,31 @@ def set_scale(handle: Any, scale: float | tuple[float, float, float]) -> None:
     handle._impl.props.scale = scale
     message = _messages.SceneNodeUpdateMessage(handle._impl.name, {"scale": scale})
     handle._impl.api._queue_scene_message(message)
+
+
+def place_camera(
+    camera: viser.CameraHandle, fov: float, position: NDArray[np.float64], look_at: NDArray[np.float64], up: Any
+) -> None:
+    """Put a camera to a place. viser's own setters drop small moves as noise; this one does not.
+
+    The page takes the upper side first: it keeps the place then, and the place keeps what is looked at.
+    """
+    state = camera._state
+    send = state.client._websock_connection.queue_message
+    if state.fov != fov:
+        send(_messages.SetCameraFovMessage(fov))
+    if not np.allclose(state.up_direction, up, rtol=0.0, atol=1e-9):
+        send(_messages.SetCameraUpDirectionMessage(_floats(up)))
+    send(_messages.SetCameraPositionMessage(_floats(position)))
+    send(_messages.SetCameraLookAtMessage(_floats(look_at)))
+    state.fov, state.position, state.look_at, state.up_direction = fov, position, look_at, np.asarray(up)
+    state.update_timestamp = time.time()
+    camera._update_wxyz()
+
+
+def _floats(vector: NDArray[np.float64]) -> tuple[float, float, float]:
+    x, y, z = vector.tolist()
+    return x, y, z
 
 
 def on_event(handle: Any, register: str, callback: Callable[[Any], None]) -> None:

@@ -1,10 +1,16 @@
-"""The camera of a browser."""
+"""The camera of a browser: it shows what the open pages want, and gives a person's own view back when they are left.
+
+Whatever the lab shows is a view of the lab; the view of a person is where a hand, or the wish for the home view, has
+put the eye. When a page wants more than is in the picture, it takes the view, and the view of the person is remembered:
+it comes back when the page is left. A hand that moves the eye in the meantime has the last word.
+"""
 
 from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass, field
 
 import numpy as np
 import viser
@@ -12,10 +18,11 @@ from numpy.typing import NDArray
 
 from armlab.content.robots import Camera as View
 from armlab.content.robots import Robot
+from armlab.ui.eye import TALL, Eye, Facing, Z, nearest_view
 from armlab.ui.figure.figure import Figure
+from armlab.ui.gaze import Gaze
 
-FIELD_OF_VIEW = math.radians(32.0)
-"""Angle of view, radians; viser's 75 degrees distort arms."""
+Floats = NDArray[np.float64]
 
 PRESETS: dict[str, tuple[float, float] | None] = {
     "Home": None,
@@ -36,6 +43,28 @@ SETTLING = 4.0
 """Time after the start, or the opening of a dock, in which the panels may still take their part of the window,
 seconds."""
 
+RESHAPED = 0.01
+"""Change of the picture's width over its height, relative, from which on it has another shape."""
+
+_NOTHING_YET = object()
+"""Stands for what pages showed that have not been looked at."""
+
+
+@dataclass(frozen=True, eq=False)
+class Wish:
+    """The wishes of the open pages for the picture.
+
+    Attributes
+    ----------
+    points : ndarray, shape (k, 3)
+        Beside the arm.
+    facing : Facing or None
+        To be looked at square.
+    """
+
+    points: Floats = field(default_factory=lambda: np.zeros((0, 3)))
+    facing: Facing | None = None
+
 
 class Camera:
     """The camera of one browser.
@@ -45,128 +74,241 @@ class Camera:
     client : viser.ClientHandle
     pose : callable
         Returns the present joint values.
-    around : callable
-        Returns points (k, 3) that belong in the picture beside the arm.
+    wish : callable
+        Returns what the open pages want.
+
+    Attributes
+    ----------
+    gaze : Gaze
     """
 
     def __init__(
-        self,
-        client: viser.ClientHandle,
-        pose: Callable[[], NDArray[np.float64]],
-        around: Callable[[], NDArray[np.float64]] = lambda: np.zeros((0, 3)),
+        self, client: viser.ClientHandle, pose: Callable[[], Floats], wish: Callable[[], Wish] = lambda: Wish()
     ) -> None:
-        self._client, self._pose, self._around = client, pose, around
+        self._client, self._pose, self._wish = client, pose, wish
+        self.gaze = Gaze(client.camera)
         self._robot: Robot | None = None
         self._lesson: View | None = None
         self._figure: Figure | None = None
         self._aspect, self._began, self._roomy, self._size = 0.0, time.monotonic(), False, math.inf
+        self._attended: tuple[frozenset[str], Hashable] = (frozenset(), None)
+        self._lesson_page = ""
+        # The view that a page has taken, and the pose of the arm then; None while no page has.
+        self._taken: tuple[Eye, Floats] | None = None
+        self._faced: Facing | None = None
+        self._at_home = False
+        # Whether a person wants another view than the open pages.
+        self._refused = False
         client.camera.on_update(self._moved)
 
     async def _moved(self, _camera: object) -> None:
-        """Look again when docking the panels has changed the shape of the picture, which viser reports late."""
-        reshaped = abs(self._client.camera.aspect - self._aspect) > 0.01 * self._aspect
-        if reshaped and time.monotonic() - self._began < SETTLING:
-            self.look_from("Home")
+        """Note where the page has its eye; what the lab has not put there was a hand."""
+        if self.gaze.follows_a_hand():
+            self._taken, self._refused, self._at_home = None, True, False
+        if abs(self._client.camera.aspect - self._aspect) > RESHAPED * self._aspect:
+            self._reshaped()
 
-    def make_room(self, on: bool, home: View | None = None) -> None:
+    def _reshaped(self) -> None:
+        """Look again when the picture has another shape: the docks of the panels, which viser reports late, a window.
+
+        A view of a hand stays.
+        """
+        self._aspect = self._client.camera.aspect
+        if self.gaze.goal is None or not self._arm_is_here:
+            return
+        own = self.gaze.present if self._taken is None else self._taken[0]
+        settling = time.monotonic() - self._began < SETTLING
+        if self._at_home and (settling or not own.sees(self._corners(), TALL, self._aspect)):
+            home = self._view_from("Home")
+            if self._taken is None:
+                self.gaze.go(home)
+            else:
+                self._taken = home, self._pose()
+        if self._may_wish:
+            self._fulfil(glide=False)
+        self.keep_in_view()
+
+    # -- views of a person, and of the arm -----------------------------------------------------------------------
+
+    def look_from(self, preset: str) -> None:
+        """Look from one of the `PRESETS`, with the whole arm in the picture, at home and at present.
+
+        The open pages have no more say, until another is opened.
+        """
+        if self._figure is not None:
+            self._look_from(preset)
+            self._refused = True
+
+    def _look_from(self, preset: str) -> None:
+        assert self._figure is not None
+        self._aspect, self._size = self._client.camera.aspect, self._figure.anatomy.size
+        self._taken, self._faced, self._at_home = None, None, preset == "Home"
+        self.gaze.go(self._view_from(preset))
+
+    def make_room(self, on: bool, home: View | None = None, page: str = "") -> None:
         """Show every named pose of an arm in the picture, not only its home pose, because a lesson uses them.
 
-        The lesson may have a home view of its own.
+        The lesson may have a home view of its own. It comes before what the page wants that the lesson opens.
 
         The dock that opens with it gives the picture another shape, so that is waited for.
         """
         self._roomy, self._lesson = on, home
-        if on:
-            self._began = time.monotonic()
-            self.look_from("Home")
+        self._lesson_page = page if home is not None else ""
+        if on and self._figure is not None:
+            self._look_home()
 
     def follow(self, robot: Robot, figure: Figure, stay: bool = False) -> None:
         """Look at another arm, from its home view, or from the present place unless its size differs much."""
         self._robot, self._figure = robot, figure
         if not stay or not 1.0 / GROWN < figure.anatomy.size / self._size < GROWN:
-            self.look_from("Home")
+            self._look_home()
         else:
             self.keep_in_view()
 
+    def _look_home(self) -> None:
+        """Look from home at what has come to the table; the open pages have their say again."""
+        self._began = time.monotonic()
+        self._look_from("Home")
+        self._refused, self._attended = False, (self._attended[0], _NOTHING_YET)
+
     def keep_in_view(self) -> None:
-        """Step back, in the present direction of view, if the arm or a point around it is not in the picture."""
-        if self._robot is None or self._figure is None or len(self._pose()) != self._robot.arm.n:
+        """Look again where the arm has come to: from the same side, unless a page faces a plane that goes with the arm.
+
+        The eye stays as long as all is in the picture, and steps back where it is not.
+        """
+        if not self._arm_is_here:
             return
-        arm, q = self._robot.arm, self._pose()
-        camera = self._client.camera
-        back = np.asarray(camera.position) - np.asarray(camera.look_at)
-        distance = float(np.linalg.norm(back))
-        points = np.vstack([arm.frames(q)[:, :3, 3], arm.position(q), self._around()])
-        if distance == 0.0 or self._seen(points, back / distance):
+        eye, wish = self.gaze.present, self._wish() if self._may_wish else Wish()
+        if wish.facing is not None:
+            self._fulfil()
             return
-        bounds = self._bounds(self._robot, self._figure)
-        middle = bounds.mean(axis=0)
-        radius = float(np.linalg.norm(bounds[1] - bounds[0])) / 2.0
-        self._stand(middle, max(1.02 * radius / math.sin(self._narrow()), MARGIN * distance), back / distance)
-
-    def _seen(self, points: NDArray[np.float64], back: NDArray[np.float64]) -> bool:
-        """Return whether points are visible to an eye that looks at a point against ``back``."""
-        camera = self._client.camera
-        right = np.cross([0.0, 0.0, 1.0], back)
-        if np.linalg.norm(right) < 1e-9:
-            right = np.array([1.0, 0.0, 0.0])
-        right /= np.linalg.norm(right)
-        up = np.cross(back, right)
-        away = points - np.asarray(camera.position)
-        depth = -(away @ back)
-        half = math.tan(camera.fov / 2.0)
-        inside = (np.abs(away @ up) < half * depth) & (np.abs(away @ right) < half * camera.aspect * depth)
-        return bool(np.all(inside & (depth > 0.0)))
-
-    def _narrow(self) -> float:
-        """Return half the angle of view, for the smaller of height and width."""
-        return math.atan(math.tan(FIELD_OF_VIEW / 2.0) * min(1.0, self._client.camera.aspect))
-
-    def _stand(self, middle: NDArray[np.float64], distance: float, back: NDArray[np.float64]) -> None:
-        camera = self._client.camera
-        # In this order: assigning the position keeps the point looked at.
-        camera.fov = FIELD_OF_VIEW
-        camera.look_at = middle
-        camera.position = middle + distance * back
-        camera.look_at = middle
-
-    def look_from(self, preset: str) -> None:
-        """Look from one of the `PRESETS`, with the whole arm in the picture, at home and at present."""
-        if self._robot is None or self._figure is None:
+        points, aspect = np.vstack([self._arm_points(), wish.points]), self._client.camera.aspect
+        if eye.distance == 0.0 or eye.sees(points, TALL, aspect):
             return
-        home = self._lesson or self._robot.camera
-        azimuth, elevation = PRESETS[preset] or (home.azimuth_deg, home.elevation_deg)
-        bounds = self._bounds(self._robot, self._figure)
-        middle = bounds.mean(axis=0)
-        radius = float(np.linalg.norm(bounds[1] - bounds[0])) / 2.0
-        self._aspect, self._size = self._client.camera.aspect, self._figure.anatomy.size
-        distance = 1.02 * home.distance * radius / math.sin(self._narrow())
-        self._stand(middle, distance, _direction(math.radians(azimuth), math.radians(elevation)))
+        seen = nearest_view(np.vstack([self._corners(), points]), eye.back, eye.up, TALL, aspect)
+        distance = max(seen.distance, MARGIN * eye.distance)
+        self._at_home = False
+        self.gaze.go(Eye(seen.look_at + distance * eye.back, seen.look_at, eye.up))
 
     def as_view(self) -> View:
         """Return the present view in the form of a lesson or a robot file."""
-        camera = self._client.camera
-        back = np.asarray(camera.position) - np.asarray(camera.look_at)
-        distance = float(np.linalg.norm(back))
-        x, y, z = back / distance if distance else (1.0, 0.0, 0.0)
+        eye = self.gaze.present
+        x, y, z = eye.back.tolist()
         elevation = math.degrees(math.asin(min(1.0, max(-1.0, z))))
-        usual = distance
+        usual = eye.distance
         if self._robot is not None and self._figure is not None:
             bounds = self._bounds(self._robot, self._figure)
             usual = 1.02 * float(np.linalg.norm(bounds[1] - bounds[0])) / 2.0 / math.sin(self._narrow())
-        factor = min(3.0, max(0.3, distance / usual if usual else 1.0))
+        factor = min(3.0, max(0.3, eye.distance / usual if usual else 1.0))
         return View(round(math.degrees(math.atan2(y, x)), 1), round(elevation, 1), round(factor, 2))
 
-    def _bounds(self, robot: Robot, figure: Figure) -> NDArray[np.float64]:
+    def _view_from(self, preset: str) -> Eye:
+        assert self._robot is not None
+        assert self._figure is not None
+        home = self._lesson or self._robot.camera
+        azimuth, elevation = map(math.radians, PRESETS[preset] or (home.azimuth_deg, home.elevation_deg))
+        bounds = self._bounds(self._robot, self._figure)
+        middle = bounds.mean(axis=0)
+        distance = 1.02 * home.distance * float(np.linalg.norm(bounds[1] - bounds[0])) / 2.0 / math.sin(self._narrow())
+        c = math.cos(elevation)
+        back = np.array([c * math.cos(azimuth), c * math.sin(azimuth), math.sin(elevation)])
+        return Eye(middle + distance * back, middle, Z)
+
+    # -- what pages want -----------------------------------------------------------------------------------------
+
+    def attend(self, pages: frozenset[str], shown: Hashable) -> None:
+        """Look at what the open pages want, if they are others than before or have something else to look at.
+
+        Parameters
+        ----------
+        pages : frozenset of str
+            Keys of the open pages.
+        shown : hashable
+            What they have to look at.
+        """
+        if not self._arm_is_here or (pages, shown) == self._attended:
+            return
+        left = pages != self._attended[0]
+        if self._lesson_page in self._attended[0] - pages:
+            self._lesson_page = ""
+        self._attended = pages, shown
+        if left:
+            self._refused, self._faced = False, None
+        if not self._may_wish and self._turns_elsewhere():
+            self._refused, self._lesson_page = False, ""
+        if self._may_wish:
+            self._fulfil()
+        elif self._at_home and self._lesson_page in pages:
+            self.gaze.go(self._view_from("Home"))  # with what the page has in the lesson
+
+    @property
+    def _may_wish(self) -> bool:
+        """Whether the open pages have a say: no hand, no key and no lesson wants another view."""
+        return not self._refused and self._lesson_page not in self._attended[0]
+
+    def _turns_elsewhere(self) -> bool:
+        """Return whether a person has chosen another plane of the page to look at."""
+        facing, before = self._wish().facing, self._faced
+        self._faced = facing or before
+        return facing is not None and before is not None and facing.of != before.of
+
+    def _fulfil(self, glide: bool = True) -> None:
+        """Look at what the open pages want from the view of the person, or from another one, which is given back."""
+        wish = self._wish()
+        own = self.gaze.present if self._taken is None else self._taken[0]
+        goal = self._view_of(wish, own)
+        self._faced = wish.facing or self._faced
+        if goal is not own:
+            self._taken = self._taken or (own, self._pose())
+            self.gaze.go(goal, glide)
+        elif self._taken is not None:
+            pose, self._taken = self._taken[1], None
+            self.gaze.go(own, glide)
+            if not np.array_equal(pose, self._pose()):
+                self.keep_in_view()
+
+    def _view_of(self, wish: Wish, own: Eye) -> Eye:
+        """Return a view of what pages want: the person's own one where it shows all that."""
+        if wish.facing is None and not len(wish.points):
+            return own
+        aspect = self._client.camera.aspect
+        points = np.vstack([self._arm_points(), wish.points])
+        square = wish.facing is None or own.squares(wish.facing)
+        if own.distance == 0.0 or (square and own.sees(points, TALL, aspect)):
+            return own
+        back, up = (own.back, own.up) if wish.facing is None else wish.facing.direction()
+        points = np.vstack([self._corners(), points])
+        return nearest_view(points, back, up, TALL, aspect)
+
+    # -- the arm -------------------------------------------------------------------------------------------------
+
+    @property
+    def _arm_is_here(self) -> bool:
+        """Whether the arm is drawn: while another is being fetched its pose is there already."""
+        return self._robot is not None and self._figure is not None and len(self._pose()) == self._robot.arm.n
+
+    def _narrow(self) -> float:
+        """Return half the angle of view, for the smaller of height and width."""
+        return math.atan(TALL * min(1.0, self._client.camera.aspect))
+
+    def _arm_points(self) -> Floats:
+        """Return the points of the arm (k, 3) that belong in every picture."""
+        assert self._robot is not None
+        arm, q = self._robot.arm, self._pose()
+        return np.vstack([arm.frames(q)[:, :3, 3], arm.position(q)])
+
+    def _corners(self) -> Floats:
+        """Return the eight corners of the box around the arm."""
+        assert self._robot is not None
+        assert self._figure is not None
+        low, high = self._bounds(self._robot, self._figure)
+        return np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])])
+
+    def _bounds(self, robot: Robot, figure: Figure) -> Floats:
         """Return the corners (2, 3) of a box around the arm at home, or in all its poses, and at present."""
         boxes = [figure.bounds(q) for q in (robot.poses.values() if self._roomy else [robot.home])]
-        if len(self._pose()) == robot.arm.n:  # while another arm is being fetched its pose is there already
+        if len(self._pose()) == robot.arm.n:
             boxes.append(figure.bounds(self._pose()))
-        points = np.vstack([*boxes, self._around()])
+        # The view of a lesson is meant for what its page shows.
+        points = np.vstack([*boxes, *([] if self._lesson is None else [self._wish().points])])
         return np.array([points.min(axis=0), points.max(axis=0)])
-
-
-def _direction(azimuth: float, elevation: float) -> NDArray[np.float64]:
-    return np.array(
-        [math.cos(azimuth) * math.cos(elevation), math.sin(azimuth) * math.cos(elevation), math.sin(elevation)]
-    )

@@ -106,6 +106,10 @@ class LayerCanvas:
             listener()
         self._nodes.hide()
 
+    def letter(self, size: float) -> None:
+        """Give all labels of the layer another size, relative to the usual one."""
+        self._nodes.letter(size)
+
     def reveal(self) -> None:
         """Make the nodes visible again that were visible before."""
         self.hidden = False
@@ -126,7 +130,8 @@ class _Remembered:
     """A scene that remembers the nodes added through it."""
 
     def __init__(self, scene: viser.SceneApi) -> None:
-        self._scene = scene
+        self._scene, self._lettering = scene, 1.0
+        self._labels: dict[str, float] = {}
         self._made: dict[str, Any] = {}
         self._hidden: list[Any] = []
 
@@ -136,11 +141,22 @@ class _Remembered:
             return attribute
 
         def add(*arguments: Any, **options: Any) -> Any:
+            if name == "add_label":
+                size = options.get("font_screen_scale", 1.0)
+                options["font_screen_scale"] = size * self._lettering
             handle = attribute(*arguments, **options)
+            if name == "add_label":
+                self._labels[handle.name] = size
             self._made[handle.name] = handle
             return handle
 
         return add
+
+    def letter(self, size: float) -> None:
+        self._lettering = size
+        for handle in self._present():
+            if handle.name in self._labels:
+                handle.font_screen_scale = size * self._labels[handle.name]
 
     def _present(self) -> list[Any]:
         self._made = {name: handle for name, handle in self._made.items() if not adapter.is_removed(handle)}

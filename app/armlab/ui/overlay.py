@@ -7,8 +7,10 @@ mounted whatever tab is open.
 from __future__ import annotations
 
 import json
+import logging
 import secrets
 from collections.abc import Callable
+from typing import NamedTuple
 
 import viser
 
@@ -26,15 +28,41 @@ from armlab.ui.search.markup import search_button
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import verdict_line
 
+log = logging.getLogger(__name__)
+
 FIRST_HINT = "Drag the handle: the arm follows"
+
+
+class Screen(NamedTuple):
+    """The wishes of a person's system and room.
+
+    Attributes
+    ----------
+    dark : bool
+        The system asks for dark pages.
+    still : bool
+        The system asks for few moving pictures.
+    large : bool
+        The page is on a projector.
+    """
+
+    dark: bool
+    still: bool
+    large: bool
 
 
 class Overlay:
     """The layer of HTML over the scene of one browser."""
 
-    def __init__(self, client: viser.ClientHandle, post: Post, on_tabs: Callable[[str], None]) -> None:
+    def __init__(
+        self,
+        client: viser.ClientHandle,
+        post: Post,
+        on_tabs: Callable[[str], None],
+        on_screen: Callable[[Screen], None],
+    ) -> None:
         self._form = Form(lambda on_input: Fields(client.gui, on_input), post, lambda: None, beside=False)
-        self._on_tabs = on_tabs
+        self._on_tabs, self._on_screen = on_tabs, on_screen
         self._tab, self._asked = "", ""
 
     def open_tab(self, title: str) -> None:
@@ -82,6 +110,15 @@ class Overlay:
     def _tabs_said(self, text: str) -> None:
         self._on_tabs(text)
 
+    def _screen_said(self, text: str) -> None:
+        try:
+            said = json.loads(text)
+            screen = Screen(*(bool(said[name]) for name in Screen._fields))
+        except (ValueError, TypeError, KeyError, IndexError):
+            log.warning("a page that is not ours told of its screen")
+            return
+        self._on_screen(screen)
+
     def _steps(self, session: Session) -> Markup:
         labels = {
             "undo": ("↶", Undo(), "Undo", session.history.undo_label, "Ctrl+Z"),
@@ -96,6 +133,7 @@ class Overlay:
     def _notes(self, session: Session) -> Markup:
         """Return the notes to the page's script: the address of this lesson or arm, and the tab to open."""
         self._form.takes("tabs", self._tabs_said)
+        self._form.takes("screen", self._screen_said)
         robot = session.state[RobotPart]
         path = "/" if robot.own else f"/robot/{robot.robot.key}"
         if lesson := session.state[LessonPart].open:

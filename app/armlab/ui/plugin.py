@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Hashable, Iterable
 from dataclasses import dataclass
 from functools import cache
 
@@ -15,7 +15,9 @@ from armlab.session.pages import pages
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Part, Post, State
+from armlab.ui.camera import Wish
 from armlab.ui.drawing import LayerCanvas
+from armlab.ui.eye import Facing
 from armlab.ui.switches import GENERAL, Switch
 from armlab.ui.widgets import Gui
 
@@ -49,6 +51,12 @@ class Panel:
     around : callable
         ``around(state)`` returns points (k, 3) of the scene that belong in the picture beside the arm while the panel
         is open.
+    faces : callable
+        ``faces(state)`` returns a plane that is to be looked at square while the panel is open, or None. The view that
+        a person had comes back when it is left, as with points.
+    looks : callable
+        ``looks(state)`` returns what there is to look at, such as the choice of a cut: the camera looks again for
+        points and plane when this is another, and not already when they move along with the arm.
     outside : callable
         ``outside()`` returns what it shows besides the state; ``show`` is called also when this is another object.
     """
@@ -60,7 +68,16 @@ class Panel:
     hides: tuple[str, ...] = ()
     hides_then: Callable[[State], tuple[str, ...]] = lambda state: ()
     around: Callable[[State], Points] = lambda state: NOTHING
+    faces: Callable[[State], Facing | None] = lambda state: None
+    looks: Callable[[State], Hashable] = lambda state: None
     outside: Callable[[], object] = lambda: None
+
+
+def wish_of(state: State, opened: Iterable[Panel]) -> Wish:
+    """Return what open panels want of the camera in a state; of several planes the first is looked at."""
+    opened = tuple(opened)
+    faced = (facing for panel in opened if (facing := panel.faces(state)) is not None)
+    return Wish(np.vstack([NOTHING, *(panel.around(state) for panel in opened)]), next(faced, None))
 
 
 @dataclass(frozen=True)

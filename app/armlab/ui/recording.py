@@ -21,10 +21,10 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 from armlab.ui import adapter
-from armlab.ui.camera import FIELD_OF_VIEW
 from armlab.ui.canvas import Canvas
 from armlab.ui.colours import BLUE
 from armlab.ui.drawing import LayerCanvas
+from armlab.ui.eye import FIELD_OF_VIEW
 from armlab.ui.figure.drawn import Drawn
 from armlab.ui.figure.figure import build_figure
 from armlab.ui.html import joined

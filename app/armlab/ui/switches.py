@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from armlab.session.parts.display import Display
+from armlab.session.parts.display import SYSTEM_DARK, Display
 from armlab.session.state import State
 
 
@@ -23,6 +23,8 @@ class Switch:
         Its position while it has not been set.
     about : tuple of str
         Other words by which it is found.
+    follows : str
+        Name of another switch that it goes with until then; empty for none.
     """
 
     name: str
@@ -31,10 +33,12 @@ class Switch:
     key: str = ""
     default: bool = False
     about: tuple[str, ...] = ()
+    follows: str = ""
 
     def on(self, state: State) -> bool:
         """Return whether the switch is on."""
-        return state[Display].switches.get(self.name, self.default)
+        switches = state[Display].switches
+        return switches.get(self.name, switches.get(self.follows, self.default))
 
 
 SKELETON = Switch(
@@ -57,6 +61,7 @@ DARK = Switch(
     "Light on dark, for a dark room.",
     "L",
     about=("dark mode", "light mode", "light theme", "night"),
+    follows=SYSTEM_DARK,
 )
 
 GENERAL = (SHADOWS, DARK)

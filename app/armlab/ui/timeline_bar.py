@@ -38,9 +38,9 @@ class TimelineBar:
         self._clock = Fields(client.gui, lambda _cell, _text: None)
 
     def show(self, state: State, open_panels: frozenset[str]) -> None:
-        """Show the timeline of a state; it is hidden for a clip of which nothing can be seen."""
+        """Show the timeline of a state; it is hidden for a clip of which there is nothing to see on the open pages."""
         timeline = state[Timeline]
-        if not timeline.clip or clips()[timeline.clip].panel not in ("", *open_panels):
+        if not timeline.seen(open_panels):
             self._bar.show()
             self._clock.show()
             return

@@ -8,13 +8,12 @@ import logging
 from collections.abc import Callable, Generator, Iterator
 from functools import partial
 
-import numpy as np
 import viser
 
 from armlab.kin.arm import Arm
 from armlab.session.pages import pages, tabs
 from armlab.session.panel_commands import CloseWindow, OpenPanel, OpenWindow, SeeTabs, first_window, hidden_panels
-from armlab.session.parts.display import Display
+from armlab.session.parts.display import SYSTEM_DARK, Display, Show
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.panels import Panels, Window
@@ -30,9 +29,9 @@ from armlab.ui.figure.drawn import Drawn, Gallery
 from armlab.ui.html import tag
 from armlab.ui.layer_drawing import Drawing
 from armlab.ui.lesson.dock import LessonDock
-from armlab.ui.overlay import Overlay
+from armlab.ui.overlay import Overlay, Screen
 from armlab.ui.pace import Pace
-from armlab.ui.plugin import NOTHING, Panel, Points, layers, whole_panel
+from armlab.ui.plugin import Panel, layers, whole_panel, wish_of
 from armlab.ui.search.dialog import SearchDialog
 from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
@@ -59,6 +58,9 @@ LINGER = 0.15
 ones."""
 
 
+PROJECTED = 1.7
+"""Size of the labels of the scene on a projector, relative to that on a screen."""
+
 ELSEWHERE = 3.0
 """Time after which a change is no result of the student's last action on this page, seconds."""
 
@@ -83,13 +85,16 @@ class View:
     ) -> None:
         self.client, self._post = client, post
         self.session: Session = session
-        self.camera: Camera = Camera(client, lambda: session.state[Joints].q, self._around)
+        self.camera: Camera = Camera(
+            client, lambda: session.state[Joints].q, lambda: wish_of(session.state, self._opened(session.state))
+        )
         self._gallery, self._pace = gallery, pace
         self._hiding = [layer for layer in layers().values() if layer.hides]
         self._loop = asyncio.get_running_loop()
         self._acted = self._loop.time()
         self._canvas: Canvas | None = None
         self._canvases = 0
+        self._lettering = 1.0
         self._drawings: list[Drawing] = []
         self._seen_drawings: list[Drawing] = []
         self._seen_because: tuple[object, ...] = ()
@@ -110,7 +115,7 @@ class View:
         self._post(OpenWindow(self.client.client_id, self._first))
         with self.client.atomic():
             self._theme(self.session.state)
-            self._overlay = Overlay(self.client, self.post, self._tabs_seen)
+            self._overlay = Overlay(self.client, self.post, self._tabs_seen, self._screen_told)
             self._search = SearchDialog(self)
             self._timeline = TimelineBar(self.client, self.post)
             yield
@@ -206,6 +211,15 @@ class View:
             return
         self._post(SeeTabs(self.client.client_id, seen))
 
+    def _screen_told(self, screen: Screen) -> None:
+        """Follow what the person's system and room ask for."""
+        self.camera.gaze.still = screen.still
+        self._lettering = PROJECTED if screen.large else 1.0
+        for drawing in self._drawings:
+            drawing.canvas.letter(self._lettering)
+        if self.session.state[Display].switches.get(SYSTEM_DARK, False) != screen.dark:
+            self._post(Show(SYSTEM_DARK, screen.dark))
+
     # -- showing -------------------------------------------------------------------------------------------------
 
     def show(self) -> None:
@@ -222,8 +236,9 @@ class View:
                     self._show_layers(state)
                 if before is not None and DARK.on(state) != DARK.on(before):
                     self._theme(state)
-                if self._canvas is not None and self._canvas.gliding and state[Target].pose is None:
-                    # A jump; under a hand on the handle the eye stays where it is.
+                jumped = self._canvas is not None and self._canvas.gliding and state[Target].pose is None
+                if jumped and self.session.history.redo_label is None:
+                    # Under a hand on the handle, and when something is taken back, the eye stays where it is.
                     self._loop.call_later(SETTLED, self._keep_in_view)
                 lesson_changed = self._lesson.open(state)
             if lesson_changed:
@@ -231,7 +246,7 @@ class View:
             if before is not None:
                 self._tell_replaced(state[RobotPart], before[RobotPart])
             if before is not None and self._window(before) is not self._window(state):
-                self._panels_changed()
+                self._refresh_now()
         self._refresh_soon()
 
     def _tell_replaced(self, now: RobotPart, before: RobotPart) -> None:
@@ -240,12 +255,6 @@ class View:
             text = f"The example is about the {now.robot.name}. Undo (Ctrl+Z) brings back the {now.replaced}."
             self.client.add_notification("Another arm", text, color="blue", auto_close_seconds=8.0)
 
-    def _panels_changed(self) -> None:
-        """Show at once the pages that the student has turned to, with the points around them."""
-        if len(self._around()):
-            self.camera.keep_in_view()
-        self._refresh_now()
-
     def _lesson_changed(self, state: State) -> None:
         """Adapt the camera to a lesson, and tell who has opened it."""
         lesson = state[LessonPart].lesson
@@ -253,12 +262,14 @@ class View:
             now = "has closed the lesson" if lesson is None else f"has opened the lesson “{lesson.title}”"
             text = f"Another tab of this browser {now}. All of them show the same work."
             self.client.add_notification("Another tab", text, color="blue", auto_close_seconds=12.0)
-        self.camera.make_room(lesson is not None, None if lesson is None else lesson.camera)
+        home = None if lesson is None else lesson.camera
+        self.camera.make_room(lesson is not None, home, state[LessonPart].bench)
 
-    def _around(self) -> Points:
-        """Return the points that open panels want inside the picture beside the arm."""
-        state = self.session.state
-        return np.vstack([NOTHING, *(panel.around(state) for panel in self._opened(state))])
+    def _look(self, state: State) -> None:
+        """Let the camera look at what the open pages want, when that is something else than before."""
+        pages = self._open_panels(state)
+        found = ((key, whole_panel(key)) for key in sorted(pages))
+        self.camera.attend(pages, tuple((key, panel.looks(state)) for key, panel in found if panel is not None))
 
     def _keep_in_view(self) -> None:
         if not self._closed:
@@ -304,6 +315,8 @@ class View:
         self._canvas = Canvas(self.client, drawn, self.post, state[Joints].q, self._canvases)
         before, self._robot = self._robot, state[RobotPart]
         self._drawings = [Drawing(layer, self._canvas, self._pace) for layer in layers().values()]
+        for drawing in self._drawings:
+            drawing.canvas.letter(self._lettering)
         yield
         yield from self._layer_by_layer(state)
         self._look_at(drawn, before)
@@ -371,6 +384,7 @@ class View:
             self._show_overlay()
             self._search.show(self._open_panels(state))
             self._timeline.show(state, self._open_panels(state))
+            self._look(state)
             self._tell()
 
     def _tell(self) -> None:
@@ -389,6 +403,7 @@ class View:
         self._closed = True
         self._post(CloseWindow(self.client.client_id))
         self._pace.spread.drop(self)
+        self.camera.gaze.stop()
         if self._refresh is not None:
             self._refresh.cancel()
         if self._canvas is not None:

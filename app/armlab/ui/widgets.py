@@ -60,6 +60,17 @@ class Control:
         else:
             adapter.set_value(self.handle, value)
 
+    def visible(self, on: bool) -> None:
+        """Show or hide the control."""
+        if self.handle.visible != on:
+            self.handle.visible = on
+
+    def span(self, label: str, low: float, high: float, step: float) -> None:
+        """Give a slider a label and a range."""
+        handle = self.handle
+        if (handle.label, handle.min, handle.max) != (label, low, high):
+            handle.label, handle.min, handle.max, handle.step = label, low, high, step
+
     def enable(self, on: bool) -> None:
         """Enable or disable the control."""
         if self.handle.disabled == on:

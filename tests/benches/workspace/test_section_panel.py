@@ -9,8 +9,9 @@ import pytest
 
 from armlab.benches.workspace.section.found import Question, finding
 from armlab.benches.workspace.section.job import found_section
+from armlab.benches.workspace.section.slice import hull, plane_drawn, slice_at, slice_range
 from armlab.benches.workspace.section.state import GoInSection, GoToPoint, PlaceSlice, SectionView, found_of
-from armlab.benches.workspace.section.ui.page import choices_markup, view_markup
+from armlab.benches.workspace.section.ui.page import PANEL, choices_markup, view_markup
 from armlab.benches.workspace.section.ui.picture import SPECK, _outlines, frame_of, image_rule
 from armlab.benches.workspace.section.ui.words import facts, scale
 from armlab.content.robots import catalogue
@@ -25,6 +26,7 @@ from armlab.ui.html import joined
 from armlab.ui.measured import with_error
 from armlab.ui.units import units_of
 from support.forms import BareForm, asked
+from support.looking import degrees_off
 from support.student import run, student
 
 ARMS = ("planar_2r_unequal", "elbow_3r", "cartesian_3p", "scara")
@@ -176,3 +178,44 @@ def test_the_page_is_filled_clicked_and_sliced(url):
             await browser.close()
 
     run(scenario())
+
+
+@pytest.mark.parametrize("key", ["elbow_3r", "scara", "cartesian_3p"])
+def test_the_slider_of_a_slice_is_as_long_as_the_workspace(key):
+    found = found_of(whole(key))
+    points, base = hull(found.section), found.arm.base
+    for axis, kind in enumerate("xyz"):
+        along = (points - base[:3, 3]) @ base[:3, axis]
+        np.testing.assert_allclose(slice_range(found, kind), [along.min(), along.max()])
+    low, high = slice_range(found, "axis")
+    if found.section.joint.revolute:
+        assert (low, high) == (-np.pi, np.pi)
+    else:
+        assert low < slice_at(whole(key), found) < high
+
+
+def test_a_slice_is_moved_by_its_slider(url):
+    async def main():
+        browser = await student(url, path="/robot/elbow_3r")
+        await browser.open("section")
+        await browser.press("slice z")
+        await browser.until(lambda: any(c["props"].get("label") == "z mm" for c in browser.controls.values()))
+        slider = browser.control("z mm")
+        assert slider["props"]["min"] < 0.0 < 1000.0 < slider["props"]["max"]
+        await browser.set_value(slider, 312.5)
+        await browser.until(lambda: 'value="312.5"' in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+@pytest.mark.parametrize("key", ARMS)
+@pytest.mark.parametrize("kind", ["axis", "x", "y", "z"])
+def test_a_section_is_looked_at_square_from_the_side_of_its_picture(key, kind):
+    state = apply(whole(key), Set(SectionView, "slice", kind))
+    facing, corners = PANEL.faces(state), plane_drawn(state).corners
+    back, up = facing.direction()
+    middle = corners.mean(axis=0)
+    assert np.abs((corners - middle) @ back).max() < 2e-3 * np.linalg.norm(corners - middle, axis=1).max()
+    assert degrees_off(back, facing.normal) < 0.1
+    np.testing.assert_array_equal(up, [0.0, 0.0, 1.0])

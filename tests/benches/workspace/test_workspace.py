@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from armlab.benches.workspace.cloud.cuts import SLICE
 from armlab.benches.workspace.cloud.examples import EXAMPLES
 from armlab.benches.workspace.cloud.files import as_csv, as_ply
 from armlab.benches.workspace.cloud.job import delivered, sampled, wanted
@@ -19,7 +20,7 @@ from armlab.benches.workspace.cloud.state import (
     Workspace,
     question_of,
 )
-from armlab.benches.workspace.cloud.view import EDGE, SLICE, boundary, drawing, kept, pointed_at
+from armlab.benches.workspace.cloud.view import EDGE, boundary, drawing, kept, pointed_at
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
 from armlab.session.bench import PutInPlace
@@ -197,7 +198,7 @@ def test_settings_are_saved_and_damaged_ones_refused():
     again = Workspace.from_json(data, robot)
     assert again.to_json() == data
     assert again.found is None
-    damaged = (("measure", "w"), ("count", 3), ("count", 26_000.0), ("edge", 1), ("offset", None), ("seed", "x"))
+    damaged = (("measure", "w"), ("count", 3), ("count", 26_000.0), ("edge", 1), ("offset", "x"), ("seed", "x"))
     for name, value in damaged:
         with pytest.raises((InputError, UnknownName), match=r"expected|Available"):
             Workspace.from_json({**data, name: value}, robot)

@@ -201,25 +201,15 @@
     } else if (same?.select) same.select();
   };
 
-  // Projector mode: large text, no benches, and the keys of a clicker go through the lesson. It is the page's own
-  // affair: the teacher's other screen stays as it is.
+  // The keys of a clicker go through the lesson.
   const steps = { PageDown: 'lesson-next', PageUp: 'lesson-back' };
   document.addEventListener('keydown', event => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
     if (event.target.closest?.('input, select, textarea, [contenteditable]')) return;
-    const root = document.documentElement;
-    if (event.code === 'KeyV') {
-      root.toggleAttribute('data-projector');
-      dispatchEvent(new Event('resize')); // viser fits the picture to what is left
-    } else if (event.code === 'Escape' && root.hasAttribute('data-projector')) {
-      root.removeAttribute('data-projector');
-      dispatchEvent(new Event('resize'));
-    } else if (steps[event.code]) {
-      const button = document.querySelector(`.lesson-foot button[data-cell=${steps[event.code]}]`);
-      if (!button) return;
-      event.preventDefault();
-      button.click();
-    }
+    const button = steps[event.code] && document.querySelector(`.lesson-foot button[data-cell=${steps[event.code]}]`);
+    if (!button) return;
+    event.preventDefault();
+    button.click();
   });
 
   // Keys that move the camera must not do so while a slider, a tab or a list has the focus.

@@ -12,7 +12,10 @@ from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.session.state import Command, Json, Part, PartType, State
 
-OF_THE_SCREEN = ("dark", "shadows")
+SYSTEM_DARK = "system_dark"
+"""Switch that the browser sets: whether the person's system asks for dark pages. It holds until "dark" is set."""
+
+OF_THE_SCREEN = ("dark", SYSTEM_DARK, "shadows")
 """Switches that suit a room and a computer, not the content: everybody keeps their own."""
 
 NAME = re.compile(r"[a-z0-9_]{1,40}\Z")

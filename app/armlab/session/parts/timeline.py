@@ -6,15 +6,17 @@ A `Clip`, found as ``clip.py`` of a bench, is played; one bar plays them all.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import ClassVar, Self
 
+from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.plugins import discover_in_benches
 from armlab.registry import known_name
 from armlab.session.fields import FieldPart, flag, number, own
+from armlab.session.pages import tab_of
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, PartType, State
 
@@ -36,6 +38,9 @@ class Clip:
         ``at(state, time) -> State``: what the clip changes besides the time, such as the joints. Pure.
     panel : str
         Key of the panel without which there is nothing to see of it; empty when it moves the arm itself.
+    tab : str
+        Key of the tab to which a clip that moves the arm belongs. On others its bar is seen once it plays or has been
+        played, since the arm then stands where the clip has it.
     closed : callable
         ``closed(state) -> State``: what is put back when the clip is taken off. Pure.
     """
@@ -46,6 +51,7 @@ class Clip:
     stops: Callable[[State], tuple[float, ...]]
     at: Callable[[State, float], State]
     panel: str = ""
+    tab: str = ""
     closed: Callable[[State], State] = lambda state: state
 
 
@@ -79,6 +85,21 @@ class Timeline(FieldPart):
     playing: bool = False
     speed: float = number("", "speed", 1.0, SLOWEST, FASTEST)
     loop: bool = flag("begin again at the end", False)
+
+    def for_robot(self, robot: Robot) -> Self:
+        """Return the part for another arm: a clip that moved the arm before is taken off."""
+        moved = self.clip and not clips()[self.clip].panel
+        return super(Timeline, replace(self, clip="") if moved else self).for_robot(robot)
+
+    def seen(self, panels: Collection[str]) -> bool:
+        """Return whether a page with these panels shows the bar of the clip."""
+        if not self.clip:
+            return False
+        clip = clips()[self.clip]
+        if clip.panel:
+            return clip.panel in panels
+        begun = self.playing or self.time > 0.0
+        return begun or not clip.tab or clip.tab in map(tab_of, panels)
 
     def rewound(self, clip: str) -> Self:
         """Return the part at the start of the clip, paused, if this clip is open."""

@@ -54,12 +54,20 @@ class Handle:
         self._drag: object = None
         self._pulled = False
         self._pose: Floats = np.eye(4)
+        self._axes: Floats = np.eye(3)
         self._start: tuple[Floats, Floats] = (np.eye(3), np.eye(3))
 
     @property
     def held(self) -> bool:
         """Whether a person holds the handle."""
         return self._held is not None
+
+    @property
+    def tip(self) -> Floats:
+        """The end of the first arrow of the handle where it was shown last, (3,) in the world."""
+        arm = self._canvas.drawn.figure.anatomy.arm
+        axis = min("xyz".index(letter) for letter in arm.task.position or "x")
+        return np.asarray(self._pose[:3, 3] + self._scale * self._canvas.size * self._axes[:, axis])
 
     @property
     def drag(self) -> object:
@@ -79,6 +87,7 @@ class Handle:
             self._controls = [self._control(i, options) for i, options in enumerate(handles_of(arm, handle))]
             self._made_for = wanted
         turned = pose[:3, :3] if _along_tool(arm, handle, axes) else arm.base[:3, :3]
+        self._axes = turned
         for control in self._controls:
             if control is not self._held:
                 _place(control, turned, pose[:3, 3])

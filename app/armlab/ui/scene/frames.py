@@ -17,6 +17,12 @@ from armlab.ui.switches import Switch
 SHRINK = 0.72
 """Size of each further frame in the same place, relative to the one before."""
 
+OF_TOOL = 0.6
+"""Size of the frame of the tool, relative to the others: the handle of the target mostly stands in the same place."""
+
+TOOL = "E"
+"""Name of the tool's frame."""
+
 
 def build(canvas: LayerCanvas, state: State) -> Show:
     """Attach a frame with its label to each body, with which it moves."""
@@ -25,7 +31,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
             canvas.scene.add_glb(
                 f"{canvas.node(mark.body)}/frame{mark.name}",
                 frame_glb(),
-                scale=FRAME_LENGTH * canvas.size * SHRINK**rank,
+                scale=FRAME_LENGTH * canvas.size * SHRINK**rank * (OF_TOOL if mark.name == TOOL else 1.0),
                 wxyz=quaternion_from_rotation(mark.pose[:3, :3]),
                 position=mark.pose[:3, 3],
                 cast_shadow=False,
@@ -56,7 +62,7 @@ def _groups(canvas: LayerCanvas) -> list[list[_Mark]]:
     anatomy = canvas.drawn.figure.anatomy
     arm, n = anatomy.arm, len(anatomy.bodies)
     marks = [_Mark(str(i), *anatomy.frame_on_body(i)) for i in range(n + 1)]
-    marks.append(_Mark("E", n, anatomy.tool_on_last()))
+    marks.append(_Mark(TOOL, n, anatomy.tool_on_last()))
     # Two configurations without symmetry: origins that coincide in both always do.
     configurations = [arm.limits[:, 0] + part * (arm.limits[:, 1] - arm.limits[:, 0]) for part in (0.31, 0.73)]
     origins = [[*(T[:3, 3] for T in arm.frames(q)), arm.fk(q)[:3, 3]] for q in configurations]

@@ -5,14 +5,18 @@ from __future__ import annotations
 import asyncio
 
 import numpy as np
+import viser
 from numpy.typing import NDArray
 
+from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import DragTarget, EndDrag, Target, aimed_arm, target_pose
 from armlab.session.state import State
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.scene._handle import Handle
+from armlab.ui.scene._nodes import move, seen
+from armlab.ui.scene.frames import SWITCH as FRAMES
 
 CATCH_UP = 0.05
 """Time, seconds, between steps of an arm that follows a handle at rest."""
@@ -25,14 +29,27 @@ class Gizmo:
         self._canvas = canvas
         self._handle = Handle(canvas, "/target", self._dragged, self._wait_no_longer)
         self._later: asyncio.TimerHandle | None = None
+        self._name: viser.LabelHandle | None = None
 
     def show(self, state: State) -> None:
         """Put the handle on the target."""
         target = state[Target]
         turns = aimed_arm(state).task.rotation != "none"
         self._handle.show(target_pose(state), target.handle if turns else "move", target.axes)
+        self._show_name(state)
         if self._handle.held and target.catching_up:
             self._catch_up_later()
+
+    def _show_name(self, state: State) -> None:
+        """Name the handle at its tip while the frames have names too: mostly it stands where the tool's frame does."""
+        named = FRAMES.on(state)
+        if self._name is None and named:
+            path = self._canvas.path("target_name")
+            self._name = self._canvas.scene.add_label(path, "target", font_screen_scale=0.85, anchor="bottom-left")
+        if self._name is not None:
+            seen(self._name, named)
+            if named:
+                move(self._name, self._handle.tip)
 
     def _dragged(self, pose: NDArray[np.floating], drag: object, ends: bool) -> None:
         """Post one command for one event of the drag."""
@@ -55,4 +72,4 @@ def build(canvas: LayerCanvas, state: State) -> Show:
     return gizmo.show
 
 
-LAYER = Layer("gizmo", order=50, watches=(Joints, Target), build=build, silent=True)
+LAYER = Layer("gizmo", order=50, watches=(Joints, Target, Display), build=build, silent=True)

@@ -47,4 +47,4 @@ ARM = ArmOnClip(
     CLIP_KEY, Control, duration, lambda state, time: standing(state[Joints].arm, configuration(state, time))
 )
 
-CLIP = Clip(CLIP_KEY, "Control", duration, stops, ARM.at, closed=ARM.put_back)
+CLIP = Clip(CLIP_KEY, "Control", duration, stops, ARM.at, tab="control", closed=ARM.put_back)

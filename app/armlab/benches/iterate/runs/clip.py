@@ -103,4 +103,4 @@ def _stood(state: State, time: float) -> Floats:
 
 ARM = ArmOnClip(CLIP_KEY, Iterations, duration, _stood)
 
-CLIP = Clip(CLIP_KEY, "Iterations", duration, stops, ARM.at, closed=ARM.put_back)
+CLIP = Clip(CLIP_KEY, "Iterations", duration, stops, ARM.at, tab="iterations", closed=ARM.put_back)

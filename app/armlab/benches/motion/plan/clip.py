@@ -40,4 +40,4 @@ def configuration(state: State, time: float) -> Floats | None:
 
 ARM = ArmOnClip(CLIP_KEY, Plan, duration, configuration)
 
-CLIP = Clip(CLIP_KEY, "Motion", duration, stops, ARM.at, closed=ARM.put_back)
+CLIP = Clip(CLIP_KEY, "Motion", duration, stops, ARM.at, tab="motion", closed=ARM.put_back)

@@ -60,4 +60,4 @@ def _part(value: float, low: float, high: float) -> float:
     return 0.5 * (before + after)
 
 
-CLIP = Clip(CLIP_KEY, "Joint sweep", lambda state: SECONDS, stops, at, closed=put_back)
+CLIP = Clip(CLIP_KEY, "Joint sweep", lambda state: SECONDS, stops, at, tab="velocity", closed=put_back)

@@ -53,4 +53,4 @@ def part_at(state: State, time: float) -> float:
     return first
 
 
-CLIP = Clip(CLIP_KEY, "Self-motion", lambda state: SECONDS, lambda state: (), at)
+CLIP = Clip(CLIP_KEY, "Self-motion", lambda state: SECONDS, lambda state: (), at, tab="velocity")

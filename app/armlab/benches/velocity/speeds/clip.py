@@ -34,4 +34,4 @@ def at(state: State, time: float) -> State:
     return state if moved is joints else state.replace(moved)
 
 
-CLIP = Clip(CLIP_KEY, "Drive with these speeds", duration, lambda state: (), at)
+CLIP = Clip(CLIP_KEY, "Drive with these speeds", duration, lambda state: (), at, tab="velocity")

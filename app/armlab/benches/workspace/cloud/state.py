@@ -25,6 +25,9 @@ DRAWINGS = {"cloud": "Points", "voxels": "Voxels", "surface": "Surface"}
 CUTS = {"none": "Whole", "front": "Half", "x": "x", "y": "y", "z": "z"}
 """Parts that are left out: nothing, the half in front of the arm, or all but a slice across an axis of frame 0."""
 
+AUTO = "auto"
+"""The cut that nobody has chosen: it shows most of what there is; see `armlab.benches.workspace.cloud.cuts`."""
+
 FARTHEST = 100.0
 """Largest distance of a slice from the origin, metres."""
 
@@ -44,9 +47,9 @@ class Workspace(FieldPart):
     draw : str
         Key of `DRAWINGS`.
     cut : str
-        Key of `CUTS`.
-    offset : float
-        Of a slice from the origin of frame 0, metres.
+        Key of `CUTS`, or `AUTO`.
+    offset : float or None
+        Of a slice from the origin of frame 0, metres; None for where most points are.
     edge : bool
         Whether only what is near the boundary is drawn.
     clicks : bool
@@ -70,8 +73,8 @@ class Workspace(FieldPart):
     count: int = whole("samples", COUNTS[1], 1)
     seed: int = whole("seed", 0, 0, LARGEST_SEED - 1)
     draw: str = choice("drawing", "cloud", DRAWINGS)
-    cut: str = choice("cut", "front", CUTS)
-    offset: float = number("", "place of the slice", 0.0, unit="m", kept="")
+    cut: str = choice("cut", AUTO, {AUTO: "as the points lie", **CUTS})
+    offset: float | None = number("", "place of the slice", None, unit="m", kept="")
     edge: bool = flag("only near the boundary", False)
     clicks: bool = flag("a click chooses a point", True)
     asked: Question | None = None
@@ -84,7 +87,7 @@ class Workspace(FieldPart):
         """Refuse a number of samples that is not offered, and a slice too far away."""
         if self.count not in COUNTS:
             raise UnknownName("samples", self.count, [str(count) for count in COUNTS])
-        if not abs(self.offset) <= FARTHEST:
+        if self.offset is not None and not abs(self.offset) <= FARTHEST:
             raise InputError(f"place of the slice: expected at most {FARTHEST:g} m either way, got {self.offset:g} m")
 
 
@@ -139,7 +142,10 @@ class ClearWorkspace(Command):
 
 @dataclass(frozen=True)
 class LookAtWorkspace(Command):
-    """Change settings; None leaves one unchanged. Another measure is computed at once if there are samples."""
+    """Change settings; None leaves one unchanged. Another measure is computed at once if there are samples.
+
+    A slice across another axis begins where most points are.
+    """
 
     measure: str | None = None
     count: int | None = None
@@ -155,6 +161,8 @@ class LookAtWorkspace(Command):
         """Return the state with the settings; `InputError` for an invalid one."""
         before = state[Workspace]
         given = {name: value for name, value in vars(self).items() if value is not None}
+        if self.cut is not None and self.cut != before.cut:
+            given.setdefault("offset", None)
         part = before.with_values(given)
         if any(getattr(part, name) != getattr(before, name) for name in ("measure", "draw", "cut")):
             part = replace(part, example="")

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.benches.workspace.cloud.samples import Sampled
+from armlab.benches.workspace.cloud.cuts import AXES, cut_of, left_by_cut
 from armlab.benches.workspace.cloud.state import Workspace
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.surface import Surface, near_boundary, surface
@@ -17,16 +17,8 @@ from armlab.session.state import State
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-FRONT = math.radians(-50.0)
-"""Azimuth of the first view of an arm, radians: the half that is cut away lies in front of it."""
-
-SLICE = 0.02
-"""Half thickness of a slice, in reaches of the arm."""
-
 EDGE = 0.04
 """Largest distance of a point near the boundary, in reaches of the arm."""
-
-AXES = ("x", "y", "z")
 
 NEAR_RAY = 0.012
 """Largest distance of a clicked sample from the line of sight, in reaches of the arm."""
@@ -54,7 +46,7 @@ def left_of(state: State, points: ArrayLike) -> Mask:
     part = state[Workspace]
     if part.found is None:
         return np.zeros(len(np.asarray(points)), dtype=bool)
-    left = cut_of(part, part.found, points)
+    left = left_by_cut(part, part.found, points)
     if part.edge and part.section is not None:
         left &= near_boundary(part.section, points, EDGE * part.found.question.arm.reach)
     return left
@@ -66,21 +58,27 @@ def boundary(state: State) -> Surface | None:
     if part.found is None or part.section is None:
         return None
     whole = surface(part.section)
-    if not len(whole.faces):
+    if not len(whole.faces) or cut_of(part) != "front":
         return whole
-    left = cut_of(part, part.found, whole.vertices[whole.faces].mean(axis=1)) if part.cut == "front" else ...
-    return Surface(whole.vertices, whole.faces[left])
+    return Surface(whole.vertices, whole.faces[left_by_cut(part, part.found, whole.vertices[whole.faces].mean(axis=1))])
 
 
-def cut_of(part: Workspace, found: Sampled, points: ArrayLike) -> Mask:
-    """Return which points (k, 3) in the world remain after the cut, shape (k,)."""
-    arm = found.question.arm
-    local = (np.asarray(points, dtype=np.float64) - arm.base[:3, 3]) @ arm.base[:3, :3]
-    if part.cut == "front" and not found.planar:
-        return np.asarray(local[:, 0] * math.cos(FRONT) + local[:, 1] * math.sin(FRONT) <= 0.0)
-    if part.cut in AXES:
-        return np.asarray(np.abs(local[:, AXES.index(part.cut)] - part.offset) <= SLICE * arm.reach)
-    return np.ones(len(local), dtype=bool)
+def in_the_picture(state: State) -> Floats:
+    """Return points (k, 3) of the world around all that is drawn, wherever a slice is moved; none where nothing is."""
+    found, draw = state[Workspace].found, drawing(state)
+    if found is None:
+        return np.zeros((0, 3))
+    if cut_of(state[Workspace]) in AXES:
+        return found.shown.points.astype(np.float64)
+    if draw == "surface" and (drawn := state.derived(boundary)) is not None:
+        return np.asarray(drawn.vertices[np.unique(drawn.faces)], dtype=np.float64)
+    if draw == "voxels":
+        filled = found.voxels.count > 0
+        centres = found.voxels.centres(filled)
+        centres = centres[left_of(state, centres)]
+        half = 0.5 * found.voxels.step
+        return np.concatenate([centres - half, centres + half]).astype(np.float64)
+    return found.shown.points[state.derived(kept)].astype(np.float64)
 
 
 def pointed_at(state: State, origin: ArrayLike, direction: ArrayLike) -> int | None:

@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.workspace.cloud.view import FRONT
+from armlab.benches.workspace.cloud.cuts import FRONT
 from armlab.benches.workspace.dexterous.state import SHARES, Dexterous, slice_of, study_of
 from armlab.benches.workspace.dexterous.study import Study
 from armlab.kin.ik.solve_all import solve_all

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.workspace.cloud.cuts import AXES, across
 from armlab.benches.workspace.section.found import Found, once_each
 from armlab.benches.workspace.section.state import SectionView, found_of
 from armlab.kin.workspace.first_joint import FirstJoint
@@ -24,7 +25,6 @@ PIXELS = 200
 FINER = 2
 """Number of pixels along a side of a cell."""
 
-AXES = ("x", "y", "z")
 ROUND = 64
 """Number of values of s by which the extent of a workspace is found."""
 
@@ -53,6 +53,12 @@ class Plane(NamedTuple):
         """Centre of the rectangle."""
         return np.asarray(self.corner + 0.5 * (self.width * self.right + self.height * self.up))
 
+    @property
+    def corners(self) -> Floats:
+        """The four corners, (4, 3)."""
+        sides = [(i * self.width, j * self.height) for i in (0, 1) for j in (0, 1)]
+        return np.array([self.corner + wide * self.right + high * self.up for wide, high in sides])
+
 
 class Slice(NamedTuple):
     """A picture with its rows from below and its columns from the left.
@@ -71,12 +77,22 @@ class Slice(NamedTuple):
 
 def slice_of(state: State) -> Slice | None:
     """Return the slice to draw in the scene, or None."""
+    found, plane = found_of(state), plane_drawn(state)
+    if found is None or plane is None:
+        return None
+    if found.section.grid.flat:
+        return in_own_plane(found)
+    return _of_section(found, slice_at(state, found)) if state[SectionView].slice == "axis" else picture(found, plane)
+
+
+def plane_drawn(state: State) -> Plane | None:
+    """Return the plane of the slice to draw in the scene, or None."""
     found, part = found_of(state), state[SectionView]
     if found is None or part.slice == "none" or not found.section.filled.any():
         return None
-    if part.slice == "axis" and not found.section.grid.flat:
-        return _of_section(found, slice_at(state, found))
-    return in_own_plane(found) if found.section.grid.flat else picture(found, plane_of(state, found))
+    if found.section.grid.flat:
+        return own_plane(found.section)
+    return plane_at(found, slice_at(state, found)) if part.slice == "axis" else plane_of(state, found)
 
 
 @once_each
@@ -97,6 +113,15 @@ def slice_at(state: State, found: Found) -> float:
     """Return the place of the slice through (or across) the axis of joint 1, rad or m."""
     turn = state[SectionView].turn
     return float(found.section.joint.split(state[Joints].tool_pose[:3, 3])[2]) if turn is None else turn
+
+
+def slice_range(found: Found, kind: str) -> tuple[float, float]:
+    """Return between which places a slice of a kind meets the workspace, rad or m."""
+    points, joint, base = hull(found.section), found.section.joint, found.arm.base
+    if kind == "axis" and joint.revolute:
+        return -math.pi, math.pi
+    along = joint.split(points)[:, 2] if kind == "axis" else (points - base[:3, 3]) @ base[:3, AXES.index(kind)]
+    return float(along.min()), float(along.max())
 
 
 def picture(found: Found, plane: Plane) -> Slice:
@@ -223,10 +248,7 @@ def section_picture(found: Found) -> Slice:
 
 def _across_axis(found: Found, axis: int, offset: float) -> Plane:
     base = found.arm.base
-    right, up = base[:3, (axis + 1) % 3], base[:3, (axis + 2) % 3]
-    if axis == 1:
-        # x to the right and z up, as from the front.
-        right, up = base[:3, 0], base[:3, 2]
+    right, up = across(base, axis)
     origin = base[:3, 3] + offset * base[:3, axis]
     return _rectangle(origin, right, up, (hull(found.section) - origin) @ np.column_stack([right, up]))
 

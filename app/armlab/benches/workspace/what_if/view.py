@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.workspace.cloud.view import FRONT
+from armlab.benches.workspace.cloud.cuts import behind, opens
 from armlab.benches.workspace.what_if.state import WhatIf
-from armlab.kin.arm import Arm
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
@@ -38,7 +36,7 @@ class Parts(NamedTuple):
 
 
 def parts_of(state: State) -> Parts:
-    """Return the drawn points; of an arm in space without the half in front, which would hide the arm."""
+    """Return the drawn points, without the half in front, which would hide the arm, where enough are left then."""
     found, nothing = state[WhatIf].found, np.zeros((0, 3), np.float32)
     if found is None:
         return Parts(nothing, nothing, nothing, nothing)
@@ -50,12 +48,9 @@ def parts_of(state: State) -> Parts:
     else:
         parts = Parts(old[~found.lost], nothing, new[found.gained], old[found.lost])
     arm = found.before
-    return parts if first_joint(arm).planar else Parts(*(each[_behind(arm, each)] for each in parts))
-
-
-def _behind(arm: Arm, points: Points) -> NDArray[np.bool_]:
-    local = (points - arm.base[:3, 3]) @ arm.base[:3, :3]
-    return np.asarray(local[:, 0] * math.cos(FRONT) + local[:, 1] * math.sin(FRONT) <= 0.0)
+    if first_joint(arm).planar or not opens(arm, old):
+        return parts
+    return Parts(*(each[behind(arm, each)] for each in parts))
 
 
 def thought_pose(state: State) -> NDArray[np.float64] | None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from armlab.benches.robot.trainer.commands import EndTrainer, StartTrainer, TakeTrainerPose, at_reference
 from armlab.benches.robot.trainer.exercise import usable_robots
 from armlab.benches.robot.trainer.state import Trainer
@@ -14,7 +16,7 @@ from armlab.session.state import Post, State
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import verdict_box
-from armlab.ui.plugin import Panel, Show
+from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
@@ -34,18 +36,15 @@ class TrainerPanel:
     """The panel of the trainer."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
-        self._state, self._units, self._camera = state, units_of(state), gui.camera
+        self._state, self._units = state, units_of(state)
         self._form = gui.form(post)
         self._table = TableStage(gui, self._units, state[Trainer], post)
         self._after = gui.form(post)
 
     def show(self, state: State) -> None:
         """Show a state."""
-        began = state[Trainer].started and not self._state[Trainer].started
         self._state = state
         trainer = state[Trainer]
-        if began:  # the pose of the exercise may lie outside the picture
-            self._camera.look_from("Home")
         if not trainer.exercise.usable:
             self._form.show(self._unusable(trainer))
         elif not trainer.started:
@@ -121,4 +120,17 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return TrainerPanel(gui, state, post).show
 
 
-PANEL = Panel((Trainer, Joints), build, see_through=True, hides=("gizmo", "gap"))
+def _around(state: State) -> Points:
+    """Return the origins of the frames of an exercise, whose pose may lie outside the picture."""
+    joints = state[Joints]
+    return np.array(joints.arm.frames(joints.q)[:, :3, 3]) if state[Trainer].started else NOTHING
+
+
+PANEL = Panel(
+    (Trainer, Joints),
+    build,
+    see_through=True,
+    hides=("gizmo", "gap"),
+    around=_around,
+    looks=lambda state: state[Trainer].started,
+)

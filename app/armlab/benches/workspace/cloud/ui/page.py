@@ -7,6 +7,7 @@ from functools import partial
 
 import numpy as np
 
+from armlab.benches.workspace.cloud.cuts import AXES, across, cut_of, place_of, range_of
 from armlab.benches.workspace.cloud.examples import EXAMPLES, ChooseWorkspaceExample
 from armlab.benches.workspace.cloud.files import as_csv, as_ply
 from armlab.benches.workspace.cloud.samples import Sampled
@@ -23,7 +24,7 @@ from armlab.benches.workspace.cloud.state import (
     asks_for_boundary,
 )
 from armlab.benches.workspace.cloud.ui.words import chosen, counted, facts, scale
-from armlab.benches.workspace.cloud.view import AXES, drawing
+from armlab.benches.workspace.cloud.view import drawing, in_the_picture
 from armlab.errors import InputError
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.measures import MEASURES
@@ -33,19 +34,17 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.session import Refuse
 from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples
+from armlab.ui.eye import Facing
 from armlab.ui.file_names import file_name
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, readable
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import progress_bar, row
-from armlab.ui.plugin import NOTHING, Panel, Points, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Gui
+from armlab.ui.widgets import Control, Gui
 
 SAVES: dict[str, Callable[[Sampled], str | bytes]] = {"ply": as_ply, "csv": as_csv}
-
-STEP = 0.05
-"""Distance by which a press moves the slice, in reaches of the arm."""
 
 LONGEST_SEED = 18
 """Largest number of digits of a seed; the lab takes fewer and says so, and Python reads no number of thousands."""
@@ -75,16 +74,19 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         gui.open_panel("solutions")
         return AimAtSample(index)
 
-    drawn = False
-    choices, told = gui.form(post), gui.form(post)
+    def moved(value: float) -> None:
+        post(LookAtWorkspace(offset=value * units.factor(False)))
+
+    choices = gui.form(post)
+    slider = gui.slider("slice", 0.0, 1.0, 0.1, 0.0, moved, None)
+    switches, told = gui.form(post), gui.form(post)
 
     def show(state: State) -> None:
-        nonlocal present, drawn
-        present, appeared = state, not drawn and state[Workspace].found is not None
-        drawn = state[Workspace].found is not None
-        if appeared:
-            gui.camera.keep_in_view()
+        nonlocal present
+        present = state
         choices.show(choices_markup(choices, state, units))
+        _show_slider(slider, state, units)
+        switches.show(row("Scene", _switches(switches, state[Workspace])))
         told.show(told_markup(told, state, units, save, ways))
 
     return show
@@ -110,7 +112,6 @@ def choices_markup(form: Form, state: State, units: Units) -> Inside:
         row("Show as", draw),
         row("Cut", cut),
         _slice(form, state, units) if _cut(state) in AXES else None,
-        row("Scene", _switches(form, part)),
     )
 
 
@@ -133,8 +134,8 @@ def _cuts(state: State) -> dict[str, str]:
 
 
 def _cut(state: State) -> str:
-    """Return the cut that is shown."""
-    cut = state[Workspace].cut
+    """Return the cut that is shown; before there are points that decide nothing is cut."""
+    cut = cut_of(state[Workspace])
     return cut if cut in _cuts(state) else "none"
 
 
@@ -145,16 +146,28 @@ def _switches(form: Form, part: Workspace) -> Inside:
 
 
 def _slice(form: Form, state: State, units: Units) -> Markup:
-    part, step = state[Workspace], STEP * state[Joints].arm.reach
-    name = f"place of the slice, {part.cut}"
+    part = state[Workspace]
+    name = f"place of the slice, {_cut(state)}"
 
     def typed(text: str) -> LookAtWorkspace:
         return LookAtWorkspace(offset=units.read(text, False, name))
 
-    at = form.field("offset", readable(part.offset / units.factor(False), 1), capitalised(name), typed)
-    less = form.chip("slice -1", "−", LookAtWorkspace(offset=part.offset - step), "Move the slice back")
-    more = form.chip("slice 1", "+", LookAtWorkspace(offset=part.offset + step), "Move the slice on")
-    return row(f"{part.cut} =", (tag("label.option", at, tag("i", units.length_unit)), less, more))
+    at = form.field("offset", readable(place_of(part) / units.factor(False), 1), capitalised(name), typed)
+    return row(f"{_cut(state)} =", tag("label.option", at, tag("i", units.length_unit)))
+
+
+def _show_slider(slider: Control, state: State, units: Units) -> None:
+    """Show the place of a slice on a slider as long as the cloud; hide it where there is no slice."""
+    part, cut = state[Workspace], _cut(state)
+    shown = cut in AXES and part.found is not None
+    slider.visible(shown)
+    if not shown:
+        return
+    low, high = (units.value(end, False) for end in range_of(part))
+    step = 10.0 ** -units.decimals(False)
+    place = units.value(place_of(part), False)
+    slider.span(f"{cut} {units.length_unit}", min(low, place), max(high, place, low + step), step)
+    slider.show(place)
 
 
 def _action(form: Form, part: Workspace) -> Inside:
@@ -187,13 +200,22 @@ def told_markup(
     return wait, coloured, there, facts(state, found, units), tag("div.bar", saves)
 
 
-def _around(state: State) -> Points:
-    """Return the corners of the drawn points."""
-    found = state[Workspace].found
-    if found is None:
-        return NOTHING
-    points = found.shown.points.astype(np.float64)
-    return np.array([points.min(axis=0), points.max(axis=0)])
+def _faces(state: State) -> Facing | None:
+    """Return the plane of a slice."""
+    part, cut = state[Workspace], _cut(state)
+    if part.found is None or cut not in AXES:
+        return None
+    right, up = across(state[Joints].arm.base, AXES.index(cut))
+    return Facing(np.cross(right, up), up, cut)
 
 
-PANEL = Panel((Workspace, Joints), build, rebuilds=(RobotPart, Notation), around=_around)
+def _looks(state: State) -> tuple[object, ...]:
+    """Return all that decides what is drawn, but for the place of a slice, which a hand moves."""
+    part, found = state[Workspace], state[Workspace].found
+    known = (False, False) if found is None else (True, found.finished)
+    return *known, drawing(state), _cut(state), part.edge, part.section is None
+
+
+PANEL = Panel(
+    (Workspace, Joints), build, rebuilds=(RobotPart, Notation), around=in_the_picture, faces=_faces, looks=_looks
+)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from armlab.benches.workspace.dexterous.picture import largest_share, slice_shown
+from armlab.benches.workspace.dexterous.picture import body_shown, largest_share, slice_shown
 from armlab.benches.workspace.dexterous.places import outermost
 from armlab.benches.workspace.dexterous.state import (
     COUNTS,
@@ -37,6 +37,7 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.state import Post, State
+from armlab.ui.eye import Facing
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import progress_bar, row
@@ -60,13 +61,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     gui.html(definition())
     choices, table = gui.form(post), gui.form(post)
     told = gui.html()
-    seen = False
 
     def show(state: State) -> None:
-        nonlocal seen
-        if not seen and len(_around(state)):
-            seen = True
-            gui.camera.keep_in_view()
         choices.show(choices_markup(choices, state, units))
         rings = method_of(state) == "rings"
         table.show((tool_words(state, units), regions_table(table, state, units)) if rings else None)
@@ -173,4 +169,23 @@ def _around(state: State) -> Points:
     return np.array([shown.corner + wide * i * shown.right + high * j * shown.up for i in (0, 1) for j in (0, 1)])
 
 
-PANEL = Panel((Dexterous, Joints, Target), build, rebuilds=(RobotPart, Notation), around=_around)
+def _faces(state: State) -> Facing | None:
+    """Return the plane of the slice, or of the rings of a planar arm."""
+    shown, part = state.derived(slice_shown), state[Dexterous]
+    if state.derived(outermost) is not None:
+        axes = first_joint(state[Joints].arm).axes
+        return Facing(axes[:, 2], axes[:, 1], "rings")
+    if shown is None or state.derived(body_shown) is not None:
+        return None
+    return Facing(np.cross(shown.right, shown.up), shown.up, f"{part.s}")
+
+
+def _looks(state: State) -> tuple[object, ...]:
+    """Return whether there is a result, and the choices of what is shown of it."""
+    part = state[Dexterous]
+    return state.derived(study_of) is not None, method_of(state), part.draw, part.s
+
+
+PANEL = Panel(
+    (Dexterous, Joints, Target), build, rebuilds=(RobotPart, Notation), around=_around, faces=_faces, looks=_looks
+)

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from armlab.benches.workspace.section.found import Found
-from armlab.benches.workspace.section.slice import hull, in_own_plane, slice_at
+from armlab.benches.workspace.section.slice import hull, in_own_plane, plane_drawn, slice_at, slice_range
 from armlab.benches.workspace.section.state import (
     COLOURS,
     GoInSection,
@@ -24,6 +24,7 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.state import Command, Post, State
+from armlab.ui.eye import Facing
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised
 from armlab.ui.html import Inside, Markup, tag
@@ -40,8 +41,11 @@ class SectionPage:
     """The page."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
-        self._gui, self._units = gui, units_of(state)
-        self._choices, self._view = gui.form(post), gui.form(post)
+        self._units = units_of(state)
+        self._post, self._turns = post, False
+        self._choices = gui.form(post)
+        self._slider = gui.slider("slice", 0.0, 1.0, 0.1, 0.0, self._slid, None)
+        self._view = gui.form(post)
         self._told = gui.html()
         self._image = gui.html()
         self._pictured: Found | None = None
@@ -50,17 +54,34 @@ class SectionPage:
         """Show a state; the picture of the reached region is sent only when it has changed."""
         found = found_of(state)
         self._choices.show(choices_markup(self._choices, state, self._units))
+        self._show_slider(state)
         if found is None or not found.section.filled.any():
             self._view.show(tag("p.dim", "The section of the workspace is being found …"))
             self._told.show()
             return
         if found is not self._pictured:
-            if self._pictured is None:
-                self._gui.camera.keep_in_view()
             self._pictured = found
             self._image.show(image_rule(found, IMAGE))
         self._view.show(view_markup(self._view, state, found, self._units))
         self._told.show(facts(found, self._units))
+
+    def _slid(self, value: float) -> None:
+        self._post(PlaceSlice(value * self._units.factor(self._turns)))
+
+    def _show_slider(self, state: State) -> None:
+        """Show the place of the slice; the handle in the scene is hard to grasp where it is looked at end on."""
+        found, kind = found_of(state), state[SectionView].slice
+        shown = plane_drawn(state) is not None and found is not None and not found.section.grid.flat
+        self._slider.visible(shown)
+        if found is None or not shown:
+            return
+        self._turns = kind == "axis" and found.section.joint.revolute
+        at = slice_at(state, found) if kind == "axis" else state[SectionView].offset
+        place, low, high = (self._units.value(each, self._turns) for each in (at, *slice_range(found, kind)))
+        step = 10.0 ** -self._units.decimals(self._turns)
+        label = f"{'at' if kind == 'axis' else kind} {self._units.unit(self._turns)}"
+        self._slider.span(label, min(low, place), max(high, place, low + step), step)
+        self._slider.show(place)
 
 
 def view_markup(form: Form, state: State, found: Found, units: Units) -> Inside:
@@ -125,12 +146,25 @@ def _picked(found: Found, x: float, y: float, _drag: int) -> Command:
 
 
 def _around(state: State) -> Points:
-    """Return the corners of the reached region."""
-    found = found_of(state)
+    """Return the corners of a slice that only turns or keeps its place, or points wherever another one may be moved."""
+    found, plane = found_of(state), plane_drawn(state)
     if found is None or not found.section.filled.any():
         return NOTHING
-    points = hull(found.section)
-    return np.array([points.min(axis=0), points.max(axis=0)])
+    turns = found.section.grid.flat or (state[SectionView].slice == "axis" and found.section.joint.revolute)
+    return plane.corners if plane is not None and turns else hull(found.section)
+
+
+def _faces(state: State) -> Facing | None:
+    """Return the plane of the slice."""
+    plane = plane_drawn(state)
+    return None if plane is None else Facing(np.cross(plane.right, plane.up), plane.up, state[SectionView].slice)
+
+
+def _looks(state: State) -> tuple[object, ...]:
+    """Return how far the section is known, and the kind of slice: a hand may move the slice itself."""
+    found = found_of(state)
+    known = (False, False) if found is None else (bool(found.section.filled.any()), found.finished)
+    return *known, state[SectionView].slice
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
@@ -138,4 +172,11 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return SectionPage(gui, state, post).show
 
 
-PANEL = Panel((SectionView, Joints, Target), build, rebuilds=(RobotPart, Notation), around=_around)
+PANEL = Panel(
+    (SectionView, Joints, Target),
+    build,
+    rebuilds=(RobotPart, Notation),
+    around=_around,
+    faces=_faces,
+    looks=_looks,
+)

@@ -9,8 +9,9 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
+from armlab.benches.workspace.cloud.cuts import AXES
 from armlab.benches.workspace.section.found import Found
-from armlab.benches.workspace.section.slice import AXES, Plane, Slice, looks, plane_at, plane_of, slice_at, slice_of
+from armlab.benches.workspace.section.slice import Plane, Slice, looks, plane_at, plane_of, slice_at, slice_of
 from armlab.benches.workspace.section.state import PlaceSlice, SectionView, found_of
 from armlab.benches.workspace.section.ui.pixels import pixels
 from armlab.kin.rotations import rotation_from_quaternion

@@ -37,7 +37,7 @@ from armlab.ui.widgets import Gui
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the choice of a number, its slider, the changes, and their effect."""
-    present, units, drawn = state, units_of(state), False
+    present, units = state, units_of(state)
 
     def slid(value: float) -> None:
         part = present[WhatIf]
@@ -48,20 +48,16 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     exact, told = gui.form(post), gui.form(post)
 
     def show(state: State) -> None:
-        nonlocal present, drawn
+        nonlocal present
         part, before = state[WhatIf], present[WhatIf]
         if (part.row, part.field, part.changes) != (before.row, before.field, before.changes):
             exact.forgive()  # what was refused there was about something else
         present = state
-        if part.found is not None and not drawn:
-            drawn = True
-            gui.camera.keep_in_view()
         choices.show(choices_markup(choices, part, units))
-        angle, handle = turns(part.arm, part.row, part.field), slider.handle
+        angle = turns(part.arm, part.row, part.field)
         label = f"{name_of(part.arm, part.row, part.field, units)} {units.unit(angle)}"
         low, high = (units.value(end, angle) for end in span_of(part.arm, part.other, part.row, part.field))
-        if (handle.label, handle.min, handle.max) != (label, low, high):
-            handle.label, handle.min, handle.max, handle.step = label, low, high, 10.0 ** -units.decimals(angle)
+        slider.span(label, low, high, 10.0 ** -units.decimals(angle))
         slider.show(units.value(value_of(part.other, part.row, part.field), angle))
         exact.show(exact_markup(exact, part, units))
         told.show(told_markup(told, state, units))
@@ -111,12 +107,16 @@ def told_markup(form: Form, state: State, units: Units) -> Inside:
 
 
 def _around(state: State) -> Points:
-    """Return the corners of both workspaces."""
+    """Return the points of both workspaces."""
     found = state[WhatIf].found
     if found is None:
         return NOTHING
-    points = np.concatenate([found.old.points, found.new.points]).astype(np.float64)
-    return np.array([points.min(axis=0), points.max(axis=0)])
+    return np.concatenate([found.old.points, found.new.points]).astype(np.float64)
 
 
-PANEL = Panel((WhatIf,), build, rebuilds=(RobotPart, Notation), around=_around)
+def _looks(state: State) -> bool:
+    """Return whether there are workspaces: while a slider changes one, the eye stays."""
+    return state[WhatIf].found is not None
+
+
+PANEL = Panel((WhatIf,), build, rebuilds=(RobotPart, Notation), around=_around, looks=_looks)
