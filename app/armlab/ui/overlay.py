@@ -112,6 +112,7 @@ class Overlay:
     def _place(self, session: Session) -> Markup | None:
         """Return a sentence on where the student is, unless at the lesson or own work, with the button back."""
         shelf, former = session.state[Shelf], offered(session.state)
+        way: Inside
         if shelf.place == SANDBOX:
             says, way = "Your sandbox", self._form.button("home", f"‹ Back to {_waits(shelf)}", BackToLesson(), "chip")
         elif shelf.place == SHARED:

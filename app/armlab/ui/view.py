@@ -7,6 +7,7 @@ import json
 import logging
 from collections.abc import Callable, Generator, Iterator
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 import viser
@@ -20,6 +21,7 @@ from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.panels import Panels, Window
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
+from armlab.session.parts.welcome import CARD, LeaveWelcome, Welcome
 from armlab.session.session import Session
 from armlab.session.state import Command, State
 from armlab.ui import commands
@@ -36,6 +38,9 @@ from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
 from armlab.ui.timeline_bar import TimelineBar
 from armlab.ui.widgets import Gui
+
+if TYPE_CHECKING:
+    from armlab.ui.arms.dialog import ArmsDialog
 
 log = logging.getLogger(__name__)
 
@@ -94,6 +99,8 @@ class View:
         self._tabs: dict[str, Tab] = {}
         self._shown: State | None = None
         self._making: Arm | None = None
+        self._undrawable: Arm | None = None
+        self._arms: ArmsDialog | None = None
         self._robot: RobotPart | None = None
         self._told, self._untaken = session.notice_seen, session.untaken
         self._refresh: asyncio.TimerHandle | None = None
@@ -106,9 +113,11 @@ class View:
     def build(self) -> Generator[None, None, None]:
         """Build the page in pieces of a millisecond or two; the browser gets it when it is complete."""
         self._post(OpenWindow(self.client.client_id, self._first))
+        if self.session.state[Welcome].at == CARD and self.session.history.undo_label:
+            self._post(LeaveWelcome())  # no first visit any more
         with self.client.atomic():
             self._theme(self.session.state)
-            self._overlay = Overlay(self.client, self.post, self._tabs_seen)
+            self._overlay = Overlay(self.client, self.post, self._tabs_seen, self._open_arms)
             self._timeline = TimelineBar(self.client, self.post)
             yield
             yield from self._dock()
@@ -184,7 +193,21 @@ class View:
         if window.asked != self._asked:
             self._asked = window.asked
             self._overlay.open_tab(pages()[window.wanted].title)
-        self._overlay.show(self.session, "gizmo" not in self._hidden(self.session.state))
+        self._overlay.show(self.session, "gizmo" not in self._hidden(self.session.state), self._is_coming())
+
+    def _is_coming(self) -> bool:
+        """Return whether the picture of the present arm is still being made."""
+        robot = self.session.robot
+        there = self._robot is not None and self._robot.robot is robot
+        return not there and self._undrawable is not robot.arm
+
+    def _open_arms(self) -> None:
+        """Open the dialog in which an arm is chosen, which is imported for it."""
+        from armlab.ui.arms.dialog import ArmsDialog
+
+        if self._arms is None:
+            self._arms = ArmsDialog(self.client, self.post, self._gallery, self.session)
+        self._arms.open()
 
     def open_tab(self, key: str) -> None:
         """Bring a panel to the front, unless the lesson hides it."""
@@ -319,6 +342,7 @@ class View:
         """Show the new figure. One that cannot be drawn is reported once, and not tried again."""
         if problem is not None:
             log.error("the arm cannot be drawn", exc_info=problem)
+            self._undrawable = arm
             self.client.add_notification("Not drawn", "This arm cannot be drawn; the numbers are right.", color="red")
             return
         if self._making is arm:
@@ -354,6 +378,8 @@ class View:
                 self._pace.timed(self._tabs[key].show, state, again)
             self._lesson.show(state)
             self._show_overlay()
+            if self._arms is not None:
+                self._arms.show()
             self._timeline.show(state, self._open_panels(state))
             self._tell()
 
@@ -373,6 +399,8 @@ class View:
         self._closed = True
         self._post(CloseWindow(self.client.client_id))
         self._pace.spread.drop(self)
+        if self._arms is not None:
+            self._arms.close()
         if self._refresh is not None:
             self._refresh.cancel()
         if self._canvas is not None:

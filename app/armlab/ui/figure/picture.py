@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,10 +23,10 @@ from armlab.ui.png import rgba_png
 
 Floats = NDArray[np.float64]
 
-WIDTH, HEIGHT = 232, 174
+WIDTH, HEIGHT = 240, 200
 """Size of a picture in pixels."""
 
-FINE = 3
+FINE = 2
 """Samples in a pixel, each way."""
 
 MARGIN = 0.07
@@ -34,6 +34,9 @@ MARGIN = 0.07
 
 HALF_ANGLE = math.radians(16.0)
 """Half of the angle under which the eye sees the ball around the arm: that of the scene."""
+
+TURNS, STEEP = (0.0, -15.0, 15.0, -30.0, 30.0), 45.0
+"""By how many degrees the eye may stand beside the usual view, and from which elevation on it does not."""
 
 MOST_AT_ONCE = 200_000
 """Samples under the boxes of those triangles that are laid over the picture together, for the sake of memory."""
@@ -81,9 +84,9 @@ def picture_of(figure: Figure, q: Floats, view: Camera) -> bytes:
     b'PNG'
     """
     scene = _scene(figure, q)
+    axes = _axes(_from_the_side(view, scene.vertices))
     foot = scene.vertices[:, 2].min()
     on_ground = scene.vertices * [1.0, 1.0, 0.0] + [0.0, 0.0, foot]
-    axes = _axes(view)
     bodies, ground = _fitted(axes, scene.vertices, on_ground)
     pixels = _painted(scene, bodies, axes)
     return rgba_png(_over_shadow(pixels, _shade_below(ground, scene.faces)), level=9)
@@ -103,6 +106,17 @@ def _scene(figure: Figure, q: Floats) -> _Scene:
         np.concatenate(colours),
         np.concatenate([solid.faces + start for solid, start in zip(solids, first, strict=False)]),
     )
+
+
+def _from_the_side(view: Camera, points: Floats) -> Camera:
+    """Return a view near to the given one in which the points look widest; a view from above stays as it is.
+
+    An arm that points at the eye shows little of itself; in the scene one can walk round it, in a picture not.
+    """
+    if view.elevation_deg > STEEP:
+        return view
+    turned = [replace(view, azimuth_deg=view.azimuth_deg + by) for by in TURNS]
+    return max(turned, key=lambda each: float(np.ptp(points @ _axes(each)[0])))
 
 
 def _axes(view: Camera) -> Floats:
@@ -139,7 +153,7 @@ def _fitted(axes: Floats, *clouds: Floats) -> list[Floats]:
 
 
 def _painted(scene: _Scene, seen: Floats, axes: Floats) -> Floats:
-    """Return the samples of the bodies, (rows, columns, 4): linear colour times opacity, and opacity."""
+    """Return the samples of the bodies, (rows, columns, 4): colour of the screen times opacity, and opacity."""
     columns, rows = FINE * WIDTH, FINE * HEIGHT
     nearest = np.zeros(rows * columns)
     normals, colours = np.zeros((2, rows * columns, 3))
@@ -148,13 +162,13 @@ def _painted(scene: _Scene, seen: Floats, axes: Floats) -> Floats:
         depth = np.einsum("ij,ij->i", weights, seen[corners, 2])
         order = np.argsort(depth)  # of several at one place the last one written stays
         order = order[depth[order] > nearest[place[order]]]
-        corners, weights, place = corners[order], weights[order, :, None], place[order]
+        corners, place = corners[order], place[order]
         nearest[place] = depth[order]
-        normals[place] = (weights * scene.normals[corners]).sum(axis=1)
+        normals[place] = np.einsum("ij,ijk->ik", weights[order], scene.normals[corners])
         colours[place] = scene.colours[corners[:, 0]]
     there = nearest > 0.0
     picture = np.zeros((rows * columns, 4))
-    picture[there, :3] = _lit(normals[there] @ axes.T, normals[there, 2], colours[there])
+    picture[there, :3] = _of_screen(_lit(normals[there] @ axes.T, normals[there, 2], colours[there]))
     picture[there, 3] = 1.0
     return picture.reshape(rows, columns, 4)
 
@@ -178,13 +192,15 @@ def _samples(
         count = boxed[chunk]
         face = np.repeat(chunk, count)
         k = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-        x, y = low[face, 0] + k % wide[face], low[face, 1] + k // wide[face]
+        row = k // wide[face]
+        x, y = low[face, 0] + k - row * wide[face], low[face, 1] + row
         across, down = x + 0.5 - p[face, 0, 0], y + 0.5 - p[face, 0, 1]
         second = (across * v[face, 1] - down * v[face, 0]) / twice[face]
         third = (u[face, 0] * down - u[face, 1] * across) / twice[face]
-        weights = np.column_stack([1.0 - second - third, second, third])
-        inside = weights.min(axis=1) >= 0.0
-        yield face[inside], (y * columns + x)[inside], weights[inside]
+        first = 1.0 - second - third
+        inside = (first >= 0.0) & (second >= 0.0) & (third >= 0.0)
+        weights = np.column_stack([first[inside], second[inside], third[inside]])
+        yield face[inside], (y * columns + x)[inside], weights
 
 
 def _lit(normals: Floats, upwards: Floats, colours: Floats) -> Floats:
@@ -228,17 +244,13 @@ def _mean_along(values: Floats, axis: int) -> Floats:
 
 def _pooled(samples: Floats) -> Floats:
     """Return the means over the samples of each pixel."""
-    rows, columns, depth = samples.shape
-    blocks = samples.reshape(rows // FINE, FINE, columns // FINE, FINE, depth)
-    means: Floats = blocks.mean(axis=(1, 3))
-    return means
+    means = sum(samples[i::FINE, j::FINE] for i in range(FINE) for j in range(FINE)) / FINE**2
+    return np.asarray(means)
 
 
 def _over_shadow(samples: Floats, shade: Floats) -> NDArray[np.uint8]:
     """Return the pixels (rows, columns, 4) of bodies over their shadow: colour of the screen, and opacity."""
-    screen = samples.copy()
-    screen[..., :3] = _of_screen(samples[..., :3])
-    pixels = _pooled(screen)
+    pixels = _pooled(samples)
     opacity = pixels[..., 3] + shade * (1.0 - pixels[..., 3])
     colour = pixels[..., :3] / np.where(opacity > 0.0, opacity, 1.0)[..., None]
     whole: NDArray[np.uint8] = np.round(255.0 * np.dstack([colour, opacity])).astype(np.uint8)
