@@ -1,4 +1,4 @@
-"""The way in, by hand: the arm's name and the dialog behind it, a new arm, the first visit, what comes before the arm."""
+"""The way in, by hand: the arm's name and the dialog behind it, a new arm, the first visit, the word before the arm."""
 
 import threading
 
@@ -121,9 +121,13 @@ def test_the_dialog_fits_into_the_window_and_shows_a_picture_of_each_arm(visit, 
     assert box["x"] + box["width"] <= size[0]
     assert box["y"] >= 0
     assert box["y"] + box["height"] <= size[1]
-    assert lab.page.evaluate("() => { const s = document.querySelector('.al-dialog .scroll'); return s.scrollWidth <= s.clientWidth; }")
+    assert lab.page.evaluate(
+        "() => { const s = document.querySelector('.al-dialog .scroll'); return s.scrollWidth <= s.clientWidth; }"
+    )
     lab.press("arms-new")
-    assert lab.page.evaluate("() => { const s = document.querySelector('.al-dialog .scroll'); return s.scrollWidth <= s.clientWidth; }")
+    assert lab.page.evaluate(
+        "() => { const s = document.querySelector('.al-dialog .scroll'); return s.scrollWidth <= s.clientWidth; }"
+    )
 
 
 # -- a new arm -------------------------------------------------------------------------------------------------------
@@ -178,7 +182,8 @@ def test_a_spreadsheet_pasted_into_any_cell_fills_the_rows(visit):
         """text => {
           const data = new DataTransfer();
           data.setData('text', text);
-          document.activeElement.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }));
+          const pasted = { clipboardData: data, bubbles: true, cancelable: true };
+          document.activeElement.dispatchEvent(new ClipboardEvent('paste', pasted));
         }""",
         "a [mm]\talpha [deg]\td [mm]\ttheta\n100\t90\t200\tq1\n300\t0\t0\tq2\n200\t0\t0\tq3\n",
     )
@@ -313,7 +318,9 @@ def test_a_word_stands_in_the_arms_place_until_it_is_there(visit, browser, url, 
         page.goto(f"{url}robot/gen3")
         word = page.locator(".al-coming[role=status]")
         page.wait_for_function("() => document.querySelector('.al-coming')?.textContent.includes('on its way')")
-        page.wait_for_function("() => document.querySelector('.al-coming').textContent === 'Kinova Gen3 is on its way …'")
+        page.wait_for_function(
+            "() => document.querySelector('.al-coming').textContent === 'Kinova Gen3 is on its way …'"
+        )
         assert "Drag the handle" not in page.locator("body").inner_text()
         held.set()
         page.wait_for_function("() => document.querySelector('.al-coming').textContent === ''")

@@ -94,7 +94,14 @@ def test_a_typed_text_narrows_the_arms_down_and_says_when_none_fits(url):
 
 @pytest.mark.parametrize(
     ("asked", "found"),
-    [("PUMA", "puma560"), ("RRP", "polar_rrp"), ("7r", "panda"), ("7 joints", "gen3"), ("scara", "scara"), ("kuka", "iiwa7")],
+    [
+        ("PUMA", "puma560"),
+        ("RRP", "polar_rrp"),
+        ("7r", "panda"),
+        ("7 joints", "gen3"),
+        ("scara", "scara"),
+        ("kuka", "iiwa7"),
+    ],
 )
 def test_arms_are_found_by_name_joints_and_maker(asked, found):
     assert fits(catalogue()[found], asked)

@@ -48,7 +48,9 @@ class OpenLesson(Command):
         kept = Progress() if self.anew else opened.progress.anew()
         lesson = at_place(place)
         refuse_unknown(lesson)
-        begun = set_up(state, lesson, kept.shown(lesson)).replace(opened.with_progress(kept), Former.of(own_work(state)))
+        begun = set_up(state, lesson, kept.shown(lesson)).replace(
+            opened.with_progress(kept), Former.of(own_work(state))
+        )
         return lesson_followed(state, begun)
 
     def _place(self, part: LessonPart) -> str:

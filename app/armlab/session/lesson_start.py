@@ -94,7 +94,6 @@ def without_lesson(state: State) -> State:
     return state.replace(joints, replace(part, open=""))
 
 
-
 def _begins(lesson: Lesson, k: int) -> bool:
     """Return whether a step, or the lesson, puts anything in place."""
     example, done = _start(lesson, k)

@@ -208,7 +208,7 @@ def _nowhere(_: str) -> bool:
 
 
 def _beginning(token: str, opening: Robot) -> State:
-    """Return the first state of a student: with a personal variant for lessons, and the card that says where to start."""
+    """Return the first state of a student, with a personal variant for lessons and the card of the first visit."""
     state = State.initial(opening)
     number = int.from_bytes(hashlib.sha256(token.encode()).digest()[:4], "big") % VARIANTS
     return state.replace(replace(state[LessonPart], number=number), Welcome(CARD))

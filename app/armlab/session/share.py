@@ -27,7 +27,7 @@ MOST_BYTES = 64 << 10
 """Largest size of the unpacked state, bytes: a usual one has some 4 kB."""
 
 STAYS = ("lesson", "shelf", "former", "welcome")
-"""Keys of the parts that are never shared: progress and answers, the student's name, states put aside, the first visit."""
+"""Keys of the parts that are never shared: progress and answers, the student's name, states put aside, the welcome."""
 
 DECIMALS = 9
 """Decimals of metres and radians outside the table: the screen does not show a thousandth of that."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import secrets
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import viser
 
@@ -23,11 +24,15 @@ from armlab.session.parts.welcome import Welcome
 from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import Post, State
 from armlab.ui.fields import Fields
+from armlab.ui.figure.drawn import Gallery
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import verdict_line
 from armlab.ui.welcome import welcome_markup
+
+if TYPE_CHECKING:
+    from armlab.ui.arms.dialog import ArmsDialog
 
 FIRST_HINT = "Drag the handle: the arm follows"
 
@@ -38,22 +43,26 @@ class Overlay:
     Parameters
     ----------
     client : viser.ClientHandle
+    session : Session
     post : callable
+    gallery : Gallery
+        Paints the pictures of the arms to choose from.
     on_tabs : callable
         Called with the text in which the page's script tells which tabs are seen.
-    open_arms : callable
-        Opens the dialog in which an arm is chosen.
     """
 
     def __init__(
         self,
         client: viser.ClientHandle,
+        session: Session,
         post: Post,
+        gallery: Gallery,
         on_tabs: Callable[[str], None],
-        open_arms: Callable[[], None],
     ) -> None:
+        self._client, self._session, self._post, self._gallery = client, session, post, gallery
         self._form = Form(lambda on_input: Fields(client.gui, on_input), post, lambda: None, beside=False)
-        self._on_tabs, self._open_arms = on_tabs, open_arms
+        self._on_tabs = on_tabs
+        self._arms: ArmsDialog | None = None
         self._tab, self._asked = "", ""
 
     def open_tab(self, title: str) -> None:
@@ -61,17 +70,24 @@ class Overlay:
         # Another word each time: the page may outlive the server that asked before.
         self._tab, self._asked = title, secrets.token_hex(4)
 
-    def show(self, session: Session, handle: bool, coming: bool) -> None:
-        """Show the state of a session.
+    def close(self) -> None:
+        """Stop all work, because the browser has closed."""
+        if self._arms is not None:
+            self._arms.close()
+
+    def show(self, handle: bool, coming: bool) -> None:
+        """Show the present state of the session.
 
         Parameters
         ----------
-        session : Session
         handle : bool
             Whether the target's handle is in the scene; without it there is no line on the target.
         coming : bool
             Whether the picture of the arm is still being made.
         """
+        session = self._session
+        if self._arms is not None:
+            self._arms.show()
         line: Inside = None
         if handle and not coming and session.state[Target].pose is not None:
             line = verdict_line(session.state.derived(verdict), units_of(session.state))
@@ -95,6 +111,14 @@ class Overlay:
             (self._tab, self._asked),
         )
 
+    def _open_arms(self) -> None:
+        """Open the dialog in which an arm is chosen, which is imported for it."""
+        from armlab.ui.arms.dialog import ArmsDialog
+
+        if self._arms is None:
+            self._arms = ArmsDialog(self._client, self._post, self._gallery, self._session)
+        self._arms.open()
+
     def _top(self, state: State) -> Markup:
         """Return the row at the top of the scene, which begins with the arm's name."""
         return tag("div.al-over.al-top", self._name(state))
@@ -106,8 +130,8 @@ class Overlay:
             why = f"The lesson “{lesson.title}” is about this arm. Your own sandbox, in the lesson, has all of them."
             return tag("span.arm-name", tag("b", name), tag("small", "kept by the lesson"), title=why)
         inside = tag("b", name), tag("span", "▾", aria_hidden="true")
-        about, popup = f"{name}: choose another arm, or make a new one", {"aria_haspopup": "dialog"}
-        return self._form.button("arms", inside, self._open_arms, "arm-name", about, about, **popup)
+        about = f"{name}: choose another arm, or make a new one"
+        return self._form.button("arms", inside, self._open_arms, "arm-name", about, about, aria_haspopup="dialog")
 
     def _place(self, session: Session) -> Markup | None:
         """Return a sentence on where the student is, unless at the lesson or own work, with the button back."""

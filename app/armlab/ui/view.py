@@ -7,7 +7,6 @@ import json
 import logging
 from collections.abc import Callable, Generator, Iterator
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 import viser
@@ -38,9 +37,6 @@ from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
 from armlab.ui.timeline_bar import TimelineBar
 from armlab.ui.widgets import Gui
-
-if TYPE_CHECKING:
-    from armlab.ui.arms.dialog import ArmsDialog
 
 log = logging.getLogger(__name__)
 
@@ -100,7 +96,6 @@ class View:
         self._shown: State | None = None
         self._making: Arm | None = None
         self._undrawable: Arm | None = None
-        self._arms: ArmsDialog | None = None
         self._robot: RobotPart | None = None
         self._told, self._untaken = session.notice_seen, session.untaken
         self._refresh: asyncio.TimerHandle | None = None
@@ -117,7 +112,7 @@ class View:
             self._post(LeaveWelcome())  # no first visit any more
         with self.client.atomic():
             self._theme(self.session.state)
-            self._overlay = Overlay(self.client, self.post, self._tabs_seen, self._open_arms)
+            self._overlay = Overlay(self.client, self.session, self.post, self._gallery, self._tabs_seen)
             self._timeline = TimelineBar(self.client, self.post)
             yield
             yield from self._dock()
@@ -193,21 +188,13 @@ class View:
         if window.asked != self._asked:
             self._asked = window.asked
             self._overlay.open_tab(pages()[window.wanted].title)
-        self._overlay.show(self.session, "gizmo" not in self._hidden(self.session.state), self._is_coming())
+        self._overlay.show("gizmo" not in self._hidden(self.session.state), self._is_coming())
 
     def _is_coming(self) -> bool:
         """Return whether the picture of the present arm is still being made."""
         robot = self.session.robot
         there = self._robot is not None and self._robot.robot is robot
         return not there and self._undrawable is not robot.arm
-
-    def _open_arms(self) -> None:
-        """Open the dialog in which an arm is chosen, which is imported for it."""
-        from armlab.ui.arms.dialog import ArmsDialog
-
-        if self._arms is None:
-            self._arms = ArmsDialog(self.client, self.post, self._gallery, self.session)
-        self._arms.open()
 
     def open_tab(self, key: str) -> None:
         """Bring a panel to the front, unless the lesson hides it."""
@@ -378,8 +365,6 @@ class View:
                 self._pace.timed(self._tabs[key].show, state, again)
             self._lesson.show(state)
             self._show_overlay()
-            if self._arms is not None:
-                self._arms.show()
             self._timeline.show(state, self._open_panels(state))
             self._tell()
 
@@ -399,8 +384,7 @@ class View:
         self._closed = True
         self._post(CloseWindow(self.client.client_id))
         self._pace.spread.drop(self)
-        if self._arms is not None:
-            self._arms.close()
+        self._overlay.close()
         if self._refresh is not None:
             self._refresh.cancel()
         if self._canvas is not None:

@@ -31,12 +31,15 @@ class Stop:
     title, text : str
     opens : str
         The page that has to be open for it; empty for any.
+    tab : str
+        The page at whose tab it points where there is nothing else to see of it; empty for none.
     """
 
     at: str
     title: str
     text: str
     opens: str = ""
+    tab: str = ""
 
 
 STOPS = (
@@ -50,7 +53,8 @@ STOPS = (
         "sliders",
         "Move single joints",
         "One slider for each joint. Undo with Ctrl+Z whatever you do.",
-        "joints",
+        opens="joints",
+        tab="joints",
     ),
     Stop(
         "arm",
@@ -61,6 +65,7 @@ STOPS = (
         "lessons",
         "Learn with lessons",
         "They ask, look at what you do on the arm, and give hints. Your progress is kept.",
+        tab="lessons",
     ),
 )
 
@@ -91,12 +96,14 @@ def _card(form: Form) -> Markup:
 
 def _stop(form: Form, number: int) -> Markup:
     stop, last = STOPS[number], number == len(STOPS) - 1
-    shut = form.button("welcome-leave", "✕", LeaveWelcome(), "chip", "Leave the tour; Help has it again", "Leave the tour")
+    leave = "Leave the tour; Help has it again"
+    shut = form.button("welcome-leave", "✕", LeaveWelcome(), "chip", leave, "Leave the tour")
     back = form.button("tour-back", "‹ Back", tour_from(number - 1), "chip") if number else None
-    on = ("Done", LeaveWelcome()) if last else ("Next ›", tour_from(number + 1))
-    foot = tag("footer", tag("span.dim", f"{number + 1} of {len(STOPS)}"), back, form.button("tour-on", *on, "main"))
+    word, way = ("Done", (LeaveWelcome(),)) if last else ("Next ›", tour_from(number + 1))
+    on = form.button("tour-on", word, way, "main")
+    foot = tag("footer", tag("span.dim", f"{number + 1} of {len(STOPS)}"), back, on)
     head = tag("header", tag("h2", stop.title), shut)
-    title = pages()["lessons"].title if stop.at == "lessons" else ""
+    title = pages()[stop.tab].title if stop.tab else ""
     return tag(
         "section.al-over.al-tour",
         head,

@@ -36,7 +36,7 @@
     .filter(each => !each.disabled && each.getClientRects().length);
 
   const arms = there => reached(there).filter(each => each.matches('.arm'));
-  const steps = (there, list) => { // how many stand beside each other
+  const steps = list => { // how many stand beside each other
     const top = list[0]?.getBoundingClientRect().top;
     return Math.max(1, list.filter(each => each.parentElement === list[0].parentElement
       && each.getBoundingClientRect().top === top).length);
@@ -48,11 +48,11 @@
     const at = list.indexOf(document.activeElement);
     const inField = event.target.matches('[data-first]');
     if (!list.length || (at < 0 && !inField)) return;
-    const by = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: steps(there, list), ArrowUp: -steps(there, list) }[event.key];
+    const by = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: steps(list), ArrowUp: -steps(list) }[event.key];
     if (inField && event.key === 'Enter') list.find(each => each.dataset.cell !== 'arms-new')?.click();
     else if (inField && event.key === 'ArrowDown') list[0].focus();
     else if (!inField && by && list[at + by]) list[at + by].focus();
-    else if (!inField && by === -1 * Math.abs(by) && by) there.querySelector('[data-first]')?.focus();
+    else if (!inField && by < 0) there.querySelector('[data-first]')?.focus();
     else return;
     event.preventDefault();
   };

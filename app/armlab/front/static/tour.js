@@ -23,13 +23,19 @@
     const [x, y] = [box.left + (at.x + 1) / 2 * box.width, box.top + (1 - at.y) / 2 * box.height];
     return new DOMRect(x - HANDLE, y - HANDLE, 2 * HANDLE, 2 * HANDLE);
   };
-  const sliders = () => union([...document.querySelectorAll('.mantine-Slider-root')].map(shown).filter(Boolean));
-  const arm = () => shown(document.querySelector('.al-top .arm-name'));
-  const lessons = card => {
-    const named = tab => [tab.title, tab.getAttribute('aria-label'), tab.textContent].some(t => t?.trim() === card.dataset.title);
-    return shown([...document.querySelectorAll('[role=tab]')].find(named));
+  // Of what is out of sight, as on a phone whose panels are drawn in, the tab is shown, or all that is left of the tabs.
+  const seen = box => box && box.right > 0 && box.bottom > 0 && box.left < innerWidth && box.top < innerHeight ? box : null;
+  const tab = card => {
+    const named = each => [each.title, each.getAttribute('aria-label'), each.textContent].some(t => t?.trim() === card.dataset.title);
+    const found = [...document.querySelectorAll('[role=tab]')].find(named);
+    return seen(shown(found)) ?? seen(shown(document.querySelector('[data-dock-region], [data-dock-leaf]')));
   };
-  const places = { handle, sliders, arm, lessons };
+  const sliders = card => {
+    const boxes = [...document.querySelectorAll('.mantine-Slider-root')].map(shown).filter(seen);
+    return union(boxes) || tab(card);
+  };
+  const arm = () => shown(document.querySelector('.al-top .arm-name'));
+  const places = { handle, sliders, arm, lessons: tab };
 
   const ring = document.createElement('div');
   ring.className = 'al-ring';

@@ -1,8 +1,9 @@
-"""What a student had on the table before a lesson, to go back to when the lesson is closed."""
+"""The way back to the arm that was on the table before a lesson."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from types import MappingProxyType
 from typing import ClassVar, Self
 
@@ -12,6 +13,7 @@ from armlab.content.robots import Robot
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import Timeline
 from armlab.session.share import STAYS, personal, state_of_parts
@@ -60,11 +62,21 @@ class Former(Part):
         edited = robot.own and robot.origin == was.origin
         return self if robot.robot is was.robot or edited else type(self)()
 
-    def to_json(self) -> Json:
-        """Return the state as JSON, without parts that are the student's at every place; None for none."""
+    @cached_property
+    def _written(self) -> Json:
         if self.state is None:
             return None
-        return {key: part for key, part in self.state.to_json().items() if key not in STAYS}
+        robot = self.state[RobotPart]
+        opened = State.initial(robot.robot).to_json()
+        told = {key: part for key, part in self.state.to_json().items() if key not in STAYS and part != opened[key]}
+        return {**told, robot.key: robot.to_json()}
+
+    def to_json(self) -> Json:
+        """Return those parts of the state that are not as they open with its arm, as JSON; None for no state.
+
+        Parts that are the student's own at every place are left out, too.
+        """
+        return self._written
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
@@ -105,7 +117,7 @@ class BackToFormer(Command):
         former = state[Former].state
         if former is None or state[LessonPart].open:
             return state
-        return former.replace(*personal(state), Former(), _switched(former[Display], state[Display]))
+        return former.replace(*personal(state), state[Notation], Former(), _switched(former[Display], state[Display]))
 
 
 @dataclass(frozen=True)

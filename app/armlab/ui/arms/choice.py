@@ -35,7 +35,7 @@ def choice_markup(
 
     ``choose`` gets the arm that is pressed; ``begin`` is called for a new one.
     """
-    sections = []
+    sections: list[Inside] = []
     for family, robots in groups(own).items():
         entries = [
             _entry(form, family, robot, present, partial(choose, robot)) for robot in robots if fits(robot, asked)
@@ -43,7 +43,7 @@ def choice_markup(
         if not sections and not asked.strip():
             entries.insert(0, _new(form, begin))
         if entries:
-            sections.append(tag("section", tag("h3", family.capitalize()), tag("div.arms", entries)))
+            sections.append(tag("section", tag("h3", family[0].upper() + family[1:]), tag("div.arms", entries)))
     if not sections:
         sections.append(tag("p.dim", "No arm fits. Try a name, a maker, a family, RRP or 7 joints."))
     return sections, broken_files("robot", catalogue().problems)
@@ -86,7 +86,8 @@ def _joints(robot: Robot) -> str:
 
 
 def _new(form: Form, begin: Callable[[], Wish]) -> Markup:
-    inside = tag("span.pic", "+", aria_hidden="true"), tag("b", "New arm"), tag("span", "Fill in a table, or paste one.")
+    about = "Fill in a table, or paste one."
+    inside = tag("span.pic", "+", aria_hidden="true"), tag("b", "New arm"), tag("span", about)
     return form.button("arms-new", inside, begin, "arm")
 
 

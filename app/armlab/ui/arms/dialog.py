@@ -90,7 +90,13 @@ class ArmsDialog:
 
     def _field(self) -> Markup:
         hint = "Find: a name, a family, RRP, 7 joints …"
-        looks = {"inputmode": "", "data_live": "1", "data_first": "1", "type": "search", "placeholder": hint}
+        looks: dict[str, Any] = {
+            "inputmode": "",
+            "data_live": "1",
+            "data_first": "1",
+            "type": "search",
+            "placeholder": hint,
+        }
         return self._form.field("arms-find", self._asked, "Find an arm", self._narrow, **looks)
 
     def _own(self) -> list[Robot]:
@@ -121,7 +127,7 @@ class ArmsDialog:
     # -- pictures ------------------------------------------------------------------------------------------------
 
     def _paint(self, wanted: dict[str, tuple[Robot, ...]]) -> None:
-        """Paint the arms of some families, outside the event loop, and send each family to the page when it is ready."""
+        """Paint the arms of some families, outside the event loop, and send each family to the page when it is done."""
         for family, robots in wanted.items():
             pictures = {}
             for robot in robots:

@@ -61,7 +61,8 @@ class Draft:
     """
 
     def __init__(self, notation: Notation) -> None:
-        self.name, self.convention = "", cast(Convention, "standard")
+        self.name = ""
+        self.convention: Convention = "standard"
         self.units, self.notes = Units(notation), tuple[str, ...]()
         self.rows = self._typed(EXAMPLE)
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 from armlab.errors import InputError
 from armlab.kin.arm import MAX_JOINTS
-from armlab.kin.dh import CONVENTIONS, Kind, Row
+from armlab.kin.dh import CONVENTIONS, Row
 from armlab.ui.arms.draft import Draft, TypedRow
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form, Wish
@@ -18,6 +19,7 @@ from armlab.ui.tables import is_variable
 from armlab.ui.units import NAMES
 
 BOOKS = {"standard": "Standard (Siciliano, Spong)", "modified": "Modified (Craig)"}
+KINDS = {"R": "R", "P": "P"}
 PLACEHOLDER = "a\talpha\td\ttheta\n0.3\t90\t0.2\tq1\n0.25\t0\t0\tq2 + 30"
 NOTHING = "Nothing is taken over from the {name}: no tool, no limits, no name. Undo brings it back."
 LIMITS = "Joints turn by ±180° and slide from 0 to 1 m; other limits are typed on the page Table."
@@ -31,10 +33,10 @@ class NewArmForm:
     form : Form
     draft : Draft
     done : callable
-        Called before the command of the finished arm is handed in.
+        Called before the command of the finished arm is handed in; what it returns does not count.
     """
 
-    def __init__(self, form: Form, draft: Draft, done: Callable[[], None]) -> None:
+    def __init__(self, form: Form, draft: Draft, done: Callable[[], object]) -> None:
         self._form, self._draft, self._done = form, draft, done
         self._pasted, self._refused = "", ""
 
@@ -43,7 +45,7 @@ class NewArmForm:
         form, draft = self._form, self._draft
         named = form.field("new-name", draft.name, "Name", self._named, inputmode="", placeholder="My arm")
         heads = [tag("th", draft.units.column(name, draft.convention)) for name in draft.units.book.order]
-        head = tag("tr", tag("th", "joint"), tag("th", "turns or slides"), heads, tag("th"))
+        head = tag("tr", tag("th", "joint"), tag("th", "R turns, P slides"), heads, tag("th"))
         rows = [self._row(typed, i) for i, typed in enumerate(draft.rows)]
         full = len(draft.rows) == MAX_JOINTS
         add = form.chip("new-add", "+ joint", self._add, "A row at the end", off=full)
@@ -51,7 +53,7 @@ class NewArmForm:
             line("Name", named, wide=True),
             line("Table", form.chips("new-book", BOOKS, draft.convention, "", self._book), wide=True),
             line("Numbers in", self._units(), wide=True),
-            tag("table.dh.rows", head, rows),
+            tag("div.scroll", tag("table.dh.rows", head, rows)),
             tag("div.bar", add, tag("span.dim", LIMITS)),
             self._paste_box(),
             tag("p.dim", NOTHING.format(name=present)),
@@ -60,10 +62,9 @@ class NewArmForm:
 
     def _row(self, typed: TypedRow, i: int) -> list[Markup]:
         form, draft = self._form, self._draft
-        kinds = {"R": "R turns", "P": "P slides"}
-        kind = form.chips(f"new-{i}-kind", kinds, typed.kind, "", partial(self._kind, i))
-        off = len(draft.rows) == 1
-        gone = form.button(f"new-{i}-gone", "✕", partial(self._gone, i), "copy", "Remove", f"Remove joint {i + 1}", off=off)
+        kind = form.chips(f"new-{i}-kind", KINDS, typed.kind, "R turns, P slides", partial(self._kind, i))
+        remove, off = f"Remove joint {i + 1}", len(draft.rows) == 1
+        gone = form.button(f"new-{i}-gone", "✕", partial(self._gone, i), "copy", remove, remove, off=off)
         name = tag("td", dot(css(joint_colour(i))), str(i + 1))
         cells = [self._cell(typed, i, field) for field in draft.units.book.order]
         made = [tag("tr", name, tag("td", tag("div.chips", kind)), cells, tag("td", gone))]
@@ -75,11 +76,11 @@ class NewArmForm:
     def _cell(self, typed: TypedRow, i: int, field: str) -> Markup:
         variable = is_variable(Row(typed.kind), field)
         label = f"joint {i + 1}, {NAMES[field]}" + (", offset of the joint variable" if variable else "")
-        wrong = {"aria_invalid": "true", "title": typed.wrong} if typed.where == field else {}
+        more: dict[str, Any] = {"placeholder": "0", "inputmode": ""}
+        if typed.where == field:
+            more |= {"aria_invalid": "true", "title": typed.wrong}
         write, below = partial(self._write, i, field), f"new-{i + 1}-{field}"
-        inside = self._form.field(
-            f"new-{i}-{field}", typed.texts[field], label, write, below, placeholder="0", inputmode="", **wrong
-        )
+        inside = self._form.field(f"new-{i}-{field}", typed.texts[field], label, write, below, **more)
         if not variable:
             return tag("td", inside)
         return tag("td", tag("div.var", tag("i", self._draft.units.variable(i, typed.kind == "R"), " +"), inside))
@@ -93,7 +94,12 @@ class NewArmForm:
         )
 
     def _paste_box(self) -> Markup:
-        looks = {"rows": 4, "spellcheck": "false", "aria_label": "Table to paste", "placeholder": PLACEHOLDER}
+        looks: dict[str, Any] = {
+            "rows": 4,
+            "spellcheck": "false",
+            "aria_label": "Table to paste",
+            "placeholder": PLACEHOLDER,
+        }
         area = tag("textarea.paste", self._pasted, **looks, **self._form.bound("new-paste", self._paste))
         told: Inside = [tag("p.dim", note) for note in self._draft.notes]
         if self._refused:

@@ -63,7 +63,7 @@ class Gallery:
             return self._ready[arm]
 
     def picture(self, robot: Robot) -> bytes:
-        """Return a small picture of an arm at home, a PNG file, painted if it is new; call this outside the event loop."""
+        """Return a small picture of an arm at home, a PNG file; call this outside the event loop."""
         from armlab.ui.figure.picture import picture_of  # the first page needs none
 
         arm = robot.arm

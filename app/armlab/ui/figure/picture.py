@@ -1,7 +1,7 @@
 """A small picture of an arm, painted by NumPy from its own figure: for lists of arms, where no browser draws a scene.
 
-Each triangle is laid over the samples of a picture and the nearest one stays (a z-buffer). What is seen is lit once for
-each sample, with normals from the corners, so that a tube looks round; edges are smooth because a pixel is the mean of
+Each triangle is laid over the samples of a picture and the nearest one stays (a z-buffer). Then each sample is lit,
+with a normal between those of the corners, so that a tube looks round; edges are smooth because a pixel is the mean of
 several samples. Nothing of it is kept in files: an arm that a teacher adds, or a student types, has its picture, too.
 """
 
@@ -22,6 +22,7 @@ from armlab.ui.figure.mesh import Solid, placed
 from armlab.ui.png import rgba_png
 
 Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
 
 WIDTH, HEIGHT = 240, 200
 """Size of a picture in pixels."""
@@ -36,13 +37,14 @@ HALF_ANGLE = math.radians(16.0)
 """Half of the angle under which the eye sees the ball around the arm: that of the scene."""
 
 TURNS, STEEP = (0.0, -15.0, 15.0, -30.0, 30.0), 45.0
-"""By how many degrees the eye may stand beside the usual view, and from which elevation on it does not."""
+"""Degrees by which the eye may stand beside the usual view, and the elevation above which it does not."""
 
 MOST_AT_ONCE = 200_000
-"""Samples under the boxes of those triangles that are laid over the picture together, for the sake of memory."""
+"""Number of samples that are looked at together, which bounds the memory."""
 
-KEY, FILL = np.array([-0.42, -0.50, 0.75]), np.array([0.80, 0.30, 0.30])
-"""Where the lamps stand: to the right of the eye, upwards and towards it are the axes, so that every arm is lit alike."""
+KEY, FILL = np.array([-0.45, 0.65, 0.62]), np.array([0.80, 0.30, 0.30])
+"""Directions of the lamps in the axes of the picture, to the right, upwards and towards the eye: all arms are lit
+alike."""
 
 SKY, GROUND = 0.46, 0.20
 """Light from above and from below, besides the lamps."""
@@ -173,10 +175,8 @@ def _painted(scene: _Scene, seen: Floats, axes: Floats) -> Floats:
     return picture.reshape(rows, columns, 4)
 
 
-def _samples(
-    seen: Floats, faces: NDArray[np.int64]
-) -> Iterator[tuple[NDArray[np.int64], NDArray[np.int64], Floats]]:
-    """Yield, for some triangles at a time, the samples inside: triangle, place in the picture, weights of its corners."""
+def _samples(seen: Floats, faces: NDArray[np.int64]) -> Iterator[tuple[Integers, Integers, Floats]]:
+    """Yield the samples inside some triangles at a time: triangle, place in the picture, weights of its corners."""
     columns, rows = FINE * WIDTH, FINE * HEIGHT
     p = seen[faces, :2]
     u, v = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
@@ -188,7 +188,8 @@ def _samples(
     # In samples y points down, so that what is counterclockwise for the eye is negative here; the rest faces away.
     kept = np.flatnonzero((boxed > 0) & (twice < 0.0))
     ends = np.cumsum(boxed[kept])
-    for chunk in np.split(kept, np.searchsorted(ends, np.arange(MOST_AT_ONCE, ends[-1] if len(ends) else 0, MOST_AT_ONCE))):
+    cuts = np.arange(MOST_AT_ONCE, boxed[kept].sum(), MOST_AT_ONCE)
+    for chunk in np.split(kept, np.searchsorted(ends, cuts)):
         count = boxed[chunk]
         face = np.repeat(chunk, count)
         k = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
@@ -209,14 +210,14 @@ def _lit(normals: Floats, upwards: Floats, colours: Floats) -> Floats:
     length[length == 0.0] = 1.0
     normals, upwards = normals / length[:, None], upwards / length
     key, fill = (lamp / np.linalg.norm(lamp) for lamp in (KEY, FILL))
-    half = key + [0.0, 0.0, 1.0]
-    half /= np.linalg.norm(half)
+    half = (key + np.array([0.0, 0.0, 1.0])) / np.linalg.norm(key + np.array([0.0, 0.0, 1.0]))
     sky = GROUND + (SKY - GROUND) * (0.5 + 0.5 * upwards)
     light = sky + 0.72 * np.clip(normals @ key, 0.0, None) + 0.16 * np.clip(normals @ fill, 0.0, None)
     # A surface seen from the side is darker: bright links stand out from bright paper.
     light *= 0.62 + 0.38 * np.clip(normals[:, 2], 0.0, 1.0)
     shine = 0.16 * np.clip(normals @ half, 0.0, None) ** 24
-    return np.clip(colours * light[:, None] + shine[:, None], 0.0, 1.0)
+    found: Floats = np.clip(colours * light[:, None] + shine[:, None], 0.0, 1.0)
+    return found
 
 
 def _shade_below(ground: Floats, faces: NDArray[np.int64]) -> Floats:
