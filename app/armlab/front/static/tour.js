@@ -28,7 +28,7 @@
   const tab = card => {
     const named = each => [each.title, each.getAttribute('aria-label'), each.textContent].some(t => t?.trim() === card.dataset.title);
     const found = [...document.querySelectorAll('[role=tab]')].find(named);
-    return seen(shown(found)) ?? seen(shown(document.querySelector('[data-dock-region], [data-dock-leaf]')));
+    return seen(shown(found)) ?? seen(shown(document.querySelector('[role=button][aria-expanded][aria-label^="Expand panel"]')));
   };
   const sliders = card => {
     const boxes = [...document.querySelectorAll('.mantine-Slider-root')].map(shown).filter(seen);
