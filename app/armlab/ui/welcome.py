@@ -88,7 +88,7 @@ def _card(form: Form) -> Markup:
         form.button(f"start-{key}", (tag("b", title), tag("span", about)), OpenLesson(key), "pick")
         for key, (title, about) in LESSONS.items()
     ]
-    tour = form.button("start-tour", f"Show me around: {len(STOPS)} stops", tour_from(0), "main")
+    tour = form.button("start-tour", "Show me around", tour_from(0), "main", f"A tour of {len(STOPS)} stops")
     shut = form.button("welcome-leave", "✕", LeaveWelcome(), "chip", "Close; Help has it again", "Close")
     head = tag("header", tag("h2", "Start here"), shut)
     return tag("section.al-over.al-card", head, lessons, tour, aria_label="Start here")
