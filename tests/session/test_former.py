@@ -17,7 +17,7 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import BackToLesson, OpenShared, Shelf, ToSandbox
 from armlab.session.session import Session, StartFresh, Undo
-from armlab.session.share import short
+from armlab.session.share import short, state_of_parts
 from support.trips import UR10, applied, reloaded, written
 
 PUMA = catalogue()["puma560"]
@@ -91,6 +91,18 @@ def test_after_several_lessons_the_way_leads_to_what_was_before_the_first(sessio
     assert offered(session.state) is PUMA
     applied(session, BackToFormer())
     assert session.state[Joints].q[1] == 0.3
+
+
+def test_switches_set_between_two_lessons_are_there_after_the_second(session):
+    applied(session, OpenLesson("first_arm"), CloseLesson(), Show("names", False), OpenLesson("ik_2r"), CloseLesson())
+    assert {name for name, on in session.state[Display].switches.items() if on} == {"trace"}
+
+
+def test_an_arm_whose_file_is_gone_is_not_offered_and_keeps_nobody_out(session):
+    applied(session, OpenLesson("first_arm"))
+    data = session.state.to_json()
+    data["former"]["robot"] = "sold"
+    assert state_of_parts(data)[Former].state is None
 
 
 def test_another_arm_chosen_after_the_lesson_ends_the_offer(session):

@@ -9,7 +9,7 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from armlab.content.robots import Robot
+from armlab.content.robots import Robot, catalogue
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
@@ -44,10 +44,15 @@ class Former(Part):
 
     @classmethod
     def of(cls, state: State) -> Self:
-        """Return the part for a lesson that is opened in a state: that state, or what it would lead back to itself."""
+        """Return the part for a lesson that is opened in a state: that state, or the one to which it leads back itself.
+
+        Switches of the picture that were set after an earlier lesson count.
+        """
         former = state[cls]
-        if state[LessonPart].open or former.state is not None:
+        if state[LessonPart].open:
             return former
+        if former.state is not None:
+            return cls(former.state.replace(state[Display]))
         return cls(state.replace(replace(state[Timeline], playing=False)))
 
     def for_robot(self, robot: Robot) -> Self:
@@ -80,8 +85,11 @@ class Former(Part):
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Return the part from JSON; raises when the state is not usable."""
-        if data is None:
+        """Return the part from JSON; raises when the state is not usable.
+
+        There is no way back to an arm whose file is gone, but that keeps nobody from the present one.
+        """
+        if data is None or (isinstance(data[RobotPart.key], str) and data[RobotPart.key] not in catalogue().robots):
             return cls()
         return cls(state_of_parts({key: part for key, part in data.items() if key not in STAYS}))
 
