@@ -1,5 +1,7 @@
 """After a lesson: its overlays go, and the way back leads to arm, pose and work as they were before it."""
 
+import json
+
 import numpy as np
 import pytest
 
@@ -8,6 +10,7 @@ from armlab.content.robots import catalogue
 from armlab.kin.dh import Row
 from armlab.session.edits import NewArm, SetCell
 from armlab.session.fields import Set
+from armlab.session.hand_in import hand_in
 from armlab.session.lesson_commands import CloseLesson, OpenLesson
 from armlab.session.parts.display import Display, Show
 from armlab.session.parts.former import BackToFormer, ForgetFormer, Former, offered
@@ -159,6 +162,11 @@ def test_a_shared_arm_knows_nothing_of_it_and_links_do_not_hold_it(session):
     assert offered(session.state) is None
     fresh = applied(Session.fresh("other", PUMA), OpenShared(text))
     assert fresh.state[Former].state is None
+
+
+def test_work_that_is_handed_in_does_not_hold_it(session):
+    applied(session, OpenLesson("first_arm"))
+    assert not {"former", "welcome", "shelf", "lesson"} & json.loads(hand_in(session.state))["parts"].keys()
 
 
 def test_the_next_person_at_the_computer_is_offered_nothing(session):
