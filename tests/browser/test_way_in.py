@@ -5,6 +5,7 @@ import threading
 import numpy as np
 import pytest
 
+from armlab.content.lessons import lessons
 from armlab.content.robots import catalogue
 from armlab.session.parts.welcome import STOPS
 from armlab.ui.figure.drawn import Gallery
@@ -22,6 +23,15 @@ COVERED = """at => {
   return cards.some(box => inside(box, ...at));
 }"""
 """Whether the card or the tour lies over a point."""
+
+SAID = """(() => {
+  window.said = [];
+  new MutationObserver(() => {
+    const text = document.querySelector('.al-coming')?.textContent;
+    if (text !== undefined && text !== window.said.at(-1)) window.said.push(text);
+  }).observe(document, { childList: true, subtree: true, characterData: true });
+})()"""
+"""Notes all that the page says in the arm's place."""
 
 ARM_NAME = ".al-top .arm-name b"
 
@@ -330,6 +340,18 @@ def test_a_word_stands_in_the_arms_place_until_it_is_there(visit, browser, url, 
     finally:
         held.set()
         context.close()
+
+
+def test_no_arm_is_announced_where_a_question_hides_it(visit):
+    lab = visit("lesson/angular_velocity")
+    steps = lessons()["angular_velocity"].steps
+    hides = next(i for i, step in enumerate(steps) if step.question is not None and "arm" in step.question.hide)
+    lab.press(f"lesson-step-{hides}")
+    lab.page.add_init_script(SAID)
+    lab.page.reload()
+    lab.page.wait_for_function("() => document.querySelector('.ask .dim')")
+    lab.page.wait_for_function("() => document.querySelector('.al-coming').textContent === ''")
+    assert lab.page.evaluate("() => window.said") == ["The lab is on its way …", ""]
 
 
 def test_after_a_lesson_one_press_leads_back_to_the_former_arm(visit):

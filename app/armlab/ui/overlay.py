@@ -93,12 +93,12 @@ class Overlay:
             line = verdict_line(session.state.derived(verdict), units_of(session.state))
         elif handle and not coming and session.history.only(ChooseRobot.label):
             line = FIRST_HINT
-        if self._form.shows(line, coming, *self._made_of(session)):
+        if self._form.shows(line, handle, coming, *self._made_of(session)):
             return
         hint = tag("div.al-over.al-hint", line, role="status") if line else None
         welcome = welcome_markup(self._form, session.state[Welcome])
         top, place = self._top(session.state), self._place(session)
-        self._form.show(top, hint, place, self._steps(session), welcome, self._notes(session, coming))
+        self._form.show(top, hint, place, self._steps(session), welcome, self._notes(session, handle, coming))
 
     def _made_of(self, session: Session) -> tuple[object, ...]:
         """Return all values on which the layer depends besides the line."""
@@ -167,7 +167,7 @@ class Overlay:
             buttons.append(self._form.button(cell, sign, command, hint=title, label=word, off=not what))
         return tag("div.al-over.al-steps", buttons)
 
-    def _notes(self, session: Session, coming: bool) -> Markup:
+    def _notes(self, session: Session, handle: bool, coming: bool) -> Markup:
         """Return the notes to the page's script: the address of this lesson or arm, the tab to open, what is coming."""
         self._form.takes("tabs", self._tabs_said)
         robot = session.state[RobotPart]
@@ -178,6 +178,7 @@ class Overlay:
             "path": path,
             "arm": name_of(robot),
             "coming": coming,
+            "handle": handle,
             "tab": self._tab,
             "asked": self._asked,
             "hidden": hidden_tabs(session.state),

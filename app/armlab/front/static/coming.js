@@ -5,7 +5,7 @@
 
   const LOOK = 150; // ms between two looks
   const LONG = 400; // ms after which another figure counts as taking long
-  const MOST = 5000; // ms for which the page may take to put up what the lab has sent; a question may hide the arm
+  const MOST = 5000; // ms for which the page may take to put up what the lab has sent
 
   const word = document.createElement('p');
   word.className = 'al-coming';
@@ -27,7 +27,7 @@
     const now = performance.now();
     known ??= now;
     since = notes.coming ? since ?? now : null;
-    first &&= notes.coming || (!stands() && now - known < MOST);
+    first &&= notes.coming || (notes.handle && !stands() && now - known < MOST); // a question may hide arm and handle
     say(first || (since !== null && now - since > LONG) ? `${notes.arm} is on its way …` : '');
   };
   setInterval(look, LOOK);
