@@ -85,7 +85,7 @@ def tour_from(stop: int) -> tuple[Command, ...]:
 
 def _card(form: Form) -> Markup:
     lessons = [
-        form.button(f"start-{key}", (tag("b", title), tag("span", about)), OpenLesson(key), "pick")
+        form.button(f"start-{key}", (tag("b", title), tag("span", about)), OpenLesson(key), "start")
         for key, (title, about) in LESSONS.items()
     ]
     tour = form.button("start-tour", "Show me around", tour_from(0), "main", f"A tour of {len(STOPS)} stops")
