@@ -62,6 +62,7 @@ OWN_JSON = {
     "control": "its runs and its target are read together with the arm",
     "display": "its JSON is a map whose keys are the switches of the picture, whichever there are",
     "ellipsoid": "its JSON is the name of a block alone, or a pair",
+    "former": "a whole state, as it was before a lesson",
     "joints": "joint values, and which are held, are read together with the arm and its limits",
     "lesson": "a student's way through lessons, which are files that change",
     "lines": "two lines in one list, read together with the arm",
@@ -72,6 +73,7 @@ OWN_JSON = {
     "trainer": "answers to an exercise that follows from the arm",
     "target": "what counts of it is written only where that is less than the whole pose",
     "unit_circle": "its JSON is an angle alone",
+    "welcome": "its JSON is a word alone: whoever has a file has been here",
     "what_if": "a list of changes that are tried on the arm one after the other",
 }
 """Parts that write their own JSON, and why."""

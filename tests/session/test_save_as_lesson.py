@@ -61,6 +61,7 @@ def test_the_benches_begin_as_they_were(own):
         "lesson",
         "timeline",
         "shelf",
+        "former",
         "display",
     }:
         (one,) = (part.to_json() for part in opened if part.key == kind)

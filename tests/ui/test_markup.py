@@ -10,6 +10,7 @@ from armlab.content.robots import catalogue
 from armlab.session.fields import Set
 from armlab.session.session import Redo, Session, Undo
 from armlab.ui import markup
+from armlab.ui.figure.drawn import Gallery
 from armlab.ui.html import styles
 from armlab.ui.overlay import Overlay
 from support.forms import BareFields
@@ -65,8 +66,8 @@ def test_what_lies_over_the_scene_steps_back_and_forth_where_there_is_something(
         return made[0]
 
     monkeypatch.setattr("armlab.ui.overlay.Fields", fields)
-    overlay = Overlay(SimpleNamespace(gui=None), posted.append, posted.append)
-    overlay.show(session, handle=True)
+    overlay = Overlay(SimpleNamespace(gui=None), session, posted.append, Gallery(), posted.append)
+    overlay.show(handle=True, coming=False)
     for cell in ("undo", "redo", "home", "anything"):
         made[0].send(cell, "")
     made[0].send("tabs", "Pose")
@@ -74,7 +75,7 @@ def test_what_lies_over_the_scene_steps_back_and_forth_where_there_is_something(
     session.apply(Set(Loop, "mass", 2.0), 0.0)
     session.apply(Set(Loop, "mass", 3.0), 5.0)
     session.apply(Undo(), 6.0)
-    overlay.show(session, handle=True)
+    overlay.show(handle=True, coming=False)
     made[0].send("undo", "")
     made[0].send("redo", "")
     assert posted == ["Pose", Undo(), Redo()]

@@ -29,6 +29,9 @@ PASTED = "Pasted arm"
 MOST_TEXT = 50_000
 """Longest pasted table or file, in characters."""
 
+LONGEST_NAME = 60
+"""Longest name of a new arm, in characters."""
+
 FILE = re.compile(r"^[ \t]*(\[\[[ \t]*joints[ \t]*\]\]|joints[ \t]*=|convention[ \t]*=)", re.MULTILINE)
 """Pattern that distinguishes a robot file from a table."""
 
@@ -234,6 +237,32 @@ class PasteTable(Command):
             robot = replace(robot, summary=" ".join(pasted.notes) or robot.summary)
         check_sizes(robot.arm)
         return state.with_robot(robot)
+
+
+@dataclass(frozen=True)
+class NewArm(Command):
+    """Put an arm on the table that is made of nothing but its rows: limits are those of its kinds, base and tool none.
+
+    Parameters
+    ----------
+    rows : tuple of Row
+    convention : "standard" or "modified"
+    name : str
+        "My arm" when empty.
+    """
+
+    rows: tuple[Row, ...]
+    convention: str
+    name: str = ""
+    label: ClassVar[str] = "new arm"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the arm, in its home pose."""
+        if len(self.name) > LONGEST_NAME:
+            raise InputError(f"name: expected at most {LONGEST_NAME} characters, got {len(self.name)}")
+        arm = Arm.from_dh(self.rows, known_name("convention", self.convention, CONVENTIONS))
+        check_sizes(arm)
+        return state.with_robot(own_robot(arm, self.name))
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,7 @@ from armlab.session.hand_in_prints import prints_of
 from armlab.session.lesson_progress import Progress, RightAnswer, read, step_names, written
 from armlab.session.parts.lesson import LessonPart, signed
 from armlab.session.seen_again import seen_again
+from armlab.session.share import STAYS
 from armlab.session.state import Json, State
 from armlab.version import VERSION
 
@@ -32,9 +33,6 @@ MOST = 1_000_000
 
 LONGEST_KEY = 64
 """Longest key of a lesson, in characters."""
-
-OF_THE_STUDENT = ("lesson", "shelf")
-"""Keys of the parts that belong to the student, not the lab: a file has the progress of its own lesson only."""
 
 _MATH = re.compile("<math.*?</math>", re.DOTALL)
 
@@ -59,8 +57,8 @@ def hand_in(state: State) -> str:
         "variant": found.variant,
         "digest": found.digest,
         "progress": written(part.progress),
-        # Before a prediction the state would tell what is to be predicted.
-        "parts": {} if part.hides else {k: each for k, each in state.to_json().items() if k not in OF_THE_STUDENT},
+        # Before a prediction the state would tell what is to be predicted; of progress it has that of its lesson only.
+        "parts": {} if part.hides else {k: each for k, each in state.to_json().items() if k not in STAYS},
     }
     return json.dumps(data, indent=1, ensure_ascii=False)
 

@@ -13,9 +13,8 @@ from armlab.session.lesson_commands import OpenLesson
 from armlab.session.lesson_progress import Progress
 from armlab.session.parts.display import Display
 from armlab.session.parts.lesson import LessonPart, has_its_arm, place_of, signed
-from armlab.session.parts.panels import Panels
 from armlab.session.parts.shelf import HOME, Shelf
-from armlab.session.share import STAYS, state_of_parts
+from armlab.session.share import STAYS, personal, state_of_parts
 from armlab.session.state import Command, Json, State
 
 log = logging.getLogger(__name__)
@@ -85,5 +84,5 @@ def _as_it_stood(begun: State, parts: Json) -> State:
         log.warning("the arm of saved work is not usable: %r", error)
         return begun
     display = Display(MappingProxyType({**stood[Display].switches, **begun[Display].of_screen()}))
-    found = stood.replace(begun[LessonPart], begun[Shelf], begun[Panels], display)
+    found = stood.replace(*personal(begun), display)
     return found if has_its_arm(found) else begun

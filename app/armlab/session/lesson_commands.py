@@ -10,10 +10,11 @@ from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
 from armlab.errors import InputError
 from armlab.session.lesson_progress import MOST_TYPED, Progress, RightAnswer, step_names
-from armlab.session.lesson_start import gone_to, held, refuse_unknown, set_up
+from armlab.session.lesson_start import gone_to, refuse_unknown, set_up, without_lesson
 from armlab.session.panel_commands import lesson_followed
-from armlab.session.parts.joints import Joints
+from armlab.session.parts.former import Former, offered, without_lessons_switches
 from armlab.session.parts.lesson import LessonPart, at_place, place_of, signed
+from armlab.session.parts.shelf import own_work
 from armlab.session.state import Command, State
 
 MOST_VARIANT = 9999
@@ -47,7 +48,9 @@ class OpenLesson(Command):
         kept = Progress() if self.anew else opened.progress.anew()
         lesson = at_place(place)
         refuse_unknown(lesson)
-        begun = set_up(state, lesson, kept.shown(lesson)).replace(opened.with_progress(kept))
+        begun = set_up(state, lesson, kept.shown(lesson)).replace(
+            opened.with_progress(kept), Former.of(own_work(state))
+        )
         return lesson_followed(state, begun)
 
     def _place(self, part: LessonPart) -> str:
@@ -73,20 +76,16 @@ class TakeLessonArm(Command):
 
 @dataclass(frozen=True)
 class CloseLesson(Command):
-    """Close the lesson; arm and progress stay, and everything locked is free again."""
+    """Close the lesson; arm and progress stay, everything locked is free again, and the lesson's overlays go."""
 
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
         """Return the state without a lesson."""
-        part = state[LessonPart]
-        found = part.lesson
-        if found is None:
+        if state[LessonPart].lesson is None:
             return state
-        joints = state[Joints]
-        if found.locked_joints and joints.arm.n >= max(found.locked_joints):
-            joints = held(joints, found, False)
-        return state.replace(joints, replace(part, open=""))
+        closed = without_lessons_switches(without_lesson(state))
+        return closed if offered(closed) else closed.replace(Former())
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,7 @@ from armlab.session.examples import with_clip_closed
 from armlab.session.facts import benches_of, fact_of
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline
@@ -82,6 +83,15 @@ def held(joints: Joints, lesson: Lesson, on: bool) -> Joints:
     """Return the joints with those locked by a lesson held, or free again."""
     locked = tuple(on if j + 1 in lesson.locked_joints else held for j, held in enumerate(joints.locked))
     return replace(joints, locked=locked)
+
+
+def without_lesson(state: State) -> State:
+    """Return the state with no lesson open, and the joints free that it held; all else is as it was."""
+    part, joints = state[LessonPart], state[Joints]
+    found = part.lesson
+    if found is not None and found.locked_joints and joints.arm.n >= max(found.locked_joints):
+        joints = held(joints, found, False)
+    return state.replace(joints, replace(part, open=""))
 
 
 def _begins(lesson: Lesson, k: int) -> bool:

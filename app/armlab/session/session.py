@@ -18,6 +18,7 @@ from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.panels import Panels
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.shelf import Shelf
+from armlab.session.parts.welcome import CARD, Welcome
 from armlab.session.state import Command, State, apply, guard
 
 log = logging.getLogger(__name__)
@@ -207,10 +208,10 @@ def _nowhere(_: str) -> bool:
 
 
 def _beginning(token: str, opening: Robot) -> State:
-    """Return the first state of a student, with a personal variant for lessons."""
+    """Return the first state of a student, with a personal variant for lessons and the card of the first visit."""
     state = State.initial(opening)
     number = int.from_bytes(hashlib.sha256(token.encode()).digest()[:4], "big") % VARIANTS
-    return state.replace(replace(state[LessonPart], number=number))
+    return state.replace(replace(state[LessonPart], number=number), Welcome(CARD))
 
 
 def _with_kept(restored: State, present: State) -> State:

@@ -18,7 +18,7 @@ from armlab.session.parts.robot import RobotPart, robot_from_json
 from armlab.session.parts.target import FARTHEST, Target
 from armlab.session.share_text import LONGEST, TEXT
 from armlab.session.share_words import FREQUENT
-from armlab.session.state import Json, State
+from armlab.session.state import Json, Part, State
 
 VERSION = "1"
 """First character of every text. Other versions have other words in `FREQUENT`, or read parts differently."""
@@ -26,8 +26,8 @@ VERSION = "1"
 MOST_BYTES = 64 << 10
 """Largest size of the unpacked state, bytes: a usual one has some 4 kB."""
 
-STAYS = ("lesson", "shelf")
-"""Keys of the parts that are never shared: progress and answers, the student's name, and states put aside."""
+STAYS = ("lesson", "shelf", "former", "welcome")
+"""Keys of the parts that are never shared: progress and answers, the student's name, states put aside, the welcome."""
 
 DECIMALS = 9
 """Decimals of metres and radians outside the table: the screen does not show a thousandth of that."""
@@ -87,6 +87,11 @@ def state_of_parts(parts: Json) -> State:
     if state[Joints].draws < 0:
         raise InputError(f"draws: expected 0 or more, got {state[Joints].draws}")
     return state
+
+
+def personal(state: State) -> list[Part]:
+    """Return the parts that are the student's own at every place: what stays in a link, and what no file holds."""
+    return [part for part in state if part.key in STAYS or not part.saved]
 
 
 def _written(state: State) -> dict[str, Json]:

@@ -137,6 +137,7 @@ class Lab:
         self.runner.stop()
         self.worker.stop()
         adapter.stop_server(self.server)
+        self.gallery.painter.shutdown(wait=False, cancel_futures=True)
         # A thread cut off in the middle of NumPy at the interpreter's end would abort the process.
         self._figure.join()
         self._looking.join()

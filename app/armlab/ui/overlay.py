@@ -1,4 +1,5 @@
-"""The layer over the scene: the search, the verdict or the next step, undo and redo, and notes to the page's script.
+"""The layer over the scene: the arm's name and the search, the verdict or the next step, undo and redo, the first visit,
+and notes to the page's script.
 
 The markup is put into viser's own main window, which the style sheet hides except for these children; so it stays
 mounted whatever tab is open.
@@ -10,23 +11,30 @@ import json
 import logging
 import secrets
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import viser
 
 from armlab.session.panel_commands import hidden_tabs
+from armlab.session.parts.former import BackToFormer, ForgetFormer, offered
 from armlab.session.parts.lesson import LessonPart, at_place
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf
 from armlab.session.parts.target import Target, verdict
+from armlab.session.parts.welcome import Welcome
 from armlab.session.session import Redo, Session, Undo
-from armlab.session.state import Post
+from armlab.session.state import Post, State
 from armlab.ui.fields import Fields
+from armlab.ui.figure.drawn import Gallery
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.search.markup import search_button
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import verdict_line
+from armlab.ui.welcome import welcome_markup
+
+if TYPE_CHECKING:
+    from armlab.ui.arms.dialog import ArmsDialog
 
 log = logging.getLogger(__name__)
 
@@ -52,17 +60,34 @@ class Screen(NamedTuple):
 
 
 class Overlay:
-    """The layer of HTML over the scene of one browser."""
+    """The layer of HTML over the scene of one browser.
+
+    Parameters
+    ----------
+    client : viser.ClientHandle
+    session : Session
+    post : callable
+    gallery : Gallery
+        Paints the pictures of the arms to choose from.
+    on_tabs : callable
+        Called with the text in which the page's script tells which tabs are seen.
+    on_screen : callable
+        Called with the wishes of the person's system and room.
+    """
 
     def __init__(
         self,
         client: viser.ClientHandle,
+        session: Session,
         post: Post,
+        gallery: Gallery,
         on_tabs: Callable[[str], None],
         on_screen: Callable[[Screen], None],
     ) -> None:
+        self._client, self._session, self._post, self._gallery = client, session, post, gallery
         self._form = Form(lambda on_input: Fields(client.gui, on_input), post, lambda: None, beside=False)
         self._on_tabs, self._on_screen = on_tabs, on_screen
+        self._arms: ArmsDialog | None = None
         self._tab, self._asked = "", ""
 
     def open_tab(self, title: str) -> None:
@@ -70,39 +95,85 @@ class Overlay:
         # Another word each time: the page may outlive the server that asked before.
         self._tab, self._asked = title, secrets.token_hex(4)
 
-    def show(self, session: Session, handle: bool) -> None:
-        """Show the state of a session; the line on the target appears only while its handle is in the scene."""
+    def close(self) -> None:
+        """Stop all work, because the browser has closed."""
+        if self._arms is not None:
+            self._arms.close()
+
+    def show(self, handle: bool, coming: bool) -> None:
+        """Show the present state of the session.
+
+        Parameters
+        ----------
+        handle : bool
+            Whether the target's handle is in the scene; without it there is no line on the target.
+        coming : bool
+            Whether the picture of the arm is still being made.
+        """
+        session = self._session
+        if self._arms is not None:
+            self._arms.show()
         line: Inside = None
-        if handle and session.state[Target].pose is not None:
+        if handle and not coming and session.state[Target].pose is not None:
             line = verdict_line(session.state.derived(verdict), units_of(session.state))
-        elif handle and session.history.only(ChooseRobot.label):
+        elif handle and not coming and session.history.only(ChooseRobot.label):
             line = FIRST_HINT
-        if self._form.shows(line, *self._made_of(session)):
+        if self._form.shows(line, handle, coming, *self._made_of(session)):
             return
         hint = tag("div.al-over.al-hint", line, role="status") if line else None
-        self._form.show(hint, self._top(), self._place(session), self._steps(session), self._notes(session))
+        welcome = welcome_markup(self._form, session.state[Welcome])
+        top, place = self._top(session.state), self._place(session)
+        self._form.show(top, hint, place, self._steps(session), welcome, self._notes(session, handle, coming))
 
     def _made_of(self, session: Session) -> tuple[object, ...]:
         """Return all values on which the layer depends besides the line."""
-        shelf, robot, history = session.state[Shelf], session.state[RobotPart], session.history
+        state, history = session.state, session.history
+        shelf, robot = state[Shelf], state[RobotPart]
         return (
-            (shelf.place, _waits(shelf)),
+            (shelf.place, _waits(shelf), offered(state), state[Welcome]),
             (history.undo_label, history.redo_label),
-            (robot.own, robot.robot.key, session.state[LessonPart].open, hidden_tabs(session.state)),
+            (name_of(robot), robot.own, robot.robot.key, state[LessonPart].open, hidden_tabs(state)),
             (self._tab, self._asked),
         )
 
-    def _top(self) -> Markup:
-        """Return the row at the top left of the scene."""
-        return tag("div.al-over.al-top", search_button("Search"))
+    def _open_arms(self) -> None:
+        """Open the dialog in which an arm is chosen, which is imported for it."""
+        from armlab.ui.arms.dialog import ArmsDialog
+
+        if self._arms is None:
+            self._arms = ArmsDialog(self._client, self._post, self._gallery, self._session)
+        self._arms.open()
+
+    def _top(self, state: State) -> Markup:
+        """Return the row at the top of the scene: the arm's name, and the search."""
+        return tag("div.al-over.al-top", self._name(state), search_button("Search"))
+
+    def _name(self, state: State) -> Markup:
+        """Return the arm's name, which is the switch to another one unless a lesson keeps the arm."""
+        name, lesson = name_of(state[RobotPart]), state[LessonPart].lesson
+        if lesson is not None and "robot" in lesson.locked:
+            why = f"The lesson “{lesson.title}” is about this arm. Your own sandbox, in the lesson, has all of them."
+            return tag("span.arm-name", tag("b", name), tag("small", "kept by the lesson"), title=why)
+        inside = tag("b", name), tag("span", "▾", aria_hidden="true")
+        about = f"{name}: choose another arm, or make a new one"
+        return self._form.button("arms", inside, self._open_arms, "arm-name", about, about, aria_haspopup="dialog")
 
     def _place(self, session: Session) -> Markup | None:
         """Return a sentence on where the student is, unless at the lesson or own work, with the button back."""
-        shelf = session.state[Shelf]
+        shelf, former = session.state[Shelf], offered(session.state)
+        way: Inside
         if shelf.place == SANDBOX:
             says, way = "Your sandbox", self._form.button("home", f"‹ Back to {_waits(shelf)}", BackToLesson(), "chip")
         elif shelf.place == SHARED:
             says, way = "A shared arm", self._form.button("own", "‹ Back to my work", BackFromShared(), "chip")
+        elif former is not None:
+            back = f"‹ Back to {former.name}" if former.name.startswith("My ") else f"‹ Back to my {former.name}"
+            stay = "Stay with the lesson's arm"
+            says = "The lesson is closed"
+            way = (
+                self._form.button("former", back, BackToFormer(), "chip"),
+                self._form.button("stay", "✕", ForgetFormer(), "chip", stay, stay),
+            )
         else:
             return None
         return tag("div.al-over.al-place", tag("b", says), way, role="status")
@@ -130,8 +201,8 @@ class Overlay:
             buttons.append(self._form.button(cell, sign, command, hint=title, label=word, off=not what))
         return tag("div.al-over.al-steps", buttons)
 
-    def _notes(self, session: Session) -> Markup:
-        """Return the notes to the page's script: the address of this lesson or arm, and the tab to open."""
+    def _notes(self, session: Session, handle: bool, coming: bool) -> Markup:
+        """Return the notes to the page's script: the address of this lesson or arm, the tab to open, what is coming."""
         self._form.takes("tabs", self._tabs_said)
         self._form.takes("screen", self._screen_said)
         robot = session.state[RobotPart]
@@ -140,12 +211,20 @@ class Overlay:
             path = f"/lesson/{lesson}"
         notes = {
             "path": path,
+            "arm": name_of(robot),
+            "coming": coming,
+            "handle": handle,
             "tab": self._tab,
             "asked": self._asked,
             "hidden": hidden_tabs(session.state),
             "chan": self._form.channel_id,
         }
         return tag("i", id="al-notes", hidden=True, data_notes=json.dumps(notes))
+
+
+def name_of(part: RobotPart) -> str:
+    """Return the name of the arm on the table, which says when it is no longer that of a file."""
+    return f"{part.robot.name}, edited" if part.own and part.origin else part.robot.name
 
 
 def _waits(shelf: Shelf) -> str:

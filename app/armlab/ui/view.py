@@ -17,8 +17,9 @@ from armlab.session.parts.display import SYSTEM_DARK, Display, Show
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.panels import Panels, Window
-from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import Target
+from armlab.session.parts.welcome import CARD, LeaveWelcome, Welcome
 from armlab.session.session import Session
 from armlab.session.state import Command, State
 from armlab.ui import commands
@@ -101,6 +102,7 @@ class View:
         self._tabs: dict[str, Tab] = {}
         self._shown: State | None = None
         self._making: Arm | None = None
+        self._undrawable: Arm | None = None
         self._robot: RobotPart | None = None
         self._told, self._untaken = session.notice_seen, session.untaken
         self._refresh: asyncio.TimerHandle | None = None
@@ -113,9 +115,13 @@ class View:
     def build(self) -> Generator[None, None, None]:
         """Build the page in pieces of a millisecond or two; the browser gets it when it is complete."""
         self._post(OpenWindow(self.client.client_id, self._first))
+        if self.session.state[Welcome].at == CARD and not self.session.history.only(ChooseRobot.label):
+            self._post(LeaveWelcome())  # no first visit any more
         with self.client.atomic():
             self._theme(self.session.state)
-            self._overlay = Overlay(self.client, self.post, self._tabs_seen, self._screen_told)
+            self._overlay = Overlay(
+                self.client, self.session, self.post, self._gallery, self._tabs_seen, self._screen_told
+            )
             self._search = SearchDialog(self)
             self._timeline = TimelineBar(self.client, self.post)
             yield
@@ -196,7 +202,13 @@ class View:
         if window.asked != self._asked:
             self._asked = window.asked
             self._overlay.open_tab(pages()[window.wanted].title)
-        self._overlay.show(self.session, "gizmo" not in self._hidden(self.session.state))
+        self._overlay.show("gizmo" not in self._hidden(self.session.state), self._is_coming())
+
+    def _is_coming(self) -> bool:
+        """Return whether the picture of the present arm is still being made."""
+        robot = self.session.robot
+        there = self._robot is not None and self._robot.robot is robot
+        return not there and self._undrawable is not robot.arm
 
     def open_tab(self, key: str) -> None:
         """Bring a panel to the front, unless the lesson hides it."""
@@ -347,6 +359,7 @@ class View:
         """Show the new figure. One that cannot be drawn is reported once, and not tried again."""
         if problem is not None:
             log.error("the arm cannot be drawn", exc_info=problem)
+            self._undrawable = arm
             self.client.add_notification("Not drawn", "This arm cannot be drawn; the numbers are right.", color="red")
             return
         if self._making is arm:
@@ -404,6 +417,7 @@ class View:
         self._post(CloseWindow(self.client.client_id))
         self._pace.spread.drop(self)
         self.camera.gaze.stop()
+        self._overlay.close()
         if self._refresh is not None:
             self._refresh.cancel()
         if self._canvas is not None:

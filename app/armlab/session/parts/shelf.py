@@ -14,9 +14,10 @@ from typing import ClassVar, Self
 
 from armlab.content.robots import Robot
 from armlab.errors import InputError
-from armlab.session.lesson_commands import CloseLesson
+from armlab.session.lesson_start import without_lesson
 from armlab.session.panel_commands import lesson_followed
 from armlab.session.parts.display import Display
+from armlab.session.parts.former import Former
 from armlab.session.parts.lesson import LessonPart, is_place
 from armlab.session.parts.panels import Panels
 from armlab.session.parts.robot import RobotPart
@@ -82,7 +83,7 @@ class Shelf(Part):
         parked = {
             place: {
                 "lesson": state[LessonPart].open,
-                "parts": {key: part for key, part in state.to_json().items() if key not in STAYS},
+                "parts": _written(state),
             }
             for place, state in self.parked.items()
         }
@@ -127,7 +128,7 @@ class ToSandbox(Command):
                 "Your prediction is still open, and the sandbox would show what it is about: answer first."
             )
         parked = _left(state)
-        found = parked.pop(SANDBOX, None) or CloseLesson().apply(parked[HOME])
+        found = parked.pop(SANDBOX, None) or without_lesson(parked[HOME]).replace(Former())
         return _arrived(state, found, Shelf(SANDBOX, parked=_frozen(parked)))
 
 
@@ -194,6 +195,12 @@ class BackFromShared(Command):
         return _arrived(state, found, Shelf(shelf.own, parked=_frozen(parked)), found[LessonPart].open)
 
 
+def own_work(state: State) -> State:
+    """Return the student's own work without what waits elsewhere: the state itself, or the one under a shared one."""
+    shelf = state[Shelf]
+    return shelf.parked[shelf.own] if shelf.shared else state.replace(Shelf())
+
+
 def _left(state: State) -> dict[str, State]:
     """Return the states that wait after leaving; a shared state is not kept, as its link restores it."""
     shelf = state[Shelf]
@@ -214,9 +221,15 @@ def _frozen(parked: dict[str, State]) -> Mapping[str, State]:
     return MappingProxyType(parked)
 
 
+def _written(state: State) -> Json:
+    """Return the parts of a state that waits, with what was on the table before its lesson, if anything was."""
+    parts = {key: part for key, part in state.to_json().items() if key not in STAYS}
+    return parts if state[Former].state is None else {**parts, Former.key: state[Former].to_json()}
+
+
 def _read(data: Json) -> State:
     parts, key = data["parts"], data["lesson"]
-    if not set(STAYS).isdisjoint(parts):
+    if not set(STAYS).isdisjoint(parts.keys() - {Former.key}):
         raise InputError("shelf: a state that waits has no shelf and no lessons of its own")
     state = state_of_parts(parts)
     return state.replace(replace(state[LessonPart], open=key if is_place(key) else ""))

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import threading
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
+from armlab.content.robots import Robot
 from armlab.kin.arm import Arm
 from armlab.ui.figure.figure import Figure, build_figure
 from armlab.ui.figure.marks import symbols_of
 
 KEPT = 64
-"""Number of figures that are kept, each of half a megabyte."""
+"""Number of figures that are kept, each of half a megabyte, and of small pictures, each of ten kilobytes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,11 +34,19 @@ class Drawn:
 
 
 class Gallery:
-    """A store that makes each figure once. It is safe to use from several threads."""
+    """A store that makes each figure, and each small picture, once. It is safe to use from several threads.
+
+    Attributes
+    ----------
+    painter : ThreadPoolExecutor
+        Where pictures are to be painted, one at a time: a class that looks at all arms holds up no other work.
+    """
 
     def __init__(self) -> None:
+        self.painter = ThreadPoolExecutor(1, "armlab-pictures")
         self._ready: dict[Arm, Drawn] = {}
-        self._making = threading.Lock()
+        self._pictures: dict[Arm, bytes] = {}
+        self._making, self._painting = threading.Lock(), threading.Lock()
 
     def ready(self, arm: Arm) -> Drawn | None:
         """Return the figure if it has been made."""
@@ -48,7 +58,26 @@ class Gallery:
             if arm not in self._ready:
                 figure = build_figure(arm)
                 drawn = Drawn(figure, figure.glbs(), symbols_of(figure.anatomy))
-                while len(self._ready) >= KEPT:
-                    del self._ready[next(iter(self._ready))]
+                _make_room(self._ready)
                 self._ready[arm] = drawn
             return self._ready[arm]
+
+    def picture(self, robot: Robot) -> bytes:
+        """Return a small picture of an arm at home, a PNG file; call this outside the event loop."""
+        from armlab.ui.figure.picture import picture_of  # the first page needs none
+
+        arm = robot.arm
+        with self._painting:
+            if arm not in self._pictures:
+                known = self._ready.get(arm)
+                figure = build_figure(arm) if known is None else known.figure
+                picture = picture_of(figure, robot.home, robot.camera)
+                _make_room(self._pictures)
+                self._pictures[arm] = picture
+            return self._pictures[arm]
+
+
+def _make_room(kept: dict[Arm, Drawn] | dict[Arm, bytes]) -> None:
+    """Forget the oldest of what is kept, if there is no room for one more."""
+    while len(kept) >= KEPT:
+        del kept[next(iter(kept))]

@@ -47,14 +47,17 @@ class Figure:
         """Return the GLB file of each body; None for a body without solids."""
         return [body_glb(parts) if parts else None for parts in self.parts]
 
+    def poses(self, q: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+        """Return the poses (4, 4), in the world, of the nodes of bodies 0 to n at a configuration."""
+        poses = [self.anatomy.root]
+        for body, value in zip(self.anatomy.bodies, q.tolist(), strict=True):
+            poses.append(poses[-1] @ body.mount @ _joint_motion(body.revolute, body.offset, value))
+        return poses
+
     def bounds(self, q: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the corners (2, 3), in the world, of the box around the arm at a configuration."""
         corners = []
-        T = self.anatomy.root
-        for i, parts in enumerate(self.parts):
-            if i:
-                body = self.anatomy.bodies[i - 1]
-                T = T @ body.mount @ _joint_motion(body.revolute, body.offset, float(q[i - 1]))
+        for T, parts in zip(self.poses(q), self.parts, strict=True):
             corners += [_corners(mesh.bounds) @ T[:3, :3].T + T[:3, 3] for _, mesh in parts]
         points = np.vstack(corners)
         return np.array([points.min(axis=0), points.max(axis=0)])

@@ -45,7 +45,7 @@ def joint_material(i: int) -> str:
 
 def body_glb(parts: Iterable[Part]) -> bytes:
     """Return one GLB file of all parts."""
-    return scene_glb((solid, _look(material)) for material, solid in merged(parts).items())
+    return scene_glb((solid, look_of(material)) for material, solid in merged(parts).items())
 
 
 def merged(parts: Iterable[Part]) -> dict[str, Solid]:
@@ -129,7 +129,8 @@ def _material(look: Look) -> dict[str, Any]:
     }
 
 
-def _look(material: str) -> Look:
+def look_of(material: str) -> Look:
+    """Return colour, roughness and metallic part of a material."""
     if material.startswith("joint"):
         return joint_colour(int(material.removeprefix("joint"))), 0.38, 0.0
     return MATERIALS[material]

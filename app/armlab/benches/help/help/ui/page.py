@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.welcome import ShowCard
 from armlab.session.state import Post, State
 from armlab.ui.commands import shortcuts
 from armlab.ui.html import Markup, tag
 from armlab.ui.jog import KEYS as JOG
 from armlab.ui.plugin import Panel, Show
+from armlab.ui.welcome import tour_from
 from armlab.ui.widgets import Gui
 
 PAGE_KEYS = (
@@ -49,6 +51,7 @@ WORDS = (
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the text."""
+    start = gui.form(post)
     gui.html(tag("h3", "Keys"), _table([*((s.shown, s.label) for s in shortcuts() if s.key), *PAGE_KEYS]))
     gui.html(tag("h3", "While Jog is chosen on Joints or Target"), _table(JOG))
     gui.html(tag("p.dim", UNDO))
@@ -58,6 +61,14 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
     def show(state: State) -> None:
         del state
+        start.show(
+            tag("h3", "New here?"),
+            tag(
+                "div.bar",
+                start.chip("help-start", "Start here", ShowCard(), "Three lessons to begin with"),
+                start.chip("help-tour", "Show me around", tour_from(0), "A tour of four stops"),
+            ),
+        )
 
     return show
 

@@ -29,7 +29,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
     gui.dropdown(
         "Family",
-        {family: family.capitalize() for family in FAMILIES},
+        {family: family[0].upper() + family[1:] for family in FAMILIES},
         shown,
         choose_family,
         "Arms by their structure; the list below shows one family.",
