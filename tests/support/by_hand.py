@@ -54,7 +54,7 @@ def _value(text: str, values: dict[str, Any], step: Step) -> Any:
         "atan2": math.atan2,
         "vector": lambda *parts: np.array(parts),
     }
-    return eval(text, {"__builtins__": {}}, names)  # noqa: S307 - made of this package's own formulas
+    return eval(text, {"__builtins__": {}}, names)
 
 
 def _fraction(text: str) -> str:

@@ -14,7 +14,6 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.target import Said, Target, verdict
 from armlab.session.state import State
-from armlab.ui.html import joined
 from armlab.ui.scene._sticks import corners_of, drawn_sticks, turns_to
 from armlab.ui.units import Units
 from armlab.ui.verdicts import verdict_card, verdict_line

@@ -169,7 +169,9 @@ class _Euler:
             lines, note = self._both(values, r, "phi", "psi", self._last_symbol)
         else:
             lines, note = self._of(values, (r[1][2], r[0][2]), ("r23", "r13"), (1.0, 1.0), "phi")
-        what = f"Around {one}, the way to {last}" if joint >= 0 else f"Around {one}, the common turn of the three joints"
+        what = (
+            f"Around {one}, the way to {last}" if joint >= 0 else f"Around {one}, the common turn of the three joints"
+        )
         if free:
             lines = ()
             note = f"Only the sum or the difference of q{joint + 1} and q{self.turns.joints[2] + 1} is fixed: "
@@ -197,7 +199,7 @@ class _Euler:
         joint = self.turns.joints[2]
         free = self.straight and self.turns.joints[0] < 0
         n = joint + 1
-        one, last = self.turns.names
+        last = self.turns.names[1]
         values = {"psi": Quantity(f"q_{n}", self.psi, "rad")}
         lines: tuple[Line, ...] = ()
         note = ""
@@ -208,7 +210,7 @@ class _Euler:
             lines, note = self._both(values, r, "psi", "phi", f"q_{self.turns.joints[0] + 1}")
         else:
             lines, note = self._of(values, (r[2][1], -r[2][0]), ("r32", "r31"), (1.0, -1.0), "psi")
-        _, B, C = self._now()
+        C = self._now()[2]
         radius = MARK * self.work.s.scale
         mark = self._marker()
         self.work.add(
@@ -264,9 +266,9 @@ class _Euler:
     def _flip(self, value: float) -> str:
         """Return the word for the sign of the middle angle, as the names of solutions have it."""
         if self.straight:
-            return "straight"
+            return "wrist straight"
         sine = math.sin(value + self.work.arm.rows[self.turns.joints[1]].theta)
-        return "no flip" if sine > 0.0 else "flip"
+        return "wrist no flip" if sine > 0.0 else "wrist flip"
 
     def _now(self) -> tuple[Vector, Vector, Vector]:
         """Return the three axes in frame 0 as the angles place them."""

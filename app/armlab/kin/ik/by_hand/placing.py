@@ -63,9 +63,7 @@ def shoulder_of(pillar: Pillar, turned: Turned) -> Vector:
     return np.asarray(pillar.foot + turned.aside + pillar.shoulder * turned.ahead)
 
 
-def seen_from_shoulder(
-    pillar: Pillar, rho: Quantity, z: Quantity
-) -> tuple[dict[str, Quantity], tuple[str, str, str]]:
+def seen_from_shoulder(pillar: Pillar, rho: Quantity, z: Quantity) -> tuple[dict[str, Quantity], tuple[str, str, str]]:
     """Return the quantities, and the LaTeX of both coordinates and the distance, of a point from the shoulder."""
     given = {"rho": rho, "z": z}
     if pillar.shoulder == 0.0:
@@ -76,7 +74,7 @@ def seen_from_shoulder(
 
 def elbow(work: Work, home: Vector, place: Vector, name: str) -> None:
     """Place a point by a turn of the plane of two links."""
-    s, pillar = work.s, _pillar(work)
+    pillar = _pillar(work)
     turned = turn_plane(work, pillar, home, place, name)
     given, how = seen_from_shoulder(pillar, Quantity(r"\rho", turned.rho), Quantity("z", turned.z))
     two_links(work, pillar, turned, home, complex(turned.rho - pillar.shoulder, turned.z), given, how, name)

@@ -49,7 +49,8 @@ class Line:
     left : str
         Name of the quantity that the equation gives.
     right : str
-        LaTeX with names of quantities as ``<name>``; ``<sign>`` is the sign of the chosen branch, plus-minus in general.
+        LaTeX with names of quantities as ``<name>``; ``<sign>`` is the sign of the chosen branch, in
+        general plus or minus.
     """
 
     left: str

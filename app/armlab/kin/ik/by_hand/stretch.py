@@ -16,7 +16,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from armlab.kin.ik.by_hand.step import Arc, Branch, Case, Circle, Line, Point, Quantity, Segment, Shape, Triangle, Vector
+from armlab.kin.ik.by_hand.step import (
+    Arc,
+    Branch,
+    Case,
+    Circle,
+    Line,
+    Point,
+    Quantity,
+    Segment,
+    Shape,
+    Triangle,
+    Vector,
+)
 from armlab.kin.ik.by_hand.triangle import Joint, own_value
 from armlab.kin.ik.by_hand.turning import MARK
 from armlab.kin.ik.by_hand.work import Work
@@ -57,9 +69,7 @@ class Stroke:
         return np.asarray(self.origin + point.real * self.u + point.imag * self.v)
 
 
-def stretch(
-    work: Work, stroke: Stroke, end: complex, given: dict[str, Quantity], how: tuple[str, str, str]
-) -> None:
+def stretch(work: Work, stroke: Stroke, end: complex, given: dict[str, Quantity], how: tuple[str, str, str]) -> None:
     """Find both joints so that the point comes to a place of the plane; arguments as of `triangle.reach`."""
     far, h = abs(end), stroke.aside if abs(stroke.aside) > work.tiny else 0.0
     square = (far - abs(h)) * (far + abs(h))
@@ -100,7 +110,7 @@ def _length(
         values["h"] = Quantity("h", h)
     lines = [Line("D", how[2])]
     titles = ("slide ahead", "slide behind") if case == "two" else ("both",)
-    branches = tuple(Branch(title, l - stroke.start) for title, l in zip(titles, lengths, strict=True))
+    branches = tuple(Branch(title, length - stroke.start) for title, length in zip(titles, lengths, strict=True))
     if case != "none":
         values["l"] = Quantity(r"\ell", lengths[k])
         lines.append(Line("l", r"<sign>\sqrt{<D>^2 - <h>^2}" if h != 0.0 else "<sign><D>"))

@@ -16,7 +16,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from armlab.kin.ik.by_hand.step import Arc, Branch, Case, Circle, Line, Point, Quantity, Segment, Shape, Triangle, Vector
+from armlab.kin.ik.by_hand.step import (
+    Arc,
+    Branch,
+    Case,
+    Circle,
+    Line,
+    Point,
+    Quantity,
+    Segment,
+    Shape,
+    Triangle,
+    Vector,
+)
 from armlab.kin.ik.by_hand.turning import MARK
 from armlab.kin.ik.by_hand.work import Work
 from armlab.kin.ik.problem import REACHED_M

@@ -1,7 +1,7 @@
 """Joint 1 turns the plane of the arm to a point: one right triangle, seen along axis 1.
 
-With (x, y) the point seen from axis 1, d the distance at which the arm passes beside the axis and theta the direction in
-which the arm reaches,
+With (x, y) the point seen from axis 1, d the distance at which the arm passes beside the axis, and theta the direction
+in which the arm reaches,
 
     -x sin(theta) + y cos(theta) = d,   rho = ± sqrt(x² + y² - d²),   theta = atan2(y, x) - atan2(d, rho)
 
@@ -19,7 +19,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from armlab.kin.ik.by_hand.step import Arc, Branch, Case, Circle, Line, Point, Quantity, Segment, Shape, Triangle, Vector
+from armlab.kin.ik.by_hand.step import (
+    Arc,
+    Branch,
+    Case,
+    Circle,
+    Line,
+    Point,
+    Quantity,
+    Segment,
+    Shape,
+    Triangle,
+    Vector,
+)
 from armlab.kin.ik.by_hand.work import Work
 from armlab.kin.ik.problem import REACHED_M
 from armlab.kin.ik.screws import Screws, cross, rotation
@@ -158,9 +170,7 @@ def turn_plane(work: Work, pillar: Pillar, home: Vector, place: Vector, name: st
     return Turned(ahead, pillar.up, rho, z, d * left)
 
 
-def _branches(
-    work: Work, pillar: Pillar, case: Case, x: float, y: float, d: float, root: float
-) -> tuple[Branch, ...]:
+def _branches(work: Work, pillar: Pillar, case: Case, x: float, y: float, d: float, root: float) -> tuple[Branch, ...]:
     if case == "none":
         return ()
     if case == "any":
@@ -172,9 +182,7 @@ def _branches(
         return (Branch("both", wrap(math.atan2(y, x) - math.copysign(math.pi / 2.0, d) - pillar.zero)),)
     ways = (root, -root)
     angles = (math.atan2(y, x) - math.atan2(d, rho) for rho in ways)
-    return tuple(
-        Branch(title, wrap(theta - pillar.zero)) for title, theta in zip(titles, angles, strict=True)
-    )
+    return tuple(Branch(title, wrap(theta - pillar.zero)) for title, theta in zip(titles, angles, strict=True))
 
 
 def _note(case: Case, d: float, name: str) -> str:

@@ -103,9 +103,7 @@ class Work:
         shapes: tuple[Shape, ...] = (),
     ) -> None:
         """Write down a step, and the value of its joint; `NoValueError` when it has none."""
-        self.steps.append(
-            Step(key, symbol, title, by, values, lines, branches, chosen, case, note, gap, joint, shapes)
-        )
+        self.steps.append(Step(key, symbol, title, by, values, lines, branches, chosen, case, note, gap, joint, shapes))
         if case == "none":
             raise NoValueError
         if joint >= 0:

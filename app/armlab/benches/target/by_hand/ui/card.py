@@ -143,4 +143,3 @@ def _listed(state: State, found: Sheet) -> str:
     if list_.solutions.completeness == "infinite":
         return f"{called}, one of the infinitely many of the page Solutions."
     return f"{called}; the page Solutions lists others."
-

@@ -57,7 +57,7 @@ def _with_numbers(line: Line, step: Step, units: Units) -> Markup:
         else:
             assert isinstance(quantity.value, tuple)
             texts |= {f"{name}{k}": text_of(value, quantity, units) for k, value in enumerate(quantity.value)}
-    return Markup(_MARK.sub(lambda found: texts[found[1]], made))  # noqa: S704 - numbers of our own in our own MathML
+    return Markup(_MARK.sub(lambda found: texts[found[1]], made))
 
 
 @lru_cache(maxsize=512)
@@ -87,7 +87,8 @@ def _size(quantity: Quantity) -> int:
 def _column(cells: list[str]) -> str:
     """Return a column in brackets, or for nine components a matrix."""
     rows = [" & ".join(cells[k : k + 3]) for k in (0, 3, 6)] if len(cells) == 9 else cells
-    return rf"\begin{{pmatrix}}{' \\\\ '.join(rows)}\end{{pmatrix}}"
+    inside = r" \\ ".join(rows)
+    return rf"\begin{{pmatrix}}{inside}\end{{pmatrix}}"
 
 
 def _value(quantity: Quantity, units: Units) -> Inside:

@@ -29,7 +29,7 @@ FORMS = ("planar_2r", "planar", "scara", "cylindrical")
 
 
 def fits(arm: Arm) -> bool:
-    """Return whether the arm moves in a plane by two links, or by a turn and a slide, and perhaps a turn of the hand."""
+    """Return whether two links, or a turn and a slide, and perhaps a turn of the hand move the arm in a plane."""
     form = closed_form_of(arm)
     if form is None or form[0].key not in FORMS:
         return False

@@ -11,7 +11,6 @@ Pieper 1968; Hawkins 2013, *Analytic inverse kinematics for the Universal Robots
 
 from __future__ import annotations
 
-
 import numpy as np
 
 from armlab.kin.arm import Arm
@@ -55,7 +54,9 @@ def write(work: Work) -> None:
     home = _meeting(s)
     centre = work.carried(home)
     name = "the point where axes 5 and 6 meet"
-    go_back(work, home, centre, "c", "axes 5 and 6", "The point where axes 5 and 6 meet does not move when joint 6 turns")
+    go_back(
+        work, home, centre, "c", "axes 5 and 6", "The point where axes 5 and 6 meet does not move when joint 6 turns"
+    )
     turned = turn_plane(work, pillar, home, centre, name)
     before = s.turn(0, work.q[0])
     turns = Turns(

@@ -26,7 +26,7 @@ ASKEW = 1e-6
 
 
 def fits(arm: Arm) -> bool:
-    """Return whether only the place counts, joint 1 turns the plane of three links, and a roll leaves the tool still."""
+    """Return whether only the place counts, joint 1 turns the plane of three links, and a roll leaves the tool."""
     position = arm.task.position == "xyz" and arm.task.rotation == "none"
     if known_structure(arm).key != "turning_plane" or not position:
         return False
@@ -74,11 +74,8 @@ def _direction(work: Work, pillar: Pillar, turned: Turned) -> float:
     wanted = work.H[:3, :3] @ rest
     seen = complex(float(wanted @ turned.ahead), float(wanted @ turned.up))
     free = abs(seen) <= ASKEW
-    if free:
-        phi = zero + sum(sense(s, pillar, i) * float(work.near[i]) for i in (1, 2, 3))
-    else:
-        phi = cmath.phase(seen)
-    phi = wrap(phi)
+    present = zero + sum(sense(s, pillar, i) * float(work.near[i]) for i in (1, 2, 3))
+    phi = wrap(present if free else cmath.phase(seen))
     note = "Only the place counts for this task: any direction of the hand would do. "
     note += "The present one is kept." if free else "That of the wanted pose is taken, seen in the plane of the arm."
     tool = work.T[:3, 3]
