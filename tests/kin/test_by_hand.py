@@ -273,19 +273,17 @@ SINGULAR = [
 @pytest.mark.parametrize(("key", "values", "step", "said"), SINGULAR)
 def test_a_singular_pose_is_told_in_words_and_the_derivation_goes_on(key, values, step, said):
     arm, q = at(key, **values)
-    T = arm.fk(q)
-    reached = 0
-    for one in every_derivation(arm, T, q):
-        told = {each.key: each for each in one.steps}
-        assert one.q is None or np.isfinite(one.q).all()
-        if step:
-            assert told[step].note.startswith(said)
-            assert told[step].case in ("any", "merged")
-        if one.q is not None:
-            reached += 1
-            assert one.position_error < 1e-7
-            assert one.rotation_error < 1e-7
-    assert reached
+    found = [one for one in every_derivation(arm, arm.fk(q), q) if one.q is not None]
+    for one in found:
+        assert np.isfinite(one.q).all()
+        # Between merged branches the root of what rounding leaves is free: 1e-16 of the pose is 1e-8 of the angle.
+        assert one.position_error < 1e-7
+        assert one.rotation_error < 1e-7
+    there = min(found, key=lambda one: apart(arm, one.q, q))
+    assert apart(arm, there.q, q) < 1e-6
+    told = {each.key: each for each in there.steps}
+    assert told[step].note.startswith(said)
+    assert told[step].case in ("any", "merged")
 
 
 def test_a_shoulder_singularity_lets_joint_1_stay():
@@ -307,16 +305,20 @@ def test_a_shoulder_singularity_lets_joint_1_stay():
 
 
 def test_what_may_be_any_keeps_its_present_value():
-    for value in (0.9, -2.0):
-        arm, q = at("puma560", q5=0.0)
-        near = np.array(q)
-        near[3] = value
-        one = derived(arm, arm.fk(q), near, {"q1": 0, "q3": 1})
-        told = {step.key: step for step in one.steps}
-        assert told["q4"].case == "any"
-        assert told["q4"].branches[0].value == pytest.approx(value)
-        assert one.position_error < 1e-12
-        assert one.rotation_error < 1e-9
+    for key, joint in (("puma560", 3), ("ur5e", 5)):
+        for value in (0.9, -2.0):
+            arm, q = at(key, q5=0.0)
+            near = np.array(q)
+            near[joint] = value
+            every = [one for one in every_derivation(arm, arm.fk(q), near) if one.q is not None]
+            free = [one for one in every if any(step.case == "any" for step in one.steps)]
+            assert free
+            for one in free:
+                told = {step.key: step for step in one.steps}
+                assert told[f"q{joint + 1}"].case == "any"
+                assert told[f"q{joint + 1}"].branches[0].value == pytest.approx(value)
+                assert one.position_error < 1e-9
+                assert one.rotation_error < 1e-9
 
 
 @pytest.mark.parametrize("key", COVERED)

@@ -1,5 +1,6 @@
 """The page By hand: the steps as markup, their branches as commands, and what is drawn of them."""
 
+import html
 import math
 import re
 
@@ -25,6 +26,11 @@ from support.student import run, student
 
 BY_HAND = frozenset({"by_hand"})
 COVERED = [key for key, robot in catalogue().robots.items() if method_of(robot.arm) is not None]
+
+
+def read(markup):
+    """Return the text of markup."""
+    return html.unescape(re.sub(r"<[^>]*>", "", str(markup)))
 
 
 def choices_of(state):
@@ -90,7 +96,7 @@ def test_another_arm_begins_at_the_first_step_without_choices():
     state = apply(state, Set(ByHand, "shown", 5))
     other = state.with_robot(catalogue()["ur5e"])
     assert (other[ByHand].shown, other[ByHand].choices) == (1, ())
-    with pytest.raises(InputError, match="branches"):
+    with pytest.raises(InputError, match="choices: not usable"):
         ByHand.from_json({"choices": [["q1", 7]]}, catalogue()["ur5e"])
 
 
@@ -121,10 +127,10 @@ def test_the_numbers_of_an_equation_have_units_brackets_and_the_chosen_sign():
     state = apply(opened("planar_2r"), MoveJoint(1, math.radians(90.0)))
     state = apply(state, ChooseBranch("q2", 1))
     step = state.derived(sheet).derivation.steps[0]
-    said = re.sub(r"<[^>]*>", "", str(equation(step.lines[-1], step, units_of(state))))
+    said = read(equation(step.lines[-1], step, units_of(state)))
     assert "±" in said
     assert "−90.0°" in said
-    in_metres = re.sub(r"<[^>]*>", "", str(equation(step.lines[0], step, Units(Notation(length="m")))))
+    in_metres = read(equation(step.lines[0], step, Units(Notation(length="m"))))
     assert in_metres.endswith("1.4142 m")
 
 

@@ -43,11 +43,15 @@ def why_not(arm: Arm) -> str:
             "unless it is said first which."
         )
     if form is not None:
-        return "It has a closed form, which the page Solutions uses, but its axes do not make the triangles that are worked here."
+        return (
+            "It has a closed form, which the page Solutions uses, but its axes do not make the triangles that are "
+            "worked here."
+        )
     if structure.key == "general_6r":
         return (
             "No three neighbouring axes meet in one point or are parallel, so position and orientation do not "
-            f"separate. What is left is one equation of degree {structure.most_solutions or 16}, which no formula solves."
+            "separate. What is left is one equation of degree "
+            f"{structure.most_solutions or 16}, which no formula solves."
         )
     return "No closed form is known to this lab for its axes and its task."
 

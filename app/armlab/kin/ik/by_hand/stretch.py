@@ -86,7 +86,8 @@ def stretch(work: Work, stroke: Stroke, end: complex, given: dict[str, Quantity]
     else:
         theta = wrap(math.atan2(end.imag, end.real) - math.atan2(h, along))
     shapes = _shapes(work, stroke, end, h, along, theta, case)
-    _length(work, stroke, far, h, lengths, k, case, max(0.0, gap), given, how, shapes)
+    without = tuple(shape for shape in shapes if not isinstance(shape, Arc))
+    _length(work, stroke, far, h, lengths, k, case, max(0.0, gap), given, how, without)
     _angle(work, stroke, end, h, along, theta, free, given, how, shapes)
 
 

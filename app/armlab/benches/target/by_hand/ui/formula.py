@@ -121,6 +121,6 @@ def _bracketed(text: str) -> str:
 
 def plain(symbol: str) -> str:
     """Return a symbol as it can stand in the scene, such as θ₁ of ``\\theta_1``."""
-    text = re.sub(r"\\(\w+)", lambda found: _GREEK.get(found[1], ""), symbol)
+    text = re.sub(r"\\([a-zA-Z]+)", lambda found: _GREEK.get(found[1], ""), symbol)
     text = re.sub(r"_\{?([\d,]+)\}?", lambda found: found[1].replace(",", "").translate(_BELOW), text)
     return re.sub(r"[{}\\,\s]", "", text)
