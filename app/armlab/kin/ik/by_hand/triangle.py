@@ -144,11 +144,12 @@ def _bend(work: Work, links: Links, end: complex, given: dict[str, Quantity], ho
         "L1": Quantity(one, L1),
         "L2": Quantity(two, L2),
         "c": Quantity(r"\cos\gamma", cosine, ""),
+        "c2": Quantity(r"\cos^2\gamma", cosine * cosine, ""),
         "gamma": Quantity(r"\gamma", gamma, "rad"),
     }
-    lines = [Line("D", how[2]), Line("c", r"\frac{<D>^2 - <L1>^2 - <L2>^2}{2\,<L1>\,<L2>}")]
+    lines = [Line("D", how[2]), Line("c", r"\frac{<D>^2 - <L1>^2 - <L2>^2}{2 \cdot <L1> \cdot <L2>}")]
     if case != "none":
-        lines.append(Line("gamma", r"\mathrm{atan2}(<sign>\sqrt{1 - <c>^2},\, <c>)"))
+        lines.append(Line("gamma", r"\mathrm{atan2}(<sign>\sqrt{1 - <c2>},\, <c>)"))
         lines += own_value(joint, "gamma", branches[k], values)
     work.add(
         key,
@@ -271,7 +272,7 @@ def _aim(
     }
     lines = [
         Line("alpha", rf"\mathrm{{atan2}}({how[1]},\, {how[0]})"),
-        Line("beta", r"\mathrm{atan2}(<L2>\sin<gamma>,\, <L1> + <L2>\cos<gamma>)"),
+        Line("beta", r"\mathrm{atan2}(<L2> \sin<gamma>,\, <L1> + <L2> \cos<gamma>)"),
         Line("theta", r"<alpha> - <beta>"),
     ]
     lines += own_value(joint, "theta", branch, values)

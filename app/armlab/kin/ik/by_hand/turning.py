@@ -206,7 +206,7 @@ def _written(
     if d != 0.0:
         values["d"] = Quantity("d", d)
     if case == "none":
-        return values, (Line("", r"-<x>\sin\theta_1 + <y>\cos\theta_1 = <d>"),)
+        return values, (Line("", r"-<x>\,\sin\theta_1 + <y>\,\cos\theta_1 = <d>"),)
     values |= {"rho": Quantity(r"\rho", rho), "theta": Quantity(r"\theta_1", theta, "rad")}
     if d == 0.0:
         sign = 1.0 if k == 0 else -1.0
@@ -217,7 +217,7 @@ def _written(
         ]
     else:
         lines = [
-            Line("", r"-<x>\sin\theta_1 + <y>\cos\theta_1 = <d>"),
+            Line("", r"-<x>\,\sin\theta_1 + <y>\,\cos\theta_1 = <d>"),
             Line("rho", r"<sign>\sqrt{<x>^2 + <y>^2 - <d>^2}"),
         ]
         if abs(y + d) > 1e-9 * math.hypot(x, y):

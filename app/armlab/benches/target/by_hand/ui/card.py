@@ -84,7 +84,7 @@ def _given(step: Step, units: Units) -> Markup | None:
     shown = [
         tag("span", mathml(one.symbol), tag("b", _text(one, units)))
         for name, one in step.values.items()
-        if name not in made and r"\pm" not in one.symbol and r"\mp" not in one.symbol
+        if name not in made and not any(mark in one.symbol for mark in (r"\pm", r"\mp", "^2"))
     ]
     return tag("div.bh-given", shown) if shown else None
 

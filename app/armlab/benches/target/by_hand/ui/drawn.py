@@ -59,7 +59,10 @@ def picture_of(step: Step, base: Floats, units: Units) -> Picture:
         elif isinstance(shape, Arc):
             way = world(arc_points(shape))
             lines[shape.role].append(polyline(way))
-            _named(picture, step, shape.of, way[len(way) // 2], units)
+            # Outside the arc, where nothing else is written.
+            _named(
+                picture, step, shape.of, world(shape.centre) + 1.2 * (way[len(way) // 2] - world(shape.centre)), units
+            )
         elif isinstance(shape, Circle):
             lines[shape.role].append(polyline(world(circle_points(shape))))
         elif isinstance(shape, Triangle):

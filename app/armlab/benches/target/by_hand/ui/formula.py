@@ -25,7 +25,8 @@ def equation(line: Line, step: Step, units: Units) -> Markup:
     """Return the rows of an equation: in symbols, in numbers, and its result, each beginning at the sign."""
     result = step.values.get(line.left)
     symbols = mathml(_NAME.sub(lambda found: _symbol(found[1], step.values), line.right))
-    numbers = _with_numbers(line, step, units) if _NAME.search(line.right) else None
+    sign = "+" if step.sign > 0 else "−"
+    numbers = _with_numbers(line.right, step.values, sign, units) if _NAME.search(line.right) else None
     if result is None:
         shown = tag("div.bh-eq.bare", tag("span"), tag("span", symbols), tag("span"), tag("span", numbers))
         return tag("div.eq", shown)
@@ -44,25 +45,24 @@ def _symbol(name: str, values: Mapping[str, Quantity]) -> str:
     return r"\pm" if name == "sign" else rf"{{{values[name].symbol}}}"
 
 
-def _with_numbers(line: Line, step: Step, units: Units) -> Markup:
-    """Return the right side with numbers; the formula is converted once, and the numbers put into it."""
-    shapes = {name: _size(step.values[name]) for name in _NAME.findall(line.right) if name != "sign"}
-    made = _with_marks(line.right, tuple(sorted(shapes.items())))
-    texts = {"sign": "+" if step.sign > 0 else "−"}
-    for name, size in shapes.items():
-        quantity = step.values[name]
-        if size == 0:
-            assert isinstance(quantity.value, float)
-            texts[name] = _bracketed(text_of(quantity.value, quantity, units))
+def _with_numbers(right: str, values: Mapping[str, Quantity], sign: str, units: Units) -> Markup:
+    """Return a formula with numbers: it is converted once, and the present numbers are put into it."""
+    sizes = {name: _size(values[name]) for name in _NAME.findall(right) if name != "sign"}
+    made = _with_marks(right, tuple(sorted(sizes.items())))
+    texts = {"sign": sign}
+    for name in sizes:
+        value = values[name].value
+        if isinstance(value, tuple):
+            texts |= {f"{name}{k}": text_of(each, values[name], units) for k, each in enumerate(value)}
         else:
-            assert isinstance(quantity.value, tuple)
-            texts |= {f"{name}{k}": text_of(value, quantity, units) for k, value in enumerate(quantity.value)}
+            texts[name] = text_of(value, values[name], units)
+            texts[f"{name}0"] = _bracketed(texts[name])
     return Markup(_MARK.sub(lambda found: texts[found[1]], made))
 
 
 @lru_cache(maxsize=512)
 def _with_marks(right: str, sizes: tuple[tuple[str, int], ...]) -> str:
-    """Return MathML with ``{{name}}`` in the place of numbers."""
+    """Return MathML with ``{{name}}`` in the place of numbers, ``{{name0}}`` where negative ones need brackets."""
     known = dict(sizes)
 
     def marked(found: re.Match[str]) -> str:
@@ -71,11 +71,14 @@ def _with_marks(right: str, sizes: tuple[tuple[str, int], ...]) -> str:
             return r"\text{@sign@}"
         size = known[name]
         if size == 0:
-            return rf"{{\text{{@{name}@}}}}"
+            begins = right[: found.start()].rstrip()[-1:] in ("", "(", ",", "=", "{")
+            alone = begins and not right[found.end() :].startswith("^")
+            return rf"{{\text{{@{name}{'' if alone else '0'}@}}}}"
         cells = [rf"\text{{@{name}{k}@}}" for k in range(size)]
         return _column(cells)
 
-    made = str(mathml(_NAME.sub(marked, right)))
+    # The class gives columns and matrices the lab's own brackets.
+    made = str(mathml(_NAME.sub(marked, right))).replace("<mtable>", '<mtable class="matrix">')
     return re.sub(r"@(\w+)@", r"{{\1}}", made)
 
 
@@ -88,16 +91,15 @@ def _column(cells: list[str]) -> str:
     """Return a column in brackets, or for nine components a matrix."""
     rows = [" & ".join(cells[k : k + 3]) for k in (0, 3, 6)] if len(cells) == 9 else cells
     inside = r" \\ ".join(rows)
-    return rf"\begin{{pmatrix}}{inside}\end{{pmatrix}}"
+    return rf"\begin{{bmatrix}}{inside}\end{{bmatrix}}"
 
 
 def _value(quantity: Quantity, units: Units) -> Inside:
     """Return a result with its unit."""
     if isinstance(quantity.value, float):
         return with_unit(quantity, units)
-    texts = [text_of(value, quantity, units) for value in quantity.value]
-    made = mathml(_column([rf"\text{{{text}}}" for text in texts]))
-    return made, f" {units.length_unit}" if quantity.unit == "m" else None
+    unit = f" {units.length_unit}" if quantity.unit == "m" else None
+    return _with_numbers("<v>", {"v": quantity}, "", units), unit
 
 
 def with_unit(quantity: Quantity, units: Units) -> str:

@@ -25,8 +25,8 @@ from armlab.ui.units import units_of
 COLOURS: dict[str, Rgb] = {"given": BLUE, "wanted": PURPLE, "found": VERMILLION, "helper": GREY}
 """Lengths of the arm, what the target gives, what the step finds, and lines that only help."""
 
-THICK = {"given": 0.007, "wanted": 0.006, "found": 0.008, "helper": 0.0035}
-DOT, OPACITY = 0.028, 0.22
+THICK = {"given": 0.007, "wanted": 0.006, "found": 0.008, "helper": 0.0022}
+DOT, OPACITY = 0.018, 0.25
 
 
 class _Faces:
