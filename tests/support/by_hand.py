@@ -31,7 +31,7 @@ def _value(text: str, values: dict[str, Any], step: Step) -> Any:
     for name, function in (("sin", "sin"), ("cos", "cos")):
         text = re.sub(rf"\\{name}<(\w+)>", rf"{function}(<\1>)", text)
         text = re.sub(rf"\\,\\{name}\\theta_1", f"*{function}(theta)", text)
-    text = re.sub(r">\s*(sin|cos)\(", r">*\1(", text)
+
     text = text.replace(r"\mathrm{atan2}", "atan2").replace(r",\,", ",")
     text = re.sub(r"\\,\(", "*vector(", text).replace(r"\,", "*").replace(r"\cdot", "*" if "frac" in text else "@")
     while r"\frac{" in text:

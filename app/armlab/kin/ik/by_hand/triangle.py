@@ -240,7 +240,7 @@ def _aim(
     one, two, name, start = links.names
     free = abs(end) <= work.tiny
     symbol = rf"\theta_{joint.number}"
-    title = f"Link 1 of the triangle points aside of the way from {start} to {name}"
+    title = f"The first link leaves the straight way from {start} to {name} by the angle β"
     key, found = f"q{joint.number}", f"q_{joint.number}"
     if free:
         value = work.kept(joint.index)
@@ -272,7 +272,7 @@ def _aim(
     }
     lines = [
         Line("alpha", rf"\mathrm{{atan2}}({how[1]},\, {how[0]})"),
-        Line("beta", r"\mathrm{atan2}(<L2> \sin<gamma>,\, <L1> + <L2> \cos<gamma>)"),
+        Line("beta", r"\mathrm{atan2}(<L2>\,\sin<gamma>,\, <L1> + <L2>\,\cos<gamma>)"),
         Line("theta", r"<alpha> - <beta>"),
     ]
     lines += own_value(joint, "theta", branch, values)

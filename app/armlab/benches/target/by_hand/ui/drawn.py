@@ -18,6 +18,9 @@ Floats = NDArray[np.float64]
 
 ROLES = ("given", "wanted", "found", "helper")
 
+BESIDE = {"given": 0.4, "wanted": 0.62, "found": 0.5, "helper": 0.5}
+"""Where the name of a length stands along it, by role, so that those of neighbouring sides do not meet."""
+
 ARC_PARTS, CIRCLE_PARTS, DASHES = 32, 96, 14
 """Numbers of strokes of an angle and of a circle, and of dashes of a helping line."""
 
@@ -55,7 +58,7 @@ def picture_of(step: Step, base: Floats, units: Units) -> Picture:
         if isinstance(shape, Segment):
             start, end = world(shape.start), world(shape.end)
             lines[shape.role].append(_straight(start, end, shape.role))
-            _named(picture, step, shape.of, 0.5 * (start + end), units)
+            _named(picture, step, shape.of, start + BESIDE[shape.role] * (end - start), units)
         elif isinstance(shape, Arc):
             way = world(arc_points(shape))
             lines[shape.role].append(polyline(way))

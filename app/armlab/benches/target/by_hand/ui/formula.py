@@ -77,8 +77,9 @@ def _with_marks(right: str, sizes: tuple[tuple[str, int], ...]) -> str:
         cells = [rf"\text{{@{name}{k}@}}" for k in range(size)]
         return _column(cells)
 
-    # The class gives columns and matrices the lab's own brackets.
-    made = str(mathml(_NAME.sub(marked, right))).replace("<mtable>", '<mtable class="matrix">')
+    # As numbers, operators between them have room; the class gives columns and matrices the lab's own brackets.
+    made = str(mathml(_NAME.sub(marked, right))).replace("mtext>", "mn>")
+    made = made.replace("<mtable>", '<mtable class="matrix">')
     return re.sub(r"@(\w+)@", r"{{\1}}", made)
 
 

@@ -25,8 +25,9 @@ from armlab.ui.units import units_of
 COLOURS: dict[str, Rgb] = {"given": BLUE, "wanted": PURPLE, "found": VERMILLION, "helper": GREY}
 """Lengths of the arm, what the target gives, what the step finds, and lines that only help."""
 
-THICK = {"given": 0.007, "wanted": 0.006, "found": 0.008, "helper": 0.0022}
-DOT, OPACITY = 0.018, 0.25
+THICK = {"given": 0.011, "wanted": 0.008, "found": 0.009, "helper": 0.0022}
+"""Thickness of lines, in sizes of the arm: those along links are thicker than the skeleton."""
+DOT, OPACITY = 0.009, 0.25
 
 
 class _Faces:

@@ -88,7 +88,7 @@ def _lift(work: Work, plane: Plane, joint: int, sense: float, height: float) -> 
         f"q{n}",
         f"q_{n}",
         "The height is one joint's alone",
-        "direct",
+        "read off",
         {
             "z": Quantity("p_z", float(plane.n @ work.T[:3, 3])),
             "zero": Quantity("p_{z,0}", float(plane.n @ plane.home[:3, 3])),
@@ -150,7 +150,7 @@ def _hand(work: Work, plane: Plane, angle: float, at: Vector) -> None:
         f"q{n}",
         f"q_{n}",
         "The hand is turned by the sum of the angles: the last one makes up for the others",
-        "direct",
+        "sum of the angles",
         values,
         (Line("q", summed(terms)),),
         joint=third.joint,
