@@ -32,7 +32,7 @@ def _read(data: Any) -> Choices:
 
 @dataclass(frozen=True)
 class ByHand(FieldPart):
-    """What is seen of the derivation.
+    """The choices on the page.
 
     Attributes
     ----------

@@ -189,7 +189,7 @@ def make_up(
         1 where it counts from ahead to up, -1 the other way.
     title : str
     shapes : tuple
-        What is drawn.
+        The drawing.
     """
     assert isinstance(total.value, float)
     second, third, fourth = (sense(work.s, pillar, i) for i in (1, 2, 3))

@@ -144,7 +144,7 @@ class Step:
     key : str
         Names the step and its choice, such as ``"q3"``.
     symbol : str
-        What is found, in LaTeX.
+        Symbol of the quantity that is found, in LaTeX.
     title : str
         How it is found, in words.
     by : str
@@ -160,7 +160,7 @@ class Step:
         ``"direct"``: one value by nature; ``"two"``; ``"merged"``: two that coincide; ``"any"``: every value does;
         ``"none"``: no value does.
     note : str
-        What is special here, in a sentence; ``<gap>`` stands for `gap`.
+        Sentence on what is special here; ``{gap}`` stands for `gap`.
     gap : float
         The length, in metres, by which a step without a value fails.
     joint : int

@@ -120,7 +120,7 @@ def _length(
             lines.append(Line("q", "<l> - <start>"))
     note = ""
     if case == "none":
-        note = f"Out of reach: {name} is <gap> nearer to {turn} than the slide passes by it."
+        note = f"Out of reach: {name} is {{gap}} nearer to {turn} than the slide passes by it."
     elif case == "merged":
         note = f"Singular: {name} is exactly as far from {turn} as the slide passes by: both lengths are one."
         note = f"Singular: {name} lies on {turn}, and both lengths are one." if h == 0.0 else note

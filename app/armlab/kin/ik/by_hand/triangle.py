@@ -115,7 +115,7 @@ def reach(
     links : Links
     end : complex
     given : dict of str to Quantity
-        What the point is made of.
+        The quantities that the point is made of.
     how : tuple of str
         LaTeX of both coordinates of the point and of its distance, made of those.
     """
@@ -194,8 +194,8 @@ def _elbow(links: Links, end: complex, gamma: float) -> complex:
 def _bend_note(case: Case, cosine: float, D: float, L1: float, L2: float, name: str, start: str) -> str:
     if case == "none":
         if L1 + L2 < D:
-            return f"Out of reach: {name} is <gap> farther from {start} than both links in one line."
-        return f"Out of reach: {name} is <gap> nearer to {start} than the folded links can come."
+            return f"Out of reach: {name} is {{gap}} farther from {start} than both links in one line."
+        return f"Out of reach: {name} is {{gap}} nearer to {start} than the folded links can come."
     if case == "merged":
         how = "stretched" if cosine > 0.0 else "folded"
         return f"Elbow singularity: the links are {how} in one line, and both signs give the same angle."

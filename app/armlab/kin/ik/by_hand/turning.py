@@ -191,7 +191,7 @@ def _note(case: Case, d: float, name: str) -> str:
     if case == "merged":
         return f"Shoulder singularity: {name} is exactly as far from axis 1 as the arm passes by: both values are one."
     if case == "none":
-        return f"Out of reach: {name} is <gap> nearer to axis 1 than the arm passes beside it."
+        return f"Out of reach: {name} is {{gap}} nearer to axis 1 than the arm passes beside it."
     return ""
 
 

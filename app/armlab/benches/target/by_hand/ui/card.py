@@ -97,7 +97,7 @@ def _text(one: Quantity, units: Units) -> str:
 
 
 def _note(step: Step, units: Units) -> Markup:
-    said = step.note.replace("<gap>", units.length(step.gap))
+    said = step.note.replace("{gap}", units.length(step.gap))
     kind = {"none": "no", "merged": "warn", "any": "todo"}.get(step.case, "todo")
     return tag(f"p.bh-note.{kind}", said)
 
@@ -108,7 +108,7 @@ def end_card(form: Form, state: State, found: Sheet, units: Units) -> Markup:
     if one.q is None:
         failed = one.failed
         number = len(one.steps)
-        said = "" if failed is None else failed.note.replace("<gap>", units.length(failed.gap))
+        said = "" if failed is None else failed.note.replace("{gap}", units.length(failed.gap))
         return verdict_box("no", f"Step {number} has no value", tag("p", said))
     values = [
         tag("span", mathml(f"q_{i + 1}"), tag("b", units.angle(value) if row.revolute else units.length(value)))

@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 ROLES = ("given", "wanted", "found", "helper")
 
 BESIDE = {"given": 0.4, "wanted": 0.62, "found": 0.5, "helper": 0.5}
-"""Where the name of a length stands along it, by role, so that those of neighbouring sides do not meet."""
+"""Place of the name of a length, in parts of it, by role: names of neighbouring sides do not meet."""
 
 ARC_PARTS, CIRCLE_PARTS, DASHES = 32, 96, 14
 """Numbers of strokes of an angle and of a circle, and of dashes of a helping line."""
@@ -27,7 +27,7 @@ ARC_PARTS, CIRCLE_PARTS, DASHES = 32, 96, 14
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """What is drawn of a step.
+    """The lines, points, faces and names of a step.
 
     Attributes
     ----------

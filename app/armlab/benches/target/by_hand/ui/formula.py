@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 
 from armlab.kin.ik.by_hand import Line, Quantity, Step
-from armlab.ui.format import mathml, number
+from armlab.ui.format import filled, mathml, number
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.units import Units
 
@@ -15,7 +15,6 @@ DECIMALS = 4
 """Number of decimals of numbers without a unit."""
 
 _NAME = re.compile(r"<(\w+)>")
-_MARK = re.compile(r"\{\{(\w+)\}\}")
 
 _GREEK = {"theta": "θ", "gamma": "γ", "alpha": "α", "beta": "β", "rho": "ρ", "varphi": "φ", "psi": "ψ", "ell": "ℓ"}
 _BELOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -46,41 +45,40 @@ def _symbol(name: str, values: Mapping[str, Quantity]) -> str:
 
 
 def _with_numbers(right: str, values: Mapping[str, Quantity], sign: str, units: Units) -> Markup:
-    """Return a formula with numbers: it is converted once, and the present numbers are put into it."""
-    sizes = {name: _size(values[name]) for name in _NAME.findall(right) if name != "sign"}
-    made = _with_marks(right, tuple(sorted(sizes.items())))
+    """Return a formula with the present numbers."""
+    names = {name for name in _NAME.findall(right) if name != "sign"}
     texts = {"sign": sign}
-    for name in sizes:
+    for name in names:
         value = values[name].value
         if isinstance(value, tuple):
             texts |= {f"{name}{k}": text_of(each, values[name], units) for k, each in enumerate(value)}
         else:
             texts[name] = text_of(value, values[name], units)
             texts[f"{name}0"] = _bracketed(texts[name])
-    return Markup(_MARK.sub(lambda found: texts[found[1]], made))
+    sizes = tuple(sorted((name, _size(values[name])) for name in names))
+    return filled(_with_places(right, sizes), texts)
 
 
 @lru_cache(maxsize=512)
-def _with_marks(right: str, sizes: tuple[tuple[str, int], ...]) -> str:
-    """Return MathML with ``{{name}}`` in the place of numbers, ``{{name0}}`` where negative ones need brackets."""
+def _with_places(right: str, sizes: tuple[tuple[str, int], ...]) -> str:
+    """Return LaTeX with places for numbers; that of ``name0`` is where a negative one needs brackets."""
     known = dict(sizes)
 
-    def marked(found: re.Match[str]) -> str:
+    def place(found: re.Match[str]) -> str:
         name = found[1]
         if name == "sign":
-            return r"\text{@sign@}"
-        size = known[name]
-        if size == 0:
-            begins = right[: found.start()].rstrip()[-1:] in ("", "(", ",", "=", "{")
-            alone = begins and not right[found.end() :].startswith("^")
-            return rf"{{\text{{@{name}{'' if alone else '0'}@}}}}"
-        cells = [rf"\text{{@{name}{k}@}}" for k in range(size)]
-        return _column(cells)
+            return _place(name)
+        if known[name]:
+            return _column([_place(f"{name}{k}") for k in range(known[name])])
+        begins = right[: found.start()].rstrip()[-1:] in ("", "(", ",", "=", "{")
+        alone = begins and not right[found.end() :].startswith("^")
+        return f"{{{_place(name if alone else f'{name}0')}}}"
 
-    # As numbers, operators between them have room; the class gives columns and matrices the lab's own brackets.
-    made = str(mathml(_NAME.sub(marked, right))).replace("mtext>", "mn>")
-    made = made.replace("<mtable>", '<mtable class="matrix">')
-    return re.sub(r"@(\w+)@", r"{{\1}}", made)
+    return _NAME.sub(place, right)
+
+
+def _place(name: str) -> str:
+    return rf"\text{{@{name}@}}"
 
 
 def _size(quantity: Quantity) -> int:
@@ -100,7 +98,8 @@ def _value(quantity: Quantity, units: Units) -> Inside:
     if isinstance(quantity.value, float):
         return with_unit(quantity, units)
     unit = f" {units.length_unit}" if quantity.unit == "m" else None
-    return _with_numbers("<v>", {"v": quantity}, "", units), unit
+    texts = {str(k): text_of(each, quantity, units) for k, each in enumerate(quantity.value)}
+    return filled(_column([_place(str(k)) for k in range(len(quantity.value))]), texts), unit
 
 
 def with_unit(quantity: Quantity, units: Units) -> str:
