@@ -11,7 +11,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.convert import converted
 from armlab.kin.ik.by_hand import Arc, Circle, Segment, Triangle, derived, every_derivation, method_of, why_not
 from armlab.kin.ik.solve_all import solve_all
-from armlab.kin.task import task_named
+from armlab.kin.task import Task
 from armlab.kin.transforms import inverse
 from support.arms import random_pose, tool_by_products
 from support.by_hand import evaluated
@@ -276,12 +276,14 @@ def test_arms_that_nobody_has_built(seeded):
         assert why_not(arms[4])
 
 
-def test_a_wrist_alone_is_two_ways_to_turn():
+def test_a_wrist_alone_is_two_ways_to_turn(seeded):
     H = math.pi / 2
-    arm = Arm.from_dh([("R", 0.0, H, 0.0, 0.2), ("R", 0.0, -H, 0.0, 0.0), ("R", 0.0, 0.0, 0.0, 0.0)])
-    arm = replace(arm, task=task_named("pose")) if arm.task.rotation != "full" else arm
-    if method_of(arm) is not None:
-        T = arm.fk([0.3, 0.8, -0.5])
+    rows = [("R", 0.0, H, 0.0, 0.2), ("R", 0.0, -H, 0.0, 0.0), ("R", 0.0, 0.0, 0.0, 0.0)]
+    arm, rng = Arm.from_dh(rows, task=Task("", "full")), seeded("wrist")
+    assert method_of(arm).key == "wrist"
+    for _ in range(5):
+        T = arm.fk(drawn(arm, rng))
+        assert len(by_hand(arm, T)) == 2
         assert as_one_list(arm, T)
 
 

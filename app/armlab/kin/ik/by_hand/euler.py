@@ -20,7 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from armlab.kin.ik.by_hand.step import Arc, Branch, Line, Point, Quantity, Segment, Vector
-from armlab.kin.ik.by_hand.turning import MARK
+from armlab.kin.ik.by_hand.turning import MARK, NIL
 from armlab.kin.ik.by_hand.work import Work
 from armlab.kin.ik.closed._turning import STRAIGHT
 from armlab.kin.ik.screws import angle_about, cross, rotation
@@ -133,7 +133,7 @@ class _Euler:
         values = {name: Quantity(rf"r_{{{name[1:]}}}", r[i][2], "") for i, name in enumerate(("r13", "r23", "r33"))}
         values["theta"] = Quantity(rf"\theta_{n}", self.theta, "rad")
         lines = [Line("theta", r"\mathrm{atan2}(<sign>\sqrt{<r13>^2 + <r23>^2},\, <r33>)")]
-        if self.rest != 0.0:
+        if abs(self.rest) > NIL:
             values["zero"] = Quantity(rf"\theta_{{{n},0}}", self.rest, "rad")
             values["q"] = Quantity(f"q_{n}", branches[self.k].value or 0.0, "rad")
             lines.append(Line("q", "<theta> - <zero>"))

@@ -29,7 +29,7 @@ from armlab.kin.ik.by_hand.step import (
     Triangle,
     Vector,
 )
-from armlab.kin.ik.by_hand.turning import MARK
+from armlab.kin.ik.by_hand.turning import MARK, NIL
 from armlab.kin.ik.by_hand.work import Work
 from armlab.kin.ik.problem import REACHED_M
 from armlab.kin.ik.screws import cross
@@ -255,7 +255,11 @@ def _aim(
             joint=joint.index,
             branches=(Branch("as it is", value),),
             case="any",
-            note=f"Singular: {name} lies on {start}, so {_plain(joint)} may be any angle. The present one is kept.",
+            shapes=(
+                Segment(links.origin, links.at(L1 * complex(math.cos(theta), math.sin(theta))), "", "given"),
+                Point(links.at(end), "", "wanted"),
+            ),
+            note=f"Singular: {name} lies on {start}, so {key} may be any angle. The present one is kept.",
         )
         return theta
     alpha = math.atan2(end.imag, end.real)
@@ -306,18 +310,15 @@ def _aim(
 
 def own_value(joint: Joint, angle: str, branch: Branch, values: dict[str, Quantity]) -> list[Line]:
     """Return the line from an angle to the joint value, where they differ."""
-    if joint.zero == 0.0 and joint.sense > 0.0:
+    zero = abs(joint.zero) <= NIL
+    if zero and joint.sense > 0.0:
         return []
     assert branch.value is not None
     n = joint.number
     values["q"] = Quantity(f"q_{n}", branch.value, "rad")
-    if joint.zero == 0.0:
+    if zero:
         return [Line("q", f"-<{angle}>")]
     symbol = values[angle].symbol
     base = symbol if "_" not in symbol else symbol.split("_")[0]
     values["zero"] = Quantity(rf"{base}_{{{n},0}}" if "_" in symbol else rf"{base}_0", joint.zero, "rad")
     return [Line("q", f"<{angle}> - <zero>" if joint.sense > 0.0 else f"<zero> - <{angle}>")]
-
-
-def _plain(joint: Joint) -> str:
-    return f"q{joint.number}"

@@ -42,6 +42,9 @@ from armlab.kin.lines import common_normal
 RIGHT = 1e-9
 """Cosine of the angle of two axes below which it counts as a right angle."""
 
+NIL = 1e-12
+"""Angle, rad, below which that of the zero of a table is none."""
+
 MARK = 0.22
 """Radius of the arc that marks an angle, in length scales."""
 
@@ -147,11 +150,10 @@ def turn_plane(work: Work, pillar: Pillar, home: Vector, place: Vector, name: st
         case = "merged"
     k = work.choose("q1", 2) if case == "two" else 0
     root = math.sqrt(square) if case == "two" else 0.0
-    branches = _branches(work, pillar, case, x, y, d, root)
+    angles = _angles(work, pillar, case, (x, y, d), root)
     rho = root if k == 0 else -root
-    theta = pillar.zero + branches[k].value if case != "none" else math.nan  # type: ignore[operator]
-    theta = wrap(theta) if math.isfinite(theta) else theta
-    ahead = rotation(pillar.up, theta - pillar.zero) @ pillar.ahead if case != "none" else pillar.ahead
+    theta = wrap(pillar.zero + angles[k]) if angles else math.nan
+    ahead = rotation(pillar.up, angles[k]) @ pillar.ahead if angles else pillar.ahead
     left = cross(pillar.up, ahead)
     work.add(
         "q1",
@@ -160,7 +162,7 @@ def turn_plane(work: Work, pillar: Pillar, home: Vector, place: Vector, name: st
         "atan2 of two lengths" if d == 0.0 else "a sin θ + b cos θ = c",
         *_written(pillar, x, y, z, d, rho, theta, case, k),
         joint=0,
-        branches=branches,
+        branches=_branches(work, case, d, angles),
         chosen=k,
         case=case,
         note=_note(case, d, name),
@@ -170,19 +172,23 @@ def turn_plane(work: Work, pillar: Pillar, home: Vector, place: Vector, name: st
     return Turned(ahead, pillar.up, rho, z, d * left)
 
 
-def _branches(work: Work, pillar: Pillar, case: Case, x: float, y: float, d: float, root: float) -> tuple[Branch, ...]:
+def _angles(work: Work, pillar: Pillar, case: Case, seen: tuple[float, float, float], root: float) -> tuple[float, ...]:
+    """Return the values of joint 1, none where the point cannot be placed; ``seen`` has x, y and d."""
+    x, y, d = seen
     if case == "none":
         return ()
     if case == "any":
-        return (Branch("as it is", work.kept(0)),)
-    titles = ("facing it", "facing away")
+        return (work.kept(0),)
+    ways = (0.0,) if case == "merged" else (root, -root)
+    return tuple(wrap(math.atan2(y, x) - math.atan2(d, rho) - pillar.zero) for rho in ways)
+
+
+def _branches(work: Work, case: Case, d: float, angles: tuple[float, ...]) -> tuple[Branch, ...]:
+    titles: tuple[str, ...] = ("facing it", "facing away")
     if d != 0.0 and work.arm.n == 6:
         titles = ("shoulder left", "shoulder right") if d > 0.0 else ("shoulder right", "shoulder left")
-    if case == "merged":
-        return (Branch("both", wrap(math.atan2(y, x) - math.copysign(math.pi / 2.0, d) - pillar.zero)),)
-    ways = (root, -root)
-    angles = (math.atan2(y, x) - math.atan2(d, rho) for rho in ways)
-    return tuple(Branch(title, wrap(theta - pillar.zero)) for title, theta in zip(titles, angles, strict=True))
+    titles = {"any": ("as it is",), "merged": ("both",), "none": ()}.get(case, titles)
+    return tuple(Branch(title, value) for title, value in zip(titles, angles, strict=True))
 
 
 def _note(case: Case, d: float, name: str) -> str:
@@ -224,7 +230,7 @@ def _written(
             values["t"] = Quantity(r"\tan\frac{\theta_1}{2}", (rho - x) / (y + d), "")
             lines.append(Line("t", r"\frac{<rho> - <x>}{<y> + <d>}"))
         lines.append(Line("theta", r"\mathrm{atan2}(<y>,\, <x>) - \mathrm{atan2}(<d>,\, <rho>)"))
-    if pillar.zero != 0.0:
+    if abs(pillar.zero) > NIL:
         values |= {
             "zero": Quantity(r"\theta_{1,0}", pillar.zero, "rad"),
             "q": Quantity("q_1", wrap(theta - pillar.zero), "rad"),
