@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.target.by_hand.state import ByHand, ChooseBranch, FollowArm, GoByHand, is_there, sheet
+from armlab.benches.target.by_hand.ui.card import out_of_limits
 from armlab.benches.target.by_hand.ui.drawn import corners_of_shapes, picture_of
 from armlab.benches.target.by_hand.ui.formula import equation, plain
 from armlab.benches.target.by_hand.ui.page import around
@@ -143,6 +144,20 @@ def test_symbols_can_stand_in_the_scene():
         "q₄",
         "θ₅₀",
     ]
+
+
+def test_joint_values_out_of_limits_are_told_and_the_arm_cannot_be_sent_there():
+    state = opened("puma560")
+    assert out_of_limits(state, state.derived(sheet).derivation.q) == ""
+    state = apply(state, ChooseBranch("q3", 1 - choices_of(state)["q3"]))
+    q = state.derived(sheet).derivation.q
+    # The list of all solutions judges the limits by itself.
+    outside = [row for row in searched(state, BY_HAND)[Solutions].found.rows if not row.within]
+    assert any(np.abs(np.sin(0.5 * (row.q - q))).max() < 1e-9 for row in outside)
+    said = out_of_limits(state, q)
+    assert said.startswith(" Out of the limits of joint")
+    with pytest.raises(InputError, match="out of limits"):
+        apply(state, GoByHand())
 
 
 # -- drawing -----------------------------------------------------------------------------------------------------

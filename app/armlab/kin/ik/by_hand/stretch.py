@@ -199,9 +199,12 @@ def _shapes(
     work: Work, stroke: Stroke, end: complex, h: float, along: float, theta: float, case: Case
 ) -> tuple[Shape, ...]:
     goal, normal = stroke.at(end), cross(stroke.u, stroke.v)
-    shapes: list[Shape] = [Segment(stroke.origin, goal, "D", "wanted"), Point(goal, "", "wanted")]
+    shapes: list[Shape] = [Segment(stroke.origin, goal, "D" if h != 0.0 else "", "wanted"), Point(goal, "", "wanted")]
     if h != 0.0:
         shapes.append(Circle(stroke.origin, normal, abs(h)))
+    else:
+        corner = stroke.at(complex(end.real, 0.0))
+        shapes += [Triangle(np.array([stroke.origin, corner, goal]), "wanted"), Segment(corner, goal, "", "helper")]
     if case == "none":
         return tuple(shapes)
     foot = stroke.at(along * complex(math.cos(theta), math.sin(theta)))

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
+from numpy.typing import NDArray
+
 from armlab.benches.target.by_hand.state import ByHand, ChooseBranch, FollowArm, GoByHand, Sheet, is_there
 from armlab.benches.target.by_hand.ui.formula import equation, text_of, with_unit
 from armlab.benches.target.solutions.state import fresh
 from armlab.kin.ik.by_hand import Quantity, Step
+from armlab.kin.ik.solutions import beyond_limits, wrapped_rows
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
@@ -15,6 +19,8 @@ from armlab.ui.format import mathml
 from armlab.ui.html import Inside, Markup, classes, tag
 from armlab.ui.markup import verdict_box
 from armlab.ui.units import Units
+
+Vector = NDArray[np.float64]
 
 SAME = 1e-6
 """Distance in all joints, radians or length scales, below which a solution of the list is the one found by hand."""
@@ -117,16 +123,25 @@ def end_card(form: Form, state: State, found: Sheet, units: Units) -> Markup:
     error = units.length(one.position_error)
     if joints.arm.task.rotation != "none":
         error = f"{error} and {units.angle(one.rotation_error)}"
-    there = is_there(state, found)
-    go = form.chip("go", "The arm is here" if there else "Move the arm here", GoByHand(), off=there)
+    there, beyond = is_there(state, found), out_of_limits(state, one.q)
+    text = "The arm is here" if there else "Out of limits" if beyond else "Move the arm here"
+    go = form.chip("go", text, GoByHand(), off=there or bool(beyond))
     follow = form.chip("follow", "Branches of the arm", FollowArm(), "Choose the branches nearest to the arm again")
     return tag(
         "div.bh-end",
         tag("h3", "The joint values"),
         tag("div.bh-given", values),
-        tag("p", f"Forward kinematics puts the tool {error} from the target. {_listed(state, found)}"),
+        tag("p", f"Forward kinematics puts the tool {error} from the target. {_listed(state, found)}{beyond}"),
         tag("div.bar", go, follow if state[ByHand].choices else None),
     )
+
+
+def out_of_limits(state: State, q: Vector) -> str:
+    """Return a sentence on the joints that no whole turn brings inside their limits, empty when there are none."""
+    arm = state[Joints].arm
+    out = np.flatnonzero(beyond_limits(arm, wrapped_rows(arm, q[None]))[0])
+    joints = " and ".join(str(i + 1) for i in out)
+    return f" Out of the limits of joint{'s' if len(out) > 1 else ''} {joints}." if len(out) else ""
 
 
 def _listed(state: State, found: Sheet) -> str:
