@@ -1,4 +1,4 @@
-"""From an event of the handle to the new pose, for 1 to 30 students dragging at once at 20 events a second."""
+"""From an event of the handle to the new pose, for 1 to 60 students dragging at once at 20 events a second."""
 
 import asyncio
 import time
@@ -15,7 +15,7 @@ from rounds import quantile, sized
 from support.fake_browser import FakeBrowser, Message
 
 TITLE = "Dragging: handle event to new pose at the client"
-CLASSES, ROUNDS = sized(((1, 10, 30), 3), ((1,), 1))
+CLASSES, ROUNDS = sized(((1, 10, 30, 60), 3), ((1,), 1))
 RATE, SECONDS = 20.0, sized(6.0, 0.5)
 LABS = sized(2, 1)
 EVENTS = int(RATE * SECONDS)

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import logging
 
-from aiohttp import ClientWebSocketResponse, WSCloseCode, WSMsgType, web
+from aiohttp import ClientError, ClientWebSocketResponse, WSCloseCode, WSMsgType, web
 
 from armlab.front.limits import Meter
+
+log = logging.getLogger(__name__)
 
 CLOSING = 3.0
 """Time, seconds, for a regular close; a browser that no longer reads would delay it for ever."""
@@ -24,6 +27,10 @@ async def relay(
         for pump in pumps:
             pump.cancel()
         ends = await asyncio.gather(*pumps, return_exceptions=True)
+        for end in ends:
+            # That a connection breaks is no news; anything else is a fault of the front.
+            if isinstance(end, Exception) and not isinstance(end, (ClientError, ConnectionError)):
+                log.error("a connection was lost", exc_info=end)
         code = next((end for end in ends if isinstance(end, int)), None) or lab.close_code or WSCloseCode.GOING_AWAY
         with contextlib.suppress(TimeoutError):
             closing = asyncio.gather(lab.close(), browser.close(code=code), return_exceptions=True)
