@@ -175,7 +175,7 @@ def test_each_step_finds_its_joint_and_the_last_pose_is_the_wanted_one(key, seed
         assert len({step.key for step in one.steps}) == len(one.steps)
         if one.q is None:
             continue
-        by_steps = {step.joint: step.branches[step.chosen].value for step in one.steps if step.joint >= 0}
+        by_steps = {step.index: step.branches[step.chosen].value for step in one.steps if step.index >= 0}
         np.testing.assert_array_equal([by_steps[i] for i in range(arm.n)], one.q)
         got = tool_by_products(arm, one.q)
         np.testing.assert_allclose(got[:3, 3][arm.task.coordinates], T[:3, 3][arm.task.coordinates], atol=1e-9)
@@ -235,7 +235,7 @@ def test_the_triangle_is_the_arm_itself(key, seeded):
             for circle in (near, far):
                 assert np.linalg.norm(elbow - circle.centre) == pytest.approx(circle.radius, abs=1e-9)
                 assert (elbow - circle.centre) @ circle.normal == pytest.approx(0.0, abs=1e-9)
-            axis = axes[step.joint]
+            axis = axes[step.index]
             assert np.linalg.norm(np.cross(elbow - axis[:3, 3], axis[:3, 2])) < 1e-9
 
 

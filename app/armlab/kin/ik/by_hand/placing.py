@@ -163,7 +163,7 @@ def along_slides(
             "read off",
             values,
             (Line("q", r"<n> \cdot <gap>"),),
-            joint=i,
+            index=i,
             branches=(Branch("", value),),
             shapes=(
                 Segment(home, place, "", "wanted"),
@@ -208,7 +208,7 @@ def make_up(
         "sum of the angles",
         values,
         (Line("q", summed(terms)),),
-        joint=3,
+        index=3,
         branches=(Branch("", value),),
         shapes=shapes,
     )

@@ -163,8 +163,8 @@ class Step:
         Sentence on what is special here; ``{gap}`` stands for `gap`.
     gap : float
         The length, in metres, by which a step without a value fails.
-    joint : int
-        The joint that is found, 0-based; -1 for none.
+    index : int
+        Index in q of the joint value that is found; -1 for none.
     shapes : tuple
         The geometry that the step is read off.
     """
@@ -180,7 +180,7 @@ class Step:
     case: Case = "direct"
     note: str = ""
     gap: float = 0.0
-    joint: int = -1
+    index: int = -1
     shapes: tuple[Shape, ...] = ()
 
     @property

@@ -158,7 +158,7 @@ def _bend(work: Work, links: Links, end: complex, given: dict[str, Quantity], ho
         "law of cosines",
         values,
         tuple(lines),
-        joint=joint.index,
+        index=joint.index,
         branches=branches,
         chosen=k,
         case=case,
@@ -252,7 +252,7 @@ def _aim(
             "difference of two angles",
             {"theta": Quantity(symbol, theta, "rad")},
             (),
-            joint=joint.index,
+            index=joint.index,
             branches=(Branch("as it is", value),),
             case="any",
             shapes=(
@@ -291,7 +291,7 @@ def _aim(
         "difference of two angles",
         values,
         tuple(lines),
-        joint=joint.index,
+        index=joint.index,
         branches=(branch,),
         shapes=(
             Triangle(np.array([links.origin, elbow, goal]), "given"),

@@ -161,7 +161,7 @@ def turn_plane(work: Work, pillar: Pillar, home: Vector, place: Vector, name: st
         f"Seen along axis 1, the plane of the arm turns to {name}",
         "atan2 of two lengths" if d == 0.0 else "a sin θ + b cos θ = c",
         *_written(pillar, x, y, z, d, rho, theta, case, k),
-        joint=0,
+        index=0,
         branches=_branches(work, case, d, angles),
         chosen=k,
         case=case,

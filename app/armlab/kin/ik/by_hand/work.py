@@ -60,18 +60,6 @@ class Work:
         """Return where the target has a point that is fixed in the tool, given where it is at q = 0."""
         return np.asarray(self.H[:3, :3] @ point + self.H[:3, 3])
 
-    def moved(self, point: Vector, joints: int) -> Vector:
-        """Return where the first joints, whose values are known, carry a point given at q = 0."""
-        for i in reversed(range(joints)):
-            point = self.s.moved(i, self.q[i], point)
-        return point
-
-    def turned(self, direction: Vector, joints: int) -> Vector:
-        """Return the direction into which the first joints turn one given at q = 0."""
-        for i in reversed(range(joints)):
-            direction = self.s.turn(i, self.q[i]) @ direction
-        return direction
-
     def choose(self, key: str, count: int) -> int:
         """Return the branch that is chosen at a step with so many."""
         if count < 2:
@@ -94,7 +82,7 @@ class Work:
         values: Mapping[str, Quantity],
         lines: tuple[Line, ...],
         *,
-        joint: int = -1,
+        index: int = -1,
         branches: tuple[Branch, ...] = (),
         chosen: int = 0,
         case: Case = "direct",
@@ -103,13 +91,13 @@ class Work:
         shapes: tuple[Shape, ...] = (),
     ) -> None:
         """Write down a step, and the value of its joint; `NoValueError` when it has none."""
-        self.steps.append(Step(key, symbol, title, by, values, lines, branches, chosen, case, note, gap, joint, shapes))
+        self.steps.append(Step(key, symbol, title, by, values, lines, branches, chosen, case, note, gap, index, shapes))
         if case == "none":
             raise NoValueError
-        if joint >= 0:
+        if index >= 0:
             value = branches[chosen].value
             assert value is not None
-            self.q[joint] = value
+            self.q[index] = value
 
 
 def triple(point: Vector) -> tuple[float, ...]:

@@ -59,7 +59,7 @@ def shown_step(state: State, found: Sheet) -> int:
 def _result(state: State, step: Step, units: Units) -> str:
     if step.case == "none":
         return "✕ no value"
-    if step.joint < 0:
+    if step.index < 0:
         return ""
     value = step.branches[step.chosen].value
     assert value is not None
@@ -68,7 +68,7 @@ def _result(state: State, step: Step, units: Units) -> str:
 
 def joint_value(state: State, step: Step, value: float, units: Units) -> str:
     """Return a value of the joint that a step finds, with its unit."""
-    revolute = state[Joints].arm.rows[step.joint].revolute
+    revolute = state[Joints].arm.rows[step.index].revolute
     return units.angle(value) if revolute else units.length(value)
 
 

@@ -95,7 +95,7 @@ def _lift(work: Work, plane: Plane, joint: int, sense: float, height: float) -> 
             "q": Quantity(f"q_{n}", value),
         },
         (Line("q", "<z> - <zero>" if sense > 0.0 else "<zero> - <z>"),),
-        joint=joint,
+        index=joint,
         branches=(Branch("", value),),
         shapes=(Segment(top - height * plane.n, top, "q", "found"), Point(top, "", "wanted")),
     )
@@ -153,7 +153,7 @@ def _hand(work: Work, plane: Plane, angle: float, at: Vector) -> None:
         "sum of the angles",
         values,
         (Line("q", summed(terms)),),
-        joint=third.joint,
+        index=third.joint,
         branches=(Branch("", value),),
         shapes=(
             Segment(axis, at, "", "given"),

@@ -151,7 +151,7 @@ def _roll(work: Work) -> None:
         "atan2 of two lengths",
         {"q": Quantity("q_5", value, "rad")},
         (),
-        joint=4,
+        index=4,
         branches=(Branch("as it is" if free else "", value),),
         case="any",
         note=note,
