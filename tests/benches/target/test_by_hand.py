@@ -21,6 +21,7 @@ from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.target import EndDrag
 from armlab.session.state import apply
+from armlab.ui.format import filled
 from armlab.ui.units import Units, units_of
 from support.searched import moved, opened, searched
 from support.student import run, student
@@ -133,6 +134,13 @@ def test_the_numbers_of_an_equation_have_units_brackets_and_the_chosen_sign():
     assert "−90.0°" in said
     in_metres = read(equation(step.lines[0], step, Units(Notation(length="m"))))
     assert in_metres.endswith("1.4142 m")
+
+
+def test_texts_are_put_into_a_formula_as_texts():
+    made = str(filled(r"a = \text{@x@} - \text{@y0@}", {"x": "1 < 2", "y0": "(−3°)"}))
+    assert "<mn>1 &lt; 2</mn>" in made
+    assert "<mn>(−3°)</mn>" in made
+    assert filled(r"\text{@x@}", {"x": "5"}) != filled(r"\text{@x@}", {"x": "6"})
 
 
 def test_symbols_can_stand_in_the_scene():

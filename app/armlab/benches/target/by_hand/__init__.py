@@ -19,5 +19,10 @@ PAGE = Page(
         "derivation",
         "law of cosines",
         "Pieper",
+        "spherical wrist",
+        "wrist centre",
+        "three parallel axes",
+        "atan2",
+        "tangent of the half angle",
     ),
 )

@@ -24,10 +24,10 @@ Choices = tuple[tuple[str, int], ...]
 
 def _read(data: Any) -> Choices:
     """Return choices as pairs of the key of a step and its branch."""
-    pairs = tuple((str(key)[:20], int(branch)) for key, branch in data)
-    if len(pairs) > MOST_STEPS or any(branch not in (0, 1) for _, branch in pairs):
+    pairs = [(key, branch) for key, branch in data]
+    if len(pairs) > MOST_STEPS or not all(isinstance(key, str) and branch in (0, 1) for key, branch in pairs):
         raise ValueError
-    return pairs
+    return tuple((key[:20], int(branch)) for key, branch in pairs)
 
 
 @dataclass(frozen=True)
