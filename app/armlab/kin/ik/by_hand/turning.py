@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -97,8 +98,9 @@ class Turned:
     aside: Vector
 
 
+@lru_cache(maxsize=64)
 def pillar_of(s: Screws) -> Pillar | None:
-    """Return the pillar of an arm; None unless joints 1 and 2 turn about axes at a right angle."""
+    """Return the pillar of an arm (compared by identity); None unless axes 1 and 2 are turns at a right angle."""
     if s.kinds[:2] != "RR" or abs(float(s.z[0] @ s.z[1])) > RIGHT:
         return None
     normal = common_normal(Straight(s.o[0], s.z[0]), Straight(s.o[1], s.z[1]), scale=s.scale)

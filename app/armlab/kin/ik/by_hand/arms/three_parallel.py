@@ -11,6 +11,8 @@ Pieper 1968; Hawkins 2013, *Analytic inverse kinematics for the Universal Robots
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 from armlab.kin.arm import Arm
@@ -42,6 +44,7 @@ def fits(arm: Arm) -> bool:
     return min(between(0j, flat(pillar, s.o[2]), flat(pillar, s.o[3]))[0]) > SHORT * s.scale
 
 
+@lru_cache(maxsize=64)
 def _meeting(s: Screws) -> Vector:
     return common_normal(Straight(s.o[4], s.z[4]), Straight(s.o[5], s.z[5]), scale=s.scale).foot1
 

@@ -7,6 +7,8 @@ Pieper 1968; notes, section 4.3.2; Siciliano et al., *Robotics*, 2.12.3-2.12.5.
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 from armlab.kin.arm import Arm
@@ -30,10 +32,15 @@ def fits(arm: Arm) -> bool:
     return right and (arm.n == 3 or placer_of(s, wrist_centre(s)) is not None)
 
 
+@lru_cache(maxsize=64)
+def _centre(s: Screws) -> Vector:
+    return wrist_centre(s)
+
+
 def write(work: Work) -> None:
     """Write all steps."""
     s, n = work.s, work.arm.n
-    home = wrist_centre(s)
+    home = _centre(s)
     centre = work.carried(home) if n == 6 else home
     if n == 6:
         go_back(work, home, centre, "p_w", "the wrist centre", "The wrist centre does not move when the wrist turns")
