@@ -146,6 +146,21 @@ def test_a_pose_out_of_reach_names_the_step_and_by_how_much(key, place, step, ga
     assert least.failed.branches == ()
 
 
+@pytest.mark.parametrize("key", COVERED)
+def test_out_of_reach_every_number_and_every_point_is_finite(key):
+    arm, rng = arm_of(key), np.random.default_rng([21, *key.encode()])
+    for far in (0.0, 0.05, 3.0):
+        T = arm.fk(rng.uniform(-1.0, 1.0, arm.n))
+        T[:3, 3] = arm.base[:3, 3] + far * arm.reach * rng.normal(size=3)
+        for one in every_derivation(arm, T, np.zeros(arm.n)):
+            for step in one.steps:
+                assert all(np.isfinite(each.value).all() for each in step.values.values()), step.key
+                for shape in step.shapes:
+                    numbers = [value for value in vars(shape).values() if not isinstance(value, str)]
+                    assert all(np.isfinite(value).all() for value in numbers)
+                assert (one.q is None) == (one.failed is not None)
+
+
 def test_a_wrist_centre_too_near_to_axis_1_names_joint_1():
     arm = arm_of("puma560")
     T = arm.fk(np.zeros(6))

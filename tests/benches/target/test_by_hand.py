@@ -212,6 +212,7 @@ def test_the_derivation_is_live_and_says_which_step_fails(url):
         await browser.drag("update", (3.0, 0.0, 0.0))
         await browser.until(lambda: "Step 1 has no value" in browser.html())
         assert "farther from axis 1 than both links in one line" in browser.html()
+        assert "nan" not in browser.html()
         await browser.drag("end")
         await browser.close()
 

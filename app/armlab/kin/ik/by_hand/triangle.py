@@ -145,10 +145,10 @@ def _bend(work: Work, links: Links, end: complex, given: dict[str, Quantity], ho
         "L2": Quantity(two, L2),
         "c": Quantity(r"\cos\gamma", cosine, ""),
         "c2": Quantity(r"\cos^2\gamma", cosine * cosine, ""),
-        "gamma": Quantity(r"\gamma", gamma, "rad"),
     }
     lines = [Line("D", how[2]), Line("c", r"\frac{<D>^2 - <L1>^2 - <L2>^2}{2 \cdot <L1> \cdot <L2>}")]
     if case != "none":
+        values["gamma"] = Quantity(r"\gamma", gamma, "rad")
         lines.append(Line("gamma", r"\mathrm{atan2}(<sign>\sqrt{1 - <c2>},\, <c>)"))
         lines += own_value(joint, "gamma", branches[k], values)
     work.add(

@@ -152,9 +152,9 @@ def _listed(state: State, found: Sheet) -> str:
     list_ = state.derived(fresh)
     if list_ is None:
         return f"{called}." if found.name else ""
+    if list_.solutions.completeness == "infinite":
+        return f"{called}, one of the infinitely many of the page Solutions."
     for place, row in enumerate(list_.rows, start=1):
         if float(abs(gap(arm, row.q, q)).max()) < SAME:
             return f"{called}: number {place} of {len(list_.rows)} on the page Solutions."
-    if list_.solutions.completeness == "infinite":
-        return f"{called}, one of the infinitely many of the page Solutions."
     return f"{called}; the page Solutions lists others."
