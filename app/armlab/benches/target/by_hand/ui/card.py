@@ -148,13 +148,13 @@ def _listed(state: State, found: Sheet) -> str:
     """Return the sentence on the same joint values in the list of all solutions."""
     q, arm = found.derivation.q, state[Joints].arm
     assert q is not None
-    called = f"This is {found.name}" if found.name else "These joint values are"
     list_ = state.derived(fresh)
     if list_ is None:
-        return f"{called}." if found.name else ""
+        return f"This is {found.name}." if found.name else ""
+    called = f"This is {found.name}, " if found.name else "This is "
     if list_.solutions.completeness == "infinite":
-        return f"{called}, one of the infinitely many of the page Solutions."
+        return f"{called}one of the infinitely many solutions."
     for place, row in enumerate(list_.rows, start=1):
         if float(abs(gap(arm, row.q, q)).max()) < SAME:
-            return f"{called}: number {place} of {len(list_.rows)} on the page Solutions."
-    return f"{called}; the page Solutions lists others."
+            return f"{called}number {place} of {len(list_.rows)} on the page Solutions."
+    return f"{called}which is not in the list of the page Solutions."
