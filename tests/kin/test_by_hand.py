@@ -48,7 +48,7 @@ FINITE = [key for key, kind in COVERED.items() if kind != "turning_plane"]
 FREE = [key for key, kind in COVERED.items() if kind == "turning_plane"]
 
 POSES = 12
-"""Number of random poses of each arm here; 200 of each were tried with the same seeds."""
+"""Number of random poses of each arm."""
 
 
 def arm_of(key):

@@ -19,10 +19,5 @@ PAGE = Page(
         "derivation",
         "law of cosines",
         "Pieper",
-        "spherical wrist",
-        "wrist centre",
-        "three parallel axes",
-        "atan2",
-        "tangent of the half angle",
     ),
 )
