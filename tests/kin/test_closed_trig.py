@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from armlab.kin.ik.trig import half_tangents, sine_cosine, two_equations, wrap
+from armlab.kin.ik.trig import half_tangents, sine_cosine, wrap
 
 
 def residual(theta, a, b, c):
@@ -58,26 +58,3 @@ def test_a_hair_beyond_the_boundary_is_the_boundary():
     assert len(sine_cosine(0.0, 1.0, 1.0 + 1e-13).values) == 1
     assert sine_cosine(0.0, 1.0, 1.0 + 1e-6).values == (0.0,)
     assert sine_cosine(0.0, 1.0, 1.0 + 2e-3).values == ()
-
-
-def test_two_equations(rng):
-    for _ in range(200):
-        theta = rng.uniform(-math.pi, math.pi)
-        s, c = math.sin(theta), math.cos(theta)
-        (a1, b1), (a2, b2) = rng.normal(size=(2, 2))
-        if abs(a1 * b2 - a2 * b1) < 1e-3:
-            continue
-        found = two_equations((a1, b1, a1 * s + b1 * c), (a2, b2, a2 * s + b2 * c))
-        assert found.values == pytest.approx((theta,), abs=1e-9)
-        # Sine and cosine that belong to no angle.
-        assert two_equations((1.0, 0.0, 2.0 * s + 2.0), (0.0, 1.0, 2.0 * c)).values == ()
-
-
-def test_two_equations_that_say_the_same_or_nothing_or_contradict():
-    one = (0.3, -0.8, 0.2)
-    twice = (0.6, -1.6, 0.4)
-    assert two_equations(one, twice).values == pytest.approx(sine_cosine(*one).values)
-    assert two_equations(one, (0.0, 0.0, 0.0)).values == pytest.approx(sine_cosine(*one).values)
-    assert two_equations(one, (0.6, -1.6, 0.9)).values == ()
-    assert two_equations(one, (0.0, 0.0, 0.5)).values == ()
-    assert two_equations((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)).every

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 import latex2mathml.converter
 import numpy as np
+from markupsafe import escape
 from numpy.typing import NDArray
 
 from armlab.ui.html import Inside, Markup, classes, tag
@@ -77,6 +79,28 @@ def lowered(text: str) -> str:
 def mathml(latex: str, block: bool = False) -> Markup:
     """Return a formula as MathML."""
     return Markup(latex2mathml.converter.convert(latex, display="block" if block else "inline"))
+
+
+PLACE = re.compile(r"@(\w+)@")
+"""Place of a text in a formula, inside ``\\text{}``."""
+
+
+def filled(latex: str, texts: Mapping[str, str]) -> Markup:
+    """Return a formula as MathML with present texts in its places, which are ``\\text{@name@}``.
+
+    It is converted once, however often the texts change. They stand as numbers, so that operators between them have
+    room.
+
+    >>> print(filled(r"\\text{@a@}", {"a": "1 < 2"}))
+    <math xmlns="http://www.w3.org/1998/Math/MathML" display="inline"><mrow><mn>1 &lt; 2</mn></mrow></math>
+    """
+    made = _with_places(latex)
+    return Markup(PLACE.sub(lambda found: str(escape(texts[found[1]])), made))
+
+
+@lru_cache(maxsize=1024)
+def _with_places(latex: str) -> str:
+    return str(mathml(latex)).replace("mtext>", "mn>")
 
 
 def matrix(values: NDArray[np.floating], decimals: int = 3, rule: int | None = None) -> Markup:

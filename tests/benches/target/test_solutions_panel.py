@@ -1,4 +1,4 @@
-"""The pages Solutions and By hand, and the ghosts, through the protocol a page speaks."""
+"""The page Solutions, and the ghosts, through the protocol a page speaks."""
 
 import asyncio
 import math
@@ -7,8 +7,6 @@ import re
 import numpy as np
 import pytest
 
-from armlab.benches.target.by_hand.ui import page as by_hand
-from armlab.benches.target.solutions.derivation import derivation
 from armlab.benches.target.solutions.ui.names import bends, ranges
 from armlab.content.robots import catalogue
 from armlab.kin.rotations import rotation_from_quaternion
@@ -16,7 +14,6 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.target import Said, Target, verdict
 from armlab.session.state import State
-from armlab.ui.html import joined
 from armlab.ui.scene._sticks import corners_of, drawn_sticks, turns_to
 from armlab.ui.units import Units
 from armlab.ui.verdicts import verdict_card, verdict_line
@@ -131,54 +128,6 @@ def test_the_self_motion_has_a_slider_and_the_proof_is_shown(url):
         await browser.close()
 
     run(main())
-
-
-def test_the_derivation_is_live_and_says_which_line_fails(url):
-    async def main():
-        browser = await student(url, path="/robot/planar_2r")
-        await browser.open("joints", "by_hand")
-        await browser.until(lambda: "law of cosines" in browser.html() or "The sine has two signs" in browser.html())
-        assert browser.html().count('class="step"') == 7
-        await browser.set_value(browser.slider(2), 90.0)
-        await browser.until(lambda: "<span>−1.0000</span>" in browser.html())  # the sine, with the other sign
-        await browser.drag("start")
-        await browser.drag("update", (3.0, 0.0, 0.0))
-        await browser.until(lambda: "This line has no real value" in browser.html())
-        await browser.drag("end")
-        await browser.close()
-
-    run(main())
-
-
-def test_arms_without_a_derivation_say_where_to_look(url):
-    async def main():
-        browser = await student(url, path="/robot/manseur_doty")
-        await browser.open("by_hand")
-        await browser.until(lambda: "See the page Solutions" in browser.html())
-        await browser.close()
-
-    run(main())
-
-
-def test_the_numbers_of_a_line_have_units_and_both_signs():
-    line = State.initial(catalogue()["planar_2r"]).derived(derivation)[4]
-    shown = []
-    at = by_hand._Line.__new__(by_hand._Line)
-    at._units = Units(Notation(angle="rad", length="m"))
-    at._numbers = type("Html", (), {"show": lambda self, *inside: shown.append(joined(inside))})()
-    at.show(line, False)
-    assert "<i>+</i><i>−</i>" in shown[0]
-    assert shown[0].count("rad") == 2
-    alpha = line.numbers[r"\alpha"][0]
-    assert f"<span>{alpha:.3f}</span>" in shown[0]
-
-
-def test_formulas_are_such_as_can_be_shown():
-    lines = State.initial(catalogue()["elbow_3r"]).derived(derivation)
-    found = [latex for line in lines for latex in by_hand.formulas(line.latex)]
-    assert len(found) == len(lines) + 1  # one line has two equations
-    assert by_hand.formulas(r"a = b,\quad c = d") == ["a = b", " c = d"]
-    assert not any("&" in latex or "aligned" in latex or "operatorname" in latex for latex in found)
 
 
 @pytest.mark.parametrize("key", ["ur10e", "puma560", "panda", "scara", "polar_rrp", "planar_2r"])

@@ -1,15 +1,13 @@
-"""What is said of a drag, and the closed form worked by hand."""
+"""What is said of a drag."""
 
 import math
 
 import numpy as np
-import pytest
 
-from armlab.benches.target.solutions.derivation import derivation, failing, ways_of
-from armlab.benches.target.solutions.state import GoToSolution, Solutions
+from armlab.benches.target.solutions.state import GoToSolution
 from armlab.session.branch_words import NEAR, STILL_NEAR, near_singularity
 from armlab.session.parts.joints import Joints, MoveJoint
-from armlab.session.parts.target import DragTarget, EndDrag, Target, _placed, target_pose, verdict
+from armlab.session.parts.target import DragTarget, Target, _placed, target_pose, verdict
 from armlab.session.state import apply
 from support.searched import moved, opened, rows, searched
 
@@ -89,33 +87,3 @@ def test_a_jump_that_was_wished_is_no_news():
     on = apply(there, DragTarget(moved(there, 0.005, 0.0, 0.0), 2))
     assert not any("changed" in note for note in on.derived(verdict).notes)
     assert apply(on, MoveJoint(0, 0.2)).derived(verdict).notes == ()
-
-
-# -- by hand -----------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("key", ["planar_2r", "polar_rrp", "elbow_3r", "puma560"])
-def test_the_derivation_has_numbers_and_says_where_it_fails(key):
-    state = opened(key)
-    lines = state.derived(derivation)
-    assert len(lines) >= 4
-    assert failing(lines) is None
-    far = apply(state, EndDrag(moved(state, 7.0, 0.0, 0.0), 1))
-    assert key == "polar_rrp" or failing(far.derived(derivation)) is not None
-
-
-def test_a_wrist_is_placed_in_ways_with_two_signs_each():
-    state = opened("puma560")
-    lines = state.derived(derivation)
-    assert ways_of(state) == 4
-    assert all(len(values) == 8 for values in lines[-1].numbers.values())
-    theta5 = lines[-1].numbers["q_5"]
-    np.testing.assert_allclose(theta5[0::2], np.negative(theta5[1::2]), atol=1e-9)
-    assert ways_of(opened("planar_2r")) == ways_of(opened("manseur_doty")) == 0
-
-
-def test_the_last_line_of_the_2r_is_the_list():
-    state = searched(opened("planar_2r"))
-    numbers = state.derived(derivation)[-1].numbers
-    by_hand = sorted(zip(numbers["q_1"], numbers["q_2"], strict=True))
-    np.testing.assert_allclose(by_hand, sorted(map(tuple, state[Solutions].found.solutions.q)), atol=1e-12)

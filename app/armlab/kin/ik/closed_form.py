@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cache, lru_cache
 
 import numpy as np
@@ -46,32 +46,6 @@ class Found:
 
 
 @dataclass(frozen=True)
-class DerivationStep:
-    """One line of a worked closed form, with the present numbers.
-
-    Attributes
-    ----------
-    title : str
-        Description of the step.
-    latex : str
-        The formula.
-    numbers : mapping of str to tuple of float
-        The quantities of the line: LaTeX name to value, two or more where signs may be chosen, plus first; nan where
-        a value does not exist.
-    units : mapping of str to str
-        ``"m"``, ``"rad"`` or ``""`` for each of them.
-    """
-
-    title: str
-    latex: str
-    numbers: Mapping[str, tuple[float, ...]]
-    units: Mapping[str, str] = field(default_factory=dict)
-
-
-Steps = Callable[[Arm, Vector], tuple[DerivationStep, ...]]
-
-
-@dataclass(frozen=True)
 class ClosedForm:
     """One closed form, the constant ``CLOSED`` of a module in `armlab.kin.ik.closed`.
 
@@ -84,8 +58,6 @@ class ClosedForm:
         ``fits(arm)``: the sentence why the arm has this closed form, or None.
     solve : callable
         ``solve(arm, T)`` with T (4, 4) in the axes of frame 0, its rotation exactly orthonormal.
-    steps : callable, optional
-        ``steps(arm, T)``, T as above: every line of the derivation.
     """
 
     key: str
@@ -93,7 +65,6 @@ class ClosedForm:
     order: int
     fits: Callable[[Arm], str | None]
     solve: Callable[[Arm, Vector], Found]
-    steps: Steps | None = None
 
 
 @cache

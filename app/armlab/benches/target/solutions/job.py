@@ -19,9 +19,9 @@ from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 
-PANEL = "solutions"
+PANELS = frozenset({"solutions", "by_hand"})
 SWITCH = "ghosts"
-"""Key of the panel, and name of the switch; either of them shows the solutions."""
+"""Keys of the panels, and name of the switch; any of them shows the solutions."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +65,7 @@ class Listing:
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
     """Return the present question while the solutions are seen."""
-    if PANEL not in panels and not state[Display].switches.get(SWITCH, False):
+    if panels.isdisjoint(PANELS) and not state[Display].switches.get(SWITCH, False):
         return None
     found, asked, q = state[Solutions].found, state.derived(question), state[Joints].q
     if found is None or not found.question.is_same(asked):

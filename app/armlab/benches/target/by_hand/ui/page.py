@@ -1,115 +1,90 @@
-"""The closed form of an arm by hand: every line of the derivation, with the present numbers and both signs."""
+"""The closed form of an arm by hand: step by step with the present numbers, every branch chosen where it arises."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
+import numpy as np
 
-from armlab.benches.target.solutions.derivation import derivation, failing, method_words, ways_of
-from armlab.kin.ik.closed_form import DerivationStep
+from armlab.benches.target.by_hand.state import ByHand, Sheet, sheet
+from armlab.benches.target.by_hand.ui.card import end_card, shown_step, step_card
+from armlab.benches.target.by_hand.ui.drawn import corners_of_shapes
+from armlab.benches.target.by_hand.words import method_words
+from armlab.benches.target.solutions.state import Solutions
+from armlab.kin.ik.by_hand import method_of
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
 from armlab.session.state import Post, State
-from armlab.ui.format import mathml, number
-from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.markup import verdict_box
-from armlab.ui.plugin import Panel, Show
+from armlab.ui.form import Form
+from armlab.ui.html import Markup, tag
+from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Gui, Html
-
-DECIMALS = 4
-"""Number of decimals of numbers without a unit, and of areas."""
-
-FEW, ACROSS = 2, 4
-"""Number of values with room beside the name of a quantity, and in one line."""
-
-SIGNS = {2: ("+", "−"), 4: ("+ +", "+ −", "− +", "− −")}
-"""Heads of columns: the chosen signs, in the order of the lines."""
+from armlab.ui.widgets import Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Build a formula for each line, which stays, and its numbers, which follow the target."""
-    units, lines = units_of(state), state.derived(derivation)
+    """Build the head, which stays, and the steps, which follow the target."""
+    units = units_of(state)
     words = method_words(state[Joints].arm)
     gui.html(tag("h3", words.title), tag("p", words.why))
-    if not lines:
-        gui.html(tag("p.dim", words.instead))
+    if method_of(state[Joints].arm) is None:
+        form = gui.form(post)
+        more = form.chip("solutions", "Solutions", lambda: gui.open_panel("solutions"), "Open the page Solutions")
+        form.show(tag("p.dim", words.instead), tag("div.bar", more))
         return lambda state: None
-    card = gui.html()
-    shown = [_Line(gui, k, line, units) for k, line in enumerate(lines, start=1)]
+    form = gui.form(post)
 
     def show(state: State) -> None:
-        lines = state.derived(derivation)
-        wrong = failing(lines)
-        card.show(_card(wrong, bool(any(state[Joints].locked))))
-        for k, (line, at) in enumerate(zip(shown, lines, strict=False)):
-            line.show(at, wrong is not None and k == wrong, ways_of(state))
+        found = state.derived(sheet)
+        if found is not None:
+            form.show(sheet_markup(form, state, found, units))
 
     return show
 
 
-class _Line:
-    """One line of the derivation."""
-
-    def __init__(self, gui: Gui, number: int, line: DerivationStep, units: Units) -> None:
-        formula = [tag("div", mathml(latex, True)) for latex in formulas(line.latex)]
-        gui.html(tag("div.step", tag("h3", f"{number}. {line.title}"), tag("div.eq", formula)))
-        self._numbers: Html = gui.html()
-        self._units = units
-
-    def show(self, line: DerivationStep, fails: bool, ways: int = 0) -> None:
-        """Show the present numbers of the line.
-
-        Parameters
-        ----------
-        line : DerivationStep
-        fails : bool
-            Whether no number of some quantity exists.
-        ways : int
-            In how many ways a wrist centre is placed: they have the columns then, and signs have lines. 0: for signs.
-        """
-        most = max((len(values) for values in line.numbers.values()), default=1)
-        if ways and most > 1:
-            most = ways
-        signs = tuple(str(k + 1) for k in range(ways)) if ways and most > 1 else SIGNS.get(most, ())
-        head = (tag("b"), [tag("i", sign) for sign in signs]) if signs else None
-        sides = {
-            name: (*values[0::2], *values[1::2]) if ways and len(values) == 2 * ways else values
-            for name, values in line.numbers.items()
-        }
-        rows = [self._row(name, values, line.units.get(name, "")) for name, values in sides.items()]
-        said = tag("p.no", "✕ This line has no real value: there is no solution.") if fails else None
-        kind = "div.work.many" if most > FEW else "div.work"
-        self._numbers.show(tag(kind, head, rows, style=f"--n:{min(most, ACROSS)}"), said)
-
-    def _row(self, name: str, values: Sequence[float], unit: str) -> Inside:
-        shown = {"rad": self._units.angle_unit, "m": self._units.length_unit}.get(unit, unit)
-        cells = [tag("span", self._text(value, unit)) for value in values]
-        return tag("b", mathml(name), (" ", tag("small", shown)) if shown else None), cells
-
-    def _text(self, value: float, unit: str) -> Inside:
-        if not math.isfinite(value):
-            return tag("em.no", "none")
-        if unit in ("rad", "m"):
-            return self._units.text(value, unit == "rad")
-        return number(value, DECIMALS)
+def sheet_markup(form: Form, state: State, found: Sheet, units: Units) -> Markup:
+    """Return all steps, and what they end in."""
+    numbers = range(1, len(found.derivation.steps) + 1)
+    return tag(
+        "div.bh",
+        tag("p.dim", _count(found, bool(any(state[Joints].locked)))),
+        _walk(form, state, found),
+        [step_card(form, state, found, k, units) for k in numbers],
+        end_card(form, state, found, units),
+    )
 
 
-def formulas(latex: str) -> list[str]:
-    """Return the lines of a formula, in LaTeX that can be made MathML."""
-    inside = latex.replace(r"\operatorname", r"\mathrm")
-    for mark in (r"\begin{aligned}", r"\end{aligned}", "&"):
-        inside = inside.replace(mark, "")
-    return [part for row in inside.split("\\\\") for part in row.split(r",\quad")]
+def _count(found: Sheet, held: bool) -> str:
+    free = any(step.case == "any" for step in found.derivation.steps)
+    many = "1 set" if found.count == 1 else f"{found.count} sets"
+    said = f"The numbers follow the target. Its branches lead to {many} of joint values."
+    if not found.count:
+        said = "The numbers follow the target. No branch leads to joint values."
+    elif free:
+        said = "The numbers follow the target. Where any value will do there are infinitely many solutions."
+    return f"{said} Joints that are held are taken as free here." if held else said
 
 
-def _card(wrong: int | None, held: bool) -> Markup:
-    """Return whether the target has solutions."""
-    note = " Joints that are held are taken as free here." if held else ""
-    if wrong is None:
-        said = "The numbers follow the target. Columns are the choices there are, such as signs."
-        return tag("p.dim", f"{said}{note}")
-    return verdict_box("no", "No solution", f"Line {wrong + 1} fails.{note}")
+def _walk(form: Form, state: State, found: Sheet) -> Markup:
+    k, last = shown_step(state, found), len(found.derivation.steps)
+    unfolded = state[ByHand].unfolded
+    return tag(
+        "div.bar.bh-walk",
+        form.chip("back", "‹ Back", Set(ByHand, "shown", max(1, k - 1)), "The step before", off=k == 1),
+        tag("span", f"Step {k} of {last}"),
+        form.chip("next", "Next ›", Set(ByHand, "shown", min(last, k + 1)), "The step after", off=k == last),
+        form.chip("unfold", "All steps", Set(ByHand, "unfolded", not unfolded), "Unfold all steps", unfolded),
+    )
 
 
-PANEL = Panel((Joints, Target), build)
+def around(state: State) -> Points:
+    """Return the corners of what is drawn, which belong in the picture."""
+    found = state.derived(sheet)
+    if found is None or not found.derivation.steps:
+        return NOTHING
+    step = found.derivation.steps[shown_step(state, found) - 1]
+    points = corners_of_shapes(step.shapes)
+    base = state[Joints].arm.base
+    return np.asarray(points @ base[:3, :3].T + base[:3, 3]) if len(points) else NOTHING
+
+
+PANEL = Panel((Joints, Target, ByHand, Solutions), build, see_through=True, hides=("gap",), around=around)
