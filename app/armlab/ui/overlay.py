@@ -1,5 +1,5 @@
-"""The layer over the scene: the arm's name and the search, the verdict or the next step, undo and redo, the first visit,
-and notes to the page's script.
+"""The layer over the scene: the arm's name and the search, the verdict or the next step, undo and redo, the first
+visit, and notes to the page's script.
 
 The markup is put into viser's own main window, which the style sheet hides except for these children; so it stays
 mounted whatever tab is open.

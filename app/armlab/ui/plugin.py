@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from armlab.errors import PluginError
 from armlab.plugins import constant_of, discover_in_benches
 from armlab.session.pages import pages
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Part, Post, State
@@ -23,6 +24,9 @@ from armlab.ui.widgets import Gui
 
 Points = NDArray[np.float64]
 Show = Callable[[State], None]
+
+OF_THE_ROOM = frozenset({"stage"})
+"""Keys of layers that exist without the arm, too."""
 
 NOTHING: Points = np.zeros((0, 3))
 
@@ -166,6 +170,23 @@ def layers() -> dict[str, Layer]:
                 raise PluginError(f"layer {layer.key}: there is no page {key!r}")
         _refuse_unknown(layer.key, layer.hides, found)
     return found
+
+
+@cache
+def _hiding() -> tuple[Layer, ...]:
+    return tuple(layer for layer in layers().values() if layer.hides)
+
+
+def hidden_layers(state: State, opened: Iterable[Panel]) -> frozenset[str]:
+    """Return the keys of layers that are hidden by a prediction, an open panel, or a layer that is switched on."""
+    predicted = state[LessonPart].hides
+    if "arm" in predicted:
+        return frozenset(layers()) - OF_THE_ROOM
+    if predicted:
+        return frozenset(key for key, layer in layers().items() if not layer.silent)
+    on = (layer.hides for layer in _hiding() if layer.switch is not None and layer.switch.on(state))
+    of_panels = (key for panel in opened for key in (*panel.hides, *panel.hides_then(state)))
+    return frozenset(of_panels).union(*on)
 
 
 def _refuse_unknown(key: str, hides: tuple[str, ...], known: Collection[str] | None = None) -> None:

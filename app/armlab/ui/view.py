@@ -30,9 +30,10 @@ from armlab.ui.figure.drawn import Drawn, Gallery
 from armlab.ui.html import tag
 from armlab.ui.layer_drawing import Drawing
 from armlab.ui.lesson.dock import LessonDock
+from armlab.ui.notices import Notices
 from armlab.ui.overlay import Overlay, Screen
 from armlab.ui.pace import Pace
-from armlab.ui.plugin import Panel, layers, whole_panel, wish_of
+from armlab.ui.plugin import Panel, hidden_layers, layers, whole_panel, wish_of
 from armlab.ui.search.dialog import SearchDialog
 from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
@@ -50,9 +51,6 @@ and 58 % of a tablet's 820, where there is no rail."""
 
 SETTLED = 0.6
 """Time after which a move made by the lab has ended, seconds."""
-
-OF_THE_ROOM = frozenset({"stage"})
-"""Keys of layers that exist without the arm, too."""
 
 LINGER = 0.15
 """Time for which the bodies of an arm stay after it was edited, seconds: the page takes as long to unpack the new
@@ -90,7 +88,6 @@ class View:
             client, lambda: session.state[Joints].q, lambda: wish_of(session.state, self._opened(session.state))
         )
         self._gallery, self._pace = gallery, pace
-        self._hiding = [layer for layer in layers().values() if layer.hides]
         self._loop = asyncio.get_running_loop()
         self._acted = self._loop.time()
         self._canvas: Canvas | None = None
@@ -104,7 +101,7 @@ class View:
         self._making: Arm | None = None
         self._undrawable: Arm | None = None
         self._robot: RobotPart | None = None
-        self._told, self._untaken = session.notice_seen, session.untaken
+        self._notices, self._untaken = Notices(client, session), session.untaken
         self._refresh: asyncio.TimerHandle | None = None
         self._refreshed = 0.0
         self._closed = False
@@ -178,16 +175,7 @@ class View:
         return tuple(found for key in self._open_panels(state) if (found := whole_panel(key)) is not None)
 
     def _hidden(self, state: State) -> frozenset[str]:
-        """Return the keys of layers that are hidden by a prediction, an open panel, or a layer that is switched on."""
-        predicted = state[LessonPart].hides
-        if "arm" in predicted:
-            return frozenset(layers()) - OF_THE_ROOM
-        if predicted:
-            return frozenset(key for key, layer in layers().items() if not layer.silent)
-        on = [layer for layer in self._hiding if layer.switch is not None and layer.switch.on(state)]
-        opened = self._opened(state)
-        hiding = (*(p.hides for p in opened), *(p.hides_then(state) for p in opened), *(layer.hides for layer in on))
-        return frozenset(key for hides in hiding for key in hides)
+        return hidden_layers(state, self._opened(state))
 
     def _show_heads(self, state: State) -> None:
         """Show the pages of each tab, with the present one marked."""
@@ -256,24 +244,16 @@ class View:
             if lesson_changed:
                 self._lesson_changed(state)
             if before is not None:
-                self._tell_replaced(state[RobotPart], before[RobotPart])
+                self._notices.replaced(state[RobotPart], before[RobotPart])
             if before is not None and self._window(before) is not self._window(state):
                 self._refresh_now()
         self._refresh_soon()
-
-    def _tell_replaced(self, now: RobotPart, before: RobotPart) -> None:
-        """Tell that an example has put its own arm on the table."""
-        if now.replaced and now is not before:
-            text = f"The example is about the {now.robot.name}. Undo (Ctrl+Z) brings back the {now.replaced}."
-            self.client.add_notification("Another arm", text, color="blue", auto_close_seconds=8.0)
 
     def _lesson_changed(self, state: State) -> None:
         """Adapt the camera to a lesson, and tell who has opened it."""
         lesson = state[LessonPart].lesson
         if self._shown is not None and self._loop.time() - self._acted > ELSEWHERE:
-            now = "has closed the lesson" if lesson is None else f"has opened the lesson “{lesson.title}”"
-            text = f"Another tab of this browser {now}. All of them show the same work."
-            self.client.add_notification("Another tab", text, color="blue", auto_close_seconds=12.0)
+            self._notices.elsewhere(lesson)
         home = None if lesson is None else lesson.camera
         self.camera.make_room(lesson is not None, home, state[LessonPart].bench)
 
@@ -360,7 +340,7 @@ class View:
         if problem is not None:
             log.error("the arm cannot be drawn", exc_info=problem)
             self._undrawable = arm
-            self.client.add_notification("Not drawn", "This arm cannot be drawn; the numbers are right.", color="red")
+            self._notices.not_drawn()
             return
         if self._making is arm:
             self._making = None
@@ -398,13 +378,7 @@ class View:
             self._search.show(self._open_panels(state))
             self._timeline.show(state, self._open_panels(state))
             self._look(state)
-            self._tell()
-
-    def _tell(self) -> None:
-        notice = self.session.notice
-        if notice is not None and notice.number > self._told:
-            self._told = self.session.notice_seen = notice.number
-            self.client.add_notification("Not done", notice.text, color="orange", auto_close_seconds=8.0)
+            self._notices.not_done()
 
     def _theme(self, state: State) -> None:
         self.client.gui.configure_theme(
