@@ -181,3 +181,15 @@ def test_an_old_address_and_the_key_of_every_page_still_open(visit):
         lab.open_tab(key)
         assert lab.page.locator(f'.page[data-cell="{key}"]').get_attribute("aria-selected") == "true"
         assert lab.page.locator(f'.page[data-cell="{key}"]').inner_text().strip() == pages()[key].name
+
+
+def test_on_a_telephone_the_tabs_say_their_names_and_the_one_that_is_wanted_opens(visit):
+    """There viser has a sheet below the scene instead of a dock."""
+    lab = visit(size=(390, 844), has_touch=True)
+    lab.page.locator('[role=button][aria-label="Expand panel Lessons"]').click()
+    lab.until(lambda: lab.page.get_by_role("tab", name="Joints", exact=True).get_attribute("aria-selected") == "true")
+    for tab in tabs().values():
+        found = lab.page.get_by_role("tab", name=tab[0].title, exact=True)
+        box = found.bounding_box()
+        assert found.inner_text().strip() == tab[0].title
+        assert min(box["width"], box["height"]) >= LEAST

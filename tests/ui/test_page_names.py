@@ -13,8 +13,8 @@ TOP = Path(__file__).resolve().parents[2]
 LONGEST = 18
 """Letters of a name, so that three stand in a row of the dock."""
 
-LONGEST_TAB = 9
-"""Letters of the name of a tab, as many as the rail is wide."""
+LONGEST_TAB = 11
+"""Letters of the name of a tab for which the rail has room, such as Orientation."""
 
 KEYS = set(
     re.findall(

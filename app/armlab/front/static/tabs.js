@@ -6,7 +6,7 @@
   // A tab says its name at once; viser's own hint would say it once more, a second later. The lab tells what is in it.
   let inside = null;
   const name = tab => {
-    const said = tab.title || (tab.matches('.mantine-Tabs-tab') ? tab.textContent : ''); // viser's tabs on a telephone
+    const said = tab.title || (tab.matches('.mantine-Tabs-tab') ? tab.textContent.trim() : ''); // viser's tabs on a telephone
     if (said) tab.dataset.name = said;
     tab.removeAttribute('title');
     inside ??= JSON.parse(document.getElementById('al-pages')?.dataset.pages ?? 'null');
