@@ -3,6 +3,7 @@
 import asyncio
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -17,6 +18,9 @@ TITLE = "Memory of the lab after students have come and gone"
 WARM, COMINGS, RETURNS, IDLE = sized((60, 300, 2_000, 200), (2, 3, 3, 3))
 STUDENTS = sized(10, 2)
 """Browsers that come again and again: what is kept of 200 students who have gone is no leak."""
+
+GONE = sized(3.0, 0.1)
+"""Seconds until the pages of those who have gone are taken down."""
 
 EACH = 5
 """Pages of one browser that are open at a time."""
@@ -74,9 +78,11 @@ def measure() -> Iterator[str]:
         for said, story in (
             (f"{COMINGS} more", lambda: come(opened.url, cookies, COMINGS, points)),
             (f"{RETURNS} times a page was loaded again", lambda: come(opened.url, cookies, RETURNS, points[:0])),
-            (f"{IDLE} pages were open together", lambda: idle(opened.url)),
+            (f"{IDLE} pages of {-(-IDLE // EACH)} new students were open together", lambda: idle(opened.url)),
+            (f"{IDLE} pages of others after them", lambda: idle(opened.url)),
         ):
             asyncio.run(story())
+            time.sleep(GONE)
             found = opened.megabytes()
             yield f"| {said} | {found:.0f} MB | {found / base:.2f} |"
 

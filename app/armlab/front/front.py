@@ -92,7 +92,9 @@ class Front:
         self._there.set()
 
     async def _with_client(self, _app: web.Application) -> AsyncIterator[None]:
-        self._client = aiohttp.ClientSession(auto_decompress=False)
+        # How many sockets there may be is told by `Limits`; a connector of its own mind would let the next one wait.
+        connector = aiohttp.TCPConnector(limit=0)
+        self._client = aiohttp.ClientSession(auto_decompress=False, connector=connector)
         yield
         await self._client.close()
 

@@ -1,0 +1,76 @@
+"""As many sockets as the limits allow pass through the front at a time."""
+
+import asyncio
+from contextlib import AsyncExitStack, asynccontextmanager
+from types import SimpleNamespace
+
+import aiohttp
+from aiohttp import web
+
+from armlab.front.front import Front
+from armlab.front.limits import Limits
+from armlab.front.tokens import Tokens
+from support.patience import WAIT
+
+PROTOCOL = "viser-v1.1.1"
+
+
+@asynccontextmanager
+async def served(app):
+    """Serve an application on a free port, which is given, and let no socket delay its end."""
+    runner = web.AppRunner(app, shutdown_timeout=0.1)
+    await runner.setup()
+    try:
+        site = web.TCPSite(runner, "127.0.0.1", 0)
+        await site.start()
+        yield runner.addresses[0][1]
+    finally:
+        await runner.cleanup()
+
+
+async def echo(request):
+    """Send back what comes, as a lab that has nothing else to do."""
+    socket = web.WebSocketResponse(protocols=[PROTOCOL])
+    await socket.prepare(request)
+    async for message in socket:
+        await socket.send_bytes(message.data)
+    return socket
+
+
+def echoing():
+    app = web.Application()
+    app.router.add_get("/", echo)
+    return app
+
+
+async def story(limits):
+    """Open as many sockets as there may be, then one more; return how many are answered, and the last one's status."""
+    tokens = Tokens(b"s" * 32)
+    async with AsyncExitStack() as opened:
+        lab = await opened.enter_async_context(served(echoing()))
+        front = Front(SimpleNamespace(), tokens, "secret", [lab], None, limits)
+        url = f"http://127.0.0.1:{await opened.enter_async_context(served(front.app))}"
+        browser = await opened.enter_async_context(
+            aiohttp.ClientSession(connector=aiohttp.TCPConnector(limit=0), headers={"Origin": url})
+        )
+        values = [tokens.new() for _ in range(limits.sockets // limits.sockets_each + 1)]
+
+        async def open_one(value):
+            cookie = {"Cookie": f"{tokens.cookie}={value}"}
+            return await browser.ws_connect(url, protocols=[PROTOCOL], headers=cookie)
+
+        async with asyncio.timeout(WAIT):
+            sockets = [await open_one(values[k // limits.sockets_each]) for k in range(limits.sockets)]
+            for socket in sockets:
+                await socket.send_bytes(b"x")
+            answers = [await socket.receive_bytes() for socket in sockets]
+            try:
+                await open_one(values[-1])
+            except aiohttp.WSServerHandshakeError as refused:
+                return answers.count(b"x"), refused.status
+    return answers.count(b"x"), 101
+
+
+def test_every_socket_that_the_limits_allow_reaches_its_lab():
+    limits = Limits()
+    assert asyncio.run(story(limits)) == (limits.sockets, 429)
