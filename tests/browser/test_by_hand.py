@@ -1,4 +1,4 @@
-"""The page By hand in a real browser: no equation lies on another, and the step that is chosen is drawn."""
+"""The page "Closed-form IK" in a real browser: no equation lies on another, and the step that is chosen is drawn."""
 
 import pytest
 

@@ -200,7 +200,7 @@ def test_space_plays_what_the_open_page_shows(visit):
     lab.page.keyboard.press("Space")
     lab.until(lambda: lab.page.locator('button[data-cell="play-motion"]').count() == 1)
     # With this motion still on the timeline, another page plays what is its own.
-    lab.open_tab("One variable")
+    lab.open_tab("newton_1d")
     lab.page.keyboard.press("Space")
     lab.until(lambda: lab.page.locator('button[data-cell="pause-tangents"]').count() == 1)
     lab.page.keyboard.press("Space")

@@ -164,7 +164,7 @@ def test_an_arm_of_four_joints_takes_eight_clicks_at_most(visit):
     lab.ready()
     assert hand.count <= 8
     assert sum("/arm/" in name and name.endswith("/body") for name in lab.nodes()) == 5
-    lab.open_tab("Table")
+    lab.open_tab("table")
     values = lab.page.locator("table.dh.edit input.field").evaluate_all("all => all.map(e => e.value)")
     assert values[:4] == ["0", "90", "400", "+0"]
     assert values[12:] == ["0", "0", "+50", "0"]
@@ -270,7 +270,7 @@ def test_each_stop_of_the_tour_points_at_the_real_thing_without_covering_it(visi
             "handle": lambda: lab.on_screen("/target"),
             "sliders": lambda: box_middle(lab, ".mantine-Slider-root >> nth=2"),
             "arm": lambda: box_middle(lab, ".al-top .arm-name"),
-            "lessons": lambda: box_middle(lab, '[role=tab][title="Lessons"]'),
+            "lessons": lambda: box_middle(lab, '[role=tab][data-name="Lessons"]'),
         }[at]()
         assert ring["x"] <= real[0] <= ring["x"] + ring["width"], at
         assert ring["y"] <= real[1] <= ring["y"] + ring["height"], at

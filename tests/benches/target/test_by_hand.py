@@ -1,4 +1,4 @@
-"""The page By hand: the steps as markup, their branches as commands, and what is drawn of them."""
+"""The page "Closed-form IK": the steps as markup, their branches as commands, and what is drawn of them."""
 
 import html
 import math
