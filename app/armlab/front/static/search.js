@@ -69,6 +69,7 @@
     waiting = false;
     field().value = field().defaultValue = '';
     found.close(); // gives the focus back
+    if (found.contains(document.activeElement)) document.activeElement.blur(); // at once, where nothing had it
     // After what was typed last, which is on its way for a moment.
     setTimeout(() => { if (!isOpen()) window.armlabSend({ dataset: { chan, cell: 'search-closed' } }, ''); }, LATE);
   };
