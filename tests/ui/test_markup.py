@@ -66,7 +66,7 @@ def test_what_lies_over_the_scene_steps_back_and_forth_where_there_is_something(
         return made[0]
 
     monkeypatch.setattr("armlab.ui.overlay.Fields", fields)
-    overlay = Overlay(SimpleNamespace(gui=None), session, posted.append, Gallery(), posted.append)
+    overlay = Overlay(SimpleNamespace(gui=None), session, posted.append, Gallery(), posted.append, posted.append)
     overlay.show(handle=True, coming=False)
     for cell in ("undo", "redo", "home", "anything"):
         made[0].send(cell, "")

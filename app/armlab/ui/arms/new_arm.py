@@ -22,7 +22,7 @@ BOOKS = {"standard": "Standard (Siciliano, Spong)", "modified": "Modified (Craig
 KINDS = {"R": "R", "P": "P"}
 PLACEHOLDER = "a\talpha\td\ttheta\n0.3\t90\t0.2\tq1\n0.25\t0\t0\tq2 + 30"
 NOTHING = "Nothing is taken over from the {name}: no tool, no limits, no name. Undo brings it back."
-LIMITS = "Joints turn by ±180° and slide from 0 to 1 m; other limits are typed on the page Table."
+LIMITS = "Joints turn by ±180° and slide from 0 to 1 m; other limits are typed on the page DH table."
 
 
 class NewArmForm:
