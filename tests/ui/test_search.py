@@ -25,7 +25,7 @@ from armlab.ui.search.offers import hidden, offers
 from support.lab import running_lab
 from support.own_lessons import ARM, in_lesson, lesson, notes, piece, to_step, write
 from support.sources import PACKAGE
-from support.student import run, student
+from support.student import run, settled, student
 
 TESTS = Path(__file__).resolve().parents[1]
 SEARCHES = tomllib.loads((TESTS / "data/searches.toml").read_text(encoding="utf-8"))["searches"]
@@ -270,7 +270,8 @@ def test_a_command_is_done_and_a_setting_is_switched_and_tells_how_it_stands(url
         assert "setting · off" in await ask(browser, "dark theme")
         await browser.press("hit setting:dark")
         await browser.until(lambda: 'role="option"' not in part(browser))
-        assert "setting · on" in await ask(browser, "dark theme")
+        await ask(browser, "dark theme")
+        await browser.until(lambda: "setting · on" in part(browser))
         await ask(browser, "radians")
         await browser.press("hit setting:angle.rad")
         await browser.until(lambda: abs(browser.slider(1)["props"]["max"]) < 7.0)
@@ -339,6 +340,7 @@ def test_a_forged_pick_of_what_is_hidden_or_not_listed_does_nothing(url):
         browser = await in_lesson(url, "hiding")
         channel = browser.channel("search")
         assert "hit bench:ellipsoid" not in await ask(browser, "ellipsoid")
+        await settled(browser)
         before = notes(browser)
         for cell in ("hit bench:ellipsoid", "hit bench:help", "hit arm:scara", "hit export:motion_files.csv", "hit "):
             await browser.press_on(channel, cell)

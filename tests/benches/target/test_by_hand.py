@@ -229,7 +229,12 @@ def test_the_steps_are_walked_through_and_unfolded(url):
         await browser.press("step3")
         await browser.until(lambda: "Step 3 of 8" in browser.html())
         await browser.press("unfold")
-        await browser.until(lambda: len(re.findall('class="[^"]*"[^>]*data-cell="step[0-9]+"[^>]*aria-expanded="true"', browser.html())) == 8)
+        await browser.until(
+            lambda: (
+                len(re.findall('class="[^"]*"[^>]*data-cell="step[0-9]+"[^>]*aria-expanded="true"', browser.html()))
+                == 8
+            )
+        )
         await browser.until(lambda: "of 8 on the page Solutions" in browser.html())
         await browser.close()
 
