@@ -20,9 +20,9 @@ def at_section(lab):
 
 
 def orbit(lab):
-    """Turn the eye with the mouse, beside the arm."""
+    """Turn the eye with the mouse, beside the arm and below the card of the first visit."""
     box = lab.page.locator("canvas").first.bounding_box()
-    x, y = box["x"] + 0.06 * box["width"], box["y"] + 0.3 * box["height"]
+    x, y = box["x"] + 0.06 * box["width"], box["y"] + 0.75 * box["height"]
     lab.page.mouse.move(x, y)
     lab.frames(2)
     lab.page.mouse.down()

@@ -89,7 +89,7 @@ def _things() -> Iterator[tuple[str, object]]:
             continue
         module = importlib.import_module(info.name)
         yield info.name, module
-        for name, thing in vars(module).items():
+        for name, thing in list(vars(module).items()):  # other threads import meanwhile
             own = getattr(thing, "__module__", None) == info.name and not name.startswith("_")
             if own and (inspect.isfunction(thing) or inspect.isclass(thing)):
                 yield f"{info.name}.{name}", thing

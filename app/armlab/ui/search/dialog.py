@@ -126,11 +126,13 @@ class SearchDialog:
 
     def _came(self, looked: tuple[object, ...], looking: asyncio.Future[list[Entry]]) -> None:
         """Show what has been found, unless something else is looked for by now."""
-        if looked != self._looked or looking.cancelled():
+        if looking.cancelled():
             return
         failure = looking.exception()
         if failure is not None:
             log.error("the search has failed", exc_info=failure)
+        if looked != self._looked:
+            return
         self._found = () if failure is not None else tuple(looking.result())
         self._again()
 
