@@ -89,7 +89,7 @@ def test_a_ghost_is_clicked_and_the_arm_goes_there(visit):
 def test_the_list_lives_through_a_drag_and_ghosts_are_at_the_target(visit):
     lab = eight(visit)
     before = lab.page.evaluate(ROWS)
-    lab.drag_handle(2, SIZE, (0.0, 20.0))
+    lab.drag_handle(0, SIZE, (20.0, 0.0))
     lab.until(lambda: len(lab.page.evaluate(ROWS)) == 8 and lab.page.evaluate(ROWS)[0]["values"] != before[0]["values"])
     lab.rest()
     rows = lab.page.evaluate(ROWS)

@@ -91,9 +91,6 @@ class LessonPlayer:
             raise NotImplementedError(f"{action} is not done by hand here")
 
     def set_joint(self, joint: int, value: float) -> None:
-        """Type a joint value into the box beside its slider: degrees or millimetres."""
-        box = self.page.locator(f"div:has(> .mantine-Slider-root):has({self.lab.slider_track(joint)}) input").last
-        box.fill(f"{value:.1f}")
-        # The page would send only the newest of what changes within 50 ms, in whichever controls; no hand is so quick.
-        self.lab.rest()
-        assert abs(self.lab.slider_value(joint) - value) < 0.06
+        """Type a joint value into the field beside its slider: degrees or millimetres."""
+        self.lab.type_into(f"value {joint}", f"{value:.1f}")
+        self.lab.until(lambda: abs(self.lab.slider_value(joint) - value) < 0.06)

@@ -8,6 +8,7 @@ import pytest
 from armlab.benches.control.loop.state import Loop
 from armlab.content.robots import catalogue
 from armlab.session.fields import Set
+from armlab.session.parts.welcome import LeaveWelcome
 from armlab.session.session import Redo, Session, Undo
 from armlab.ui import markup
 from armlab.ui.figure.drawn import Gallery
@@ -78,7 +79,7 @@ def test_what_lies_over_the_scene_steps_back_and_forth_where_there_is_something(
     overlay.show(handle=True, coming=False)
     made[0].send("undo", "")
     made[0].send("redo", "")
-    assert posted == ["Pose", Undo(), Redo()]
+    assert posted == ["Pose", LeaveWelcome(), Undo(), Redo()]
 
 
 def test_a_style_sheet_stands_as_it_is_and_holds_no_element():

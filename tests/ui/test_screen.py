@@ -10,8 +10,8 @@ from armlab.content.robots import catalogue
 from armlab.session.lesson_start import set_up
 from armlab.session.parts.display import SYSTEM_DARK, Display, Show
 from armlab.session.state import State, apply
+from armlab.ui.camera import HANDLE
 from armlab.ui.figure.marks import FRAME_LENGTH
-from armlab.ui.scene._handle import SCALE
 from armlab.ui.switches import DARK
 from armlab.ui.view import PROJECTED
 from support.own_lessons import notes
@@ -133,7 +133,7 @@ def test_the_frame_of_the_tool_is_smaller_than_the_others_and_the_handle_beside_
         assert node(browser, "/labelE")["text"] == "{E}"
         assert node(browser, "/frameE")["scale"] < 0.7 * node(browser, "/frame1")["scale"]
         away = np.array(name["position"]) - target["position"]
-        tip = node(browser, "/frame1")["scale"] / FRAME_LENGTH * SCALE
+        tip = node(browser, "/frame1")["scale"] / FRAME_LENGTH * HANDLE
         np.testing.assert_allclose(away, [tip, 0.0, 0.0], atol=1e-6)
         await browser.press("frames")
         await browser.until(lambda: not node(browser, "/target_name").get("visible", True))

@@ -33,6 +33,9 @@ PRESETS: dict[str, tuple[float, float] | None] = {
 """Azimuth and elevation of each view, in degrees; the home view is the robot's own."""
 
 
+HANDLE = 0.14
+"""Length of an arrow of the handle, relative to the size of the arm."""
+
 GROWN = 1.6
 """Factor by which an edited arm must grow or shrink for a new view."""
 
@@ -292,10 +295,12 @@ class Camera:
         return math.atan(TALL * min(1.0, self._client.camera.aspect))
 
     def _arm_points(self) -> Floats:
-        """Return the points of the arm (k, 3) that belong in every picture."""
+        """Return the points (k, 3) that belong in every picture: of the arm, and of a handle on its tool."""
         assert self._robot is not None
+        assert self._figure is not None
         arm, q = self._robot.arm, self._pose()
-        return np.vstack([arm.frames(q)[:, :3, 3], arm.position(q)])
+        tips = HANDLE * self._figure.anatomy.size * np.vstack([np.eye(3), -np.eye(3)])
+        return np.vstack([arm.frames(q)[:, :3, 3], arm.position(q) + tips])
 
     def _corners(self) -> Floats:
         """Return the eight corners of the box around the arm."""

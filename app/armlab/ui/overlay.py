@@ -21,7 +21,7 @@ from armlab.session.parts.lesson import LessonPart, at_place
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf
 from armlab.session.parts.target import Target, verdict
-from armlab.session.parts.welcome import Welcome
+from armlab.session.parts.welcome import CARD, LeaveWelcome, Welcome
 from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import Post, State
 from armlab.ui.fields import Fields
@@ -88,7 +88,7 @@ class Overlay:
         self._form = Form(lambda on_input: Fields(client.gui, on_input), post, lambda: None, beside=False)
         self._on_tabs, self._on_screen = on_tabs, on_screen
         self._arms: ArmsDialog | None = None
-        self._tab, self._asked = "", ""
+        self._tab, self._asked, self._begun = "", "", False
 
     def open_tab(self, title: str) -> None:
         """Let the page's script bring a tab to the front at the next `show`."""
@@ -111,6 +111,7 @@ class Overlay:
             Whether the picture of the arm is still being made.
         """
         session = self._session
+        self._let_work()
         if self._arms is not None:
             self._arms.show()
         line: Inside = None
@@ -124,6 +125,13 @@ class Overlay:
         welcome = welcome_markup(self._form, session.state[Welcome])
         top, place = self._top(session.state), self._place(session)
         self._form.show(top, hint, place, self._steps(session), welcome, self._notes(session, handle, coming))
+
+    def _let_work(self) -> None:
+        """Take the card of the first visit away when the person begins to work: the scene is needed."""
+        begun = not self._session.history.only(ChooseRobot.label)
+        if begun and not self._begun and self._session.state[Welcome].at == CARD:
+            self._post(LeaveWelcome())
+        self._begun = begun
 
     def _made_of(self, session: Session) -> tuple[object, ...]:
         """Return all values on which the layer depends besides the line."""

@@ -17,9 +17,8 @@ from armlab.session.parts.display import SYSTEM_DARK, Display, Show
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.panels import Panels, Window
-from armlab.session.parts.robot import ChooseRobot, RobotPart
+from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
-from armlab.session.parts.welcome import CARD, LeaveWelcome, Welcome
 from armlab.session.session import Session
 from armlab.session.state import Command, State
 from armlab.ui import commands
@@ -112,8 +111,6 @@ class View:
     def build(self) -> Generator[None, None, None]:
         """Build the page in pieces of a millisecond or two; the browser gets it when it is complete."""
         self._post(OpenWindow(self.client.client_id, self._first))
-        if self.session.state[Welcome].at == CARD and not self.session.history.only(ChooseRobot.label):
-            self._post(LeaveWelcome())  # no first visit any more
         with self.client.atomic():
             self._theme(self.session.state)
             self._overlay = Overlay(

@@ -13,10 +13,8 @@ from armlab.kin.arm import Arm
 from armlab.kin.rotations import quaternion_from_rotation, rotation_from_quaternion
 from armlab.kin.transforms import transform
 from armlab.ui import adapter
+from armlab.ui.camera import HANDLE
 from armlab.ui.drawing import LayerCanvas
-
-SCALE = 0.14
-"""Length of the arrows, in sizes of the arm."""
 
 Floats = NDArray[np.floating]
 
@@ -44,7 +42,7 @@ class Handle:
         path: str,
         on_drag: Callable[[Floats, object, bool], None],
         on_start: Callable[[], None] = lambda: None,
-        scale: float = SCALE,
+        scale: float = HANDLE,
     ) -> None:
         self._canvas, self._path, self._on_drag, self._on_start = canvas, path, on_drag, on_start
         self._scale = scale
