@@ -11,6 +11,7 @@ from armlab.front.front import Front
 from armlab.front.limits import Limits
 from armlab.front.tokens import Tokens
 from support.patience import WAIT
+from support.student import run
 
 PROTOCOL = "viser-v1.1.1"
 
@@ -73,4 +74,4 @@ async def story(limits):
 
 def test_every_socket_that_the_limits_allow_reaches_its_lab():
     limits = Limits()
-    assert asyncio.run(story(limits)) == (limits.sockets, 429)
+    assert run(story(limits)) == (limits.sockets, 429)

@@ -8,6 +8,7 @@ from aiohttp import ClientConnectionResetError, WSCloseCode, WSMessage, WSMsgTyp
 
 from armlab.front.limits import Limits, Meter
 from armlab.front.relay import relay
+from support.student import run
 
 
 class Side:
@@ -32,7 +33,7 @@ class Side:
 def ended(problem):
     """Return both sides after the lab could not take a message because of a problem."""
     browser, lab = Side(), Side(problem)
-    asyncio.run(relay(SimpleNamespace(transport=None), browser, lab, Meter(Limits())))
+    run(relay(SimpleNamespace(transport=None), browser, lab, Meter(Limits())))
     return browser, lab
 
 

@@ -13,6 +13,7 @@ from armlab.ui.eye import Eye, Facing, Z
 from armlab.ui.figure.figure import build_figure
 from armlab.ui.gaze import GLIDE_SECONDS
 from support.looking import Onlooker, degrees_off, upper_side
+from support.student import run
 
 PUMA = catalogue()["puma560"]
 FIGURE = build_figure(PUMA.arm)
@@ -41,7 +42,7 @@ def arm_points(now):
 
 
 def tells(page, eye=None, aspect=None):
-    asyncio.run(page.tells(eye, aspect))
+    run(page.tells(eye, aspect))
 
 
 def by_hand(eye):
@@ -287,7 +288,7 @@ def glided(seen, meanwhile):
         await meanwhile()
         await asyncio.sleep(1.5 * GLIDE_SECONDS)
 
-    asyncio.run(main())
+    run(main())
     return [np.array(message.position) for message in page.told if type(message).__name__ == "SetCameraPositionMessage"]
 
 
