@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import re
 from collections.abc import Coroutine
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, TypeVar
@@ -43,6 +44,11 @@ def is_open(browser: FakeBrowser) -> bool:
     """Return whether arm, handle and panels are there."""
     handle = "wxyz" in browser.nodes.get("/target", {})
     return handle and bool(arm_nodes(browser)) and 'data-cell="undo"' in browser.html()
+
+
+def is_on(browser: FakeBrowser, switch: str) -> bool:
+    """Return whether the page shows a switch as on: its button does what it said when it was shown."""
+    return re.search(rf'data-cell="{switch}"[^>]*aria-checked="true"', browser.html()) is not None
 
 
 def arm_nodes(browser: FakeBrowser) -> list[str]:

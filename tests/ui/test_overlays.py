@@ -19,7 +19,7 @@ from armlab.ui.scene._turns import before_turn
 from armlab.ui.scene.angles import name_of
 from armlab.ui.units import Units
 from support.arms import frames_by_products, random_arm, random_q
-from support.student import arm_nodes, run, student
+from support.student import arm_nodes, is_on, run, student
 
 PLAIN, TABLE = Units(Notation()), Units(Notation(angle="rad", length="m", variable="theta"))
 OVERLAYS = {
@@ -178,8 +178,7 @@ def test_an_overlay_is_made_when_switched_on_and_hidden_as_a_whole(url, switch):
         await browser.open("picture")
         assert not own()
         await browser.press(switch)
-        shown_on = re.compile(rf'data-cell="{switch}"[^>]*aria-checked="true"')
-        await browser.until(lambda: len(own()) > 3 and bool(shown_on.search(browser.html())))
+        await browser.until(lambda: len(own()) > 3 and is_on(browser, switch))
         await browser.press(switch)
         await browser.until(lambda: not any(scene.seen[name] for name in own()))
         made, texts = own(), dict(scene.texts)

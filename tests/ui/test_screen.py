@@ -15,7 +15,7 @@ from armlab.ui.figure.marks import FRAME_LENGTH
 from armlab.ui.switches import DARK
 from armlab.ui.view import PROJECTED
 from support.own_lessons import notes
-from support.student import run, settled, student
+from support.student import is_on, run, settled, student
 
 START = State.initial(catalogue()["planar_2r"])
 
@@ -135,7 +135,7 @@ def test_the_frame_of_the_tool_is_smaller_than_the_others_and_the_handle_beside_
         away = np.array(name["position"]) - target["position"]
         tip = node(browser, "/frame1")["scale"] / FRAME_LENGTH * HANDLE
         np.testing.assert_allclose(away, [tip, 0.0, 0.0], atol=1e-6)
-        await settled(browser, 2.0)  # a button does what it said when it was shown
+        await browser.until(lambda: is_on(browser, "frames"))
         await browser.press("frames")
         await browser.until(lambda: not node(browser, "/target_name").get("visible", True))
         await browser.close()
