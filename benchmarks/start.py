@@ -99,4 +99,4 @@ def printed_address(command: list[str], **options) -> Iterator[str]:
         yield re.search(r"http://\S+", line)[0] if "http" in line else f"http://127.0.0.1:{int(line)}/"
     finally:
         process.terminate()
-        process.wait(10.0)
+        process.wait(60.0)  # beside load it takes its time
