@@ -143,7 +143,7 @@ def kind_of(hint: Any) -> Kind | None:
     """Return how a value of a type is written; None if it cannot be written."""
     if hint in _PLAIN:
         return _PLAIN[hint]
-    origin, inside = get_origin(hint), get_args(hint)
+    origin, inside = _origin(hint), get_args(hint)
     if origin is Literal:
         return one_of(inside)
     if origin in (Union, types.UnionType):
@@ -155,6 +155,12 @@ def kind_of(hint: Any) -> Kind | None:
     if dataclasses.is_dataclass(hint) and isinstance(hint, type):
         return _table(hint)
     return None
+
+
+def _origin(hint: Any) -> Any:
+    """Return what a type is one of; ``NDArray`` is an alias of its own kind since NumPy 2.5."""
+    origin = get_origin(hint)
+    return get_origin(getattr(origin, "__value__", None)) or origin
 
 
 def _text(value: Any) -> str:
