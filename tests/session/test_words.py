@@ -5,9 +5,12 @@ import inspect
 import json
 import math
 import pkgutil
+import types
+from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from armlab.benches.control.loop.state import Loop
 from armlab.content.bench_words import BenchWord
@@ -189,6 +192,14 @@ def test_what_no_file_can_say_has_no_kind():
     assert kind_of(object) is None
     assert kind_of(tuple[object, ...]) is None
     assert kind_of(object | None) is None
+
+
+def test_an_array_is_known_by_an_alias_of_its_type_as_numpy_has_one_since_2_5():
+    class Alias:
+        __value__ = np.ndarray[Any, Any]
+
+    alias, plain = kind_of(types.GenericAlias(Alias, (np.float64,))), kind_of(NDArray[np.float64])
+    assert alias.says == plain.says == "a pose: four rows, or a table of position and rpy_deg"
 
 
 def test_a_bench_is_put_as_it_was_saved():
