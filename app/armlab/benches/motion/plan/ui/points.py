@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from armlab.benches.motion.files.commands import BackToWaypoints, MakeWaypoints
+from armlab.benches.motion.plan.moves import AT_WAYPOINT, Waypoint
 from armlab.benches.motion.plan.paths import shortfall
 from armlab.benches.motion.plan.points import (
     AddWaypoint,
@@ -12,6 +13,7 @@ from armlab.benches.motion.plan.points import (
     GoToWaypoint,
     RemoveWaypoint,
     SelectWaypoint,
+    SetAtWaypoint,
     SetWaypointJoint,
     SetWaypointPose,
     ShiftWaypoint,
@@ -27,11 +29,15 @@ from armlab.session.state import State
 from armlab.ui.form import Form
 from armlab.ui.format import lowered
 from armlab.ui.html import Markup, classes, joined, tag
+from armlab.ui.option_form import option_form
 from armlab.ui.pose_fields import pose_form
 from armlab.ui.units import Units, units_of
 
 MADE = 12
 """Number of waypoints that are made here from a motion of a file; the page Import & export has the choice."""
+
+GRIPPER_SIGNS = {"open": "⟨ ⟩", "close": "⟩⟨"}
+"""Small pictures of what the gripper does."""
 
 SPACES = {"joint": "joint", "cartesian": "Cartesian"}
 
@@ -75,8 +81,20 @@ def _row(form: Form, state: State, k: int) -> Markup:
     short = shortfall(state[Joints].arm, part.waypoints[k])
     bad = tag("b.no", "✕", title="The arm does not reach it") if short else None
     place = tag("span.mo-at", _place(state, k, units))
-    row = tag(classes("div.mo-row", now=selected), select, place, bad, tools)
+    row = tag(classes("div.mo-row", now=selected), select, place, bad, does_markup(part.waypoints[k]), tools)
     return joined(_move_line(part, k) if k else None, row)
+
+
+def does_markup(point: Waypoint) -> Markup | None:
+    """Return what is done at a waypoint in two small words, or nothing if nothing is."""
+    if not point.rests:
+        return None
+    sign = GRIPPER_SIGNS.get(point.gripper)
+    words = [f"the gripper {'opens' if point.gripper == 'open' else 'closes'}"] if sign else []
+    words += [f"the arm waits {point.wait:g} s"] if point.wait else []
+    shown = (tag("b", sign) if sign else None, f"{point.wait:g} s" if point.wait else None)
+    title = f"{' and '.join(words)}"
+    return tag("span.mo-does", shown, title=title[:1].upper() + title[1:], aria_label=title, role="img")
 
 
 def _place(state: State, k: int, units: Units) -> str:
@@ -113,7 +131,13 @@ def _selected(form: Form, state: State) -> Markup:
         tag("div.kit-numbers", cells),
         pose_form(form, arm, point.wanted(arm), units, partial(SetWaypointPose, k), "pose "),
         tag("p.no", f"✕ {short}") if short else None,
+        tag("div.options", at_waypoint(form, k, point)),
     )
+
+
+def at_waypoint(form: Form, k: int, point: Waypoint) -> Markup:
+    """Return the choice of what the gripper does at a waypoint, and the field of the wait there."""
+    return option_form(form, f"at-{k} ", tuple(AT_WAYPOINT.values()), point.does, partial(SetAtWaypoint, k))
 
 
 def _joint(form: Form, k: int, i: int, value: float, revolute: bool, units: Units) -> Markup:
