@@ -81,20 +81,16 @@ def _row(form: Form, state: State, k: int) -> Markup:
     short = shortfall(state[Joints].arm, part.waypoints[k])
     bad = tag("b.no", "✕", title="The arm does not reach it") if short else None
     place = tag("span.mo-at", _place(state, k, units))
-    row = tag(classes("div.mo-row", now=selected), select, place, bad, does_markup(part.waypoints[k]), tools)
-    return joined(_move_line(part, k) if k else None, row)
+    row = tag(classes("div.mo-row", now=selected), select, place, bad, tools)
+    return joined(_move_line(part, k) if k else None, row, does_markup(part.waypoints[k]))
 
 
 def does_markup(point: Waypoint) -> Markup | None:
-    """Return what is done at a waypoint in two small words, or nothing if nothing is."""
-    if not point.rests:
-        return None
+    """Return a line on what is done at a waypoint, or nothing if nothing is."""
     sign = GRIPPER_SIGNS.get(point.gripper)
-    words = [f"the gripper {'opens' if point.gripper == 'open' else 'closes'}"] if sign else []
-    words += [f"the arm waits {point.wait:g} s"] if point.wait else []
-    shown = (tag("b", sign) if sign else None, f"{point.wait:g} s" if point.wait else None)
-    title = f"{' and '.join(words)}"
-    return tag("span.mo-does", shown, title=title[:1].upper() + title[1:], aria_label=title, role="img")
+    gripper = (tag("b", sign, aria_hidden="true"), f"gripper {point.gripper}s") if sign else None
+    wait = f"{'· ' if sign else ''}waits {point.wait:g} s" if point.wait else None
+    return tag("div.mo-move.mo-does", gripper, wait) if point.rests else None
 
 
 def _place(state: State, k: int, units: Units) -> str:
@@ -131,7 +127,7 @@ def _selected(form: Form, state: State) -> Markup:
         tag("div.kit-numbers", cells),
         pose_form(form, arm, point.wanted(arm), units, partial(SetWaypointPose, k), "pose "),
         tag("p.no", f"✕ {short}") if short else None,
-        tag("div.options", at_waypoint(form, k, point)),
+        tag("div.options.mo-doing", at_waypoint(form, k, point)),
     )
 
 
