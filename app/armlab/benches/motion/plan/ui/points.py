@@ -89,7 +89,7 @@ def does_markup(point: Waypoint) -> Markup | None:
     """Return a line on what is done at a waypoint, or nothing if nothing is."""
     sign = GRIPPER_SIGNS.get(point.gripper)
     gripper = (tag("b", sign, aria_hidden="true"), f"gripper {point.gripper}s") if sign else None
-    wait = f"{'· ' if sign else ''}waits {point.wait:g} s" if point.wait else None
+    wait = f"{' · ' if sign else ''}waits {point.wait:g} s" if point.wait else None
     return tag("div.mo-move.mo-does", gripper, wait) if point.rests else None
 
 
