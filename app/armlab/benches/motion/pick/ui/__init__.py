@@ -1,0 +1,1 @@
+"""What the page Pick & place draws and shows."""
