@@ -55,7 +55,7 @@ AT_WAYPOINT: dict[str, Field] = {
         Field("wait", "", "wait", "number", 0.0, 0.0, LONGEST_WAIT, unit="s"),
     )
 }
-"""What the arm does at a waypoint besides being there, by name."""
+"""Actions of the arm at a waypoint besides being there, by name."""
 
 
 LINE, TRAPEZOID = Chosen("line"), Chosen("trapezoidal")
@@ -89,7 +89,7 @@ class Waypoint:
 
     @property
     def does(self) -> dict[str, Any]:
-        """What is done there, by the names of `AT_WAYPOINT`, without what is left as it comes."""
+        """Actions there, by the names of `AT_WAYPOINT`, without those that are left as they come."""
         given = {name: getattr(self, name) for name in AT_WAYPOINT}
         return {name: value for name, value in given.items() if value != AT_WAYPOINT[name].default}
 
