@@ -89,7 +89,7 @@ def test_only_what_the_page_shows_is_sent_and_only_when_it_has_changed(url):
         await browser.until(lambda: seen)
         assert not any("data-numbers" in each for each in seen)
         assert browser.html().count("data-numbers") == before
-        browser.on_message = None
+        browser.on_message = lambda message, at: None
         await browser.press_on(channel, "look", "no plots")
         await browser.press_on(channel, "csv", "no plot")
         await browser.open("motion")
