@@ -46,7 +46,7 @@ WORDS = (
     ("✓ reached", "the tool is at the target"),
     ("✕ limit on joint 3", "only a joint limit keeps the tool away"),
     ("✕ closest possible", "no small move of any joint comes closer"),
-    ("✕ out of reach", "farther than all links in a line"),
+    ("✕ out of reach", "farther than the fully stretched arm"),
 )
 
 
