@@ -10,7 +10,7 @@ import json
 import logging
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 import viser
 
@@ -21,9 +21,7 @@ from armlab.ui import adapter
 from armlab.ui.fields import Fields
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, joined, tag
-
-if TYPE_CHECKING:
-    from armlab.ui.tray_picture import Picture
+from armlab.ui.tray_picture import Picture
 
 log = logging.getLogger(__name__)
 
@@ -68,7 +66,7 @@ class Enlarged(Protocol):
 
 @dataclass(frozen=True)
 class Look:
-    """What a page wants to see: plots by their keys, and the number of points of a curve."""
+    """The wish of a page: plots by their keys, and the number of points of a curve."""
 
     keys: tuple[str, ...] = ()
     points: int = FEWEST_POINTS

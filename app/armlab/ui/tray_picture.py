@@ -1,20 +1,18 @@
-"""What the tray draws of a plot: its curves with as many points as the screen can show, limits, and marks."""
+"""A plot as the tray draws it: its curves with as many points as the screen can show, limits, and marks."""
 
 from __future__ import annotations
 
 import base64
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.ui.colours import VERDICT, Rgb
+from armlab.ui.curve import Curve
 from armlab.ui.html import Inside, joined
-
-if TYPE_CHECKING:
-    from armlab.ui.plot import Curve
 
 Array = NDArray[np.float64]
 Range = tuple[float, float]
