@@ -7,7 +7,7 @@ PAGE = Page(
     "motion_pick",
     "Pick & place",
     "BOX",
-    39.5,
+    46,
     tab="motion",
     about=(
         "pick and place",

@@ -91,7 +91,7 @@ class Pick(FieldPart):
         return replace(self, boxes=(*self.boxes[:which], place, *self.boxes[which + 1 :]))
 
 
-PART = PartType(Pick, order=98.5)
+PART = PartType(Pick, order=107)
 
 
 def name_of(which: int) -> str:

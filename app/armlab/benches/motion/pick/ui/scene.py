@@ -161,4 +161,4 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 PANELS = ("motion", "motion_pick", "motion_plots", "motion_files")
 
-LAYER = Layer("motion_boxes", 88.5, (Pick, Plan, Timeline), build, panel=PANELS, silent=True)
+LAYER = Layer("motion_boxes", 90, (Pick, Plan, Timeline), build, panel=PANELS, silent=True)

@@ -20,7 +20,7 @@ from armlab.ui.scene._nodes import move
 from armlab.ui.scene._polyline import ROUGHNESS, simplified
 from armlab.ui.scene._strokes import add_name, polyline
 
-PANELS = ("motion", "motion_plots", "motion_files")
+PANELS = ("motion", "motion_pick", "motion_plots", "motion_files")
 
 THICKNESS, OTHER = 0.0065, 0.003
 """Thickness of the path, and of the one for comparison, in sizes of the arm."""

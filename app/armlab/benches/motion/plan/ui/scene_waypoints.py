@@ -128,6 +128,6 @@ def build(canvas: LayerCanvas, state: State) -> Show:
     return _Points(canvas).show
 
 
-PANELS = ("motion", "motion_plots")
+PANELS = ("motion", "motion_pick", "motion_plots")
 
 LAYER = Layer("motion_waypoints", 88, (Plan, Target, Timeline), build, panel=PANELS, silent=True)
