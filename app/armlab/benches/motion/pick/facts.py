@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from armlab.benches.motion.pick.state import Pick, course_of, from_goal, placed
+from armlab.benches.motion.plan.job import JOB
 from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
@@ -43,4 +44,5 @@ FACTS = Facts(
         "from_goal": Fact("the distance of the nearest box from the goal in the end", _apart, "m"),
         "waits": Fact("the sum of the waits at waypoints", _waits, "s"),
     },
+    JOB,
 )

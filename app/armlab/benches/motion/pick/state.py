@@ -19,7 +19,6 @@ from armlab.session.examples import with_clip_closed
 from armlab.session.fields import FieldPart, own, put
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
-from armlab.session.parts.target import FARTHEST
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, Json, PartType, State
 
@@ -141,14 +140,8 @@ def placed(state: State) -> int:
     return sum(apart <= most and k != held for k, apart in enumerate(from_goal(state)))
 
 
-class PickCommand(Command):
-    """A change of the boxes."""
-
-    label: ClassVar[str] = "boxes"
-
-
 @dataclass(frozen=True)
-class PickAndPlace(PickCommand):
+class PickAndPlace(Command):
     """Put boxes within reach of the arm, and the waypoints that bring the first one to the goal."""
 
     label: ClassVar[str] = "pick and place"
@@ -166,7 +159,7 @@ class PickAndPlace(PickCommand):
 
 
 @dataclass(frozen=True)
-class AddBox(PickCommand):
+class AddBox(Command):
     """Put one more box within reach of the arm."""
 
     label: ClassVar[str] = "one more box"
@@ -181,7 +174,7 @@ class AddBox(PickCommand):
 
 
 @dataclass(frozen=True)
-class RemoveBox(PickCommand):
+class RemoveBox(Command):
     """Take a box, counted from 0, off the table."""
 
     k: int
@@ -211,7 +204,7 @@ class SelectBox(Command):
 
 
 @dataclass(frozen=True)
-class MoveBox(PickCommand):
+class MoveBox(Command):
     """Put a box, counted from 0, or the goal at a place: one coordinate in the world, metres.
 
     Parameters
@@ -228,14 +221,14 @@ class MoveBox(PickCommand):
     label: ClassVar[str] = "place of a box"
 
     def apply(self, state: State) -> State:
-        """Return the state with the box there; `InputError` far from the arm."""
+        """Return the state with the box there; `InputError` absurdly far away."""
         place = list(_refuse_missing(state[Pick], self.which))
         place[self.axis] = self.value
-        return put(state, state[Pick].moved(self.which, _near(state, self.which, place)))
+        return put(state, state[Pick].moved(self.which, _place(place, name_of(self.which))))
 
 
 @dataclass(frozen=True, eq=False)
-class DragBox(PickCommand):
+class DragBox(Command):
     """Drag the handle of a box or of the goal; this is one event of a drag.
 
     Parameters
@@ -261,7 +254,7 @@ class DragBox(PickCommand):
     def apply(self, state: State) -> State:
         """Return the state with the box there."""
         _refuse_missing(state[Pick], self.which)
-        return state.replace(state[Pick].moved(self.which, _near(state, self.which, self.place.tolist())))
+        return state.replace(state[Pick].moved(self.which, _place(self.place.tolist(), name_of(self.which))))
 
 
 def _refuse_missing(part: Pick, which: int) -> Point:
@@ -271,12 +264,3 @@ def _refuse_missing(part: Pick, which: int) -> Point:
         there = ", ".join(name_of(k) for k in range(GOAL + 1) if part.place(k) is not None)
         raise InputError(f"{name_of(which)}: it is not there; there are: {there or 'none'}")
     return place
-
-
-def _near(state: State, which: int, place: Sequence[float]) -> Point:
-    """Return a place; `InputError` if it is absurdly far from the arm."""
-    arm = state[Joints].arm
-    checked = _place(list(place), name_of(which))
-    if np.linalg.norm(np.array(checked) - arm.base[:3, 3]) > FARTHEST * 2.0 * arm.length_scale:
-        raise InputError(f"{name_of(which)}: farther than {FARTHEST:g} times the reach of the arm")
-    return checked

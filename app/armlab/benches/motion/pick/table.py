@@ -27,7 +27,7 @@ Point = tuple[float, float, float]
 MOST_BOXES = 3
 """Largest number of boxes."""
 
-BOX = 0.12
+BOX = 0.1
 """Edge of a box, in length scales of the arm."""
 
 LIFTS = (0.4, 0.25, 0.15)

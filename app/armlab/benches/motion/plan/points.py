@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar, Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.ik.target import feasible
 from armlab.kin.transforms import as_pose
 from armlab.registry import known_name
+from armlab.session.chosen import Value
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import FARTHEST
 from armlab.session.state import Command, State
@@ -219,7 +220,7 @@ class SetAtWaypoint(PlanCommand):
 
     k: int
     name: str
-    value: Any
+    value: Value
     label: ClassVar[str] = "gripper and wait"
 
     def apply(self, state: State) -> State:

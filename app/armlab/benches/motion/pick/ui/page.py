@@ -136,9 +136,14 @@ def around(state: State) -> Points:
     return np.vstack([way_around(state), *places]) if places else way_around(state)
 
 
+def looks(state: State) -> bool:
+    """Return whether there are boxes to look at."""
+    return bool(state[Pick].boxes)
+
+
 def hides(state: State) -> tuple[str, ...]:
     """Return the layers in the way: the arm's handle while a box has one, and while the motion plays."""
     return HANDLE if state[Pick].selected is not None else while_on(state)
 
 
-PANEL = Panel((Pick, Plan, Timeline, Joints, Notation, RobotPart), build, hides_then=hides, around=around)
+PANEL = Panel((Pick, Plan, Timeline, Joints, Notation, RobotPart), build, hides_then=hides, around=around, looks=looks)

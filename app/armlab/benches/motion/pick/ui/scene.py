@@ -27,17 +27,17 @@ from armlab.ui.scene._strokes import add_name
 COLOURS: tuple[Rgb, ...] = (ORANGE, SKY, PURPLE)
 """Colours of the boxes, which also have their names."""
 
-FINGER: Rgb = (62, 70, 82)
+FINGER: Rgb = (118, 127, 140)
 """Colour of the fingers."""
 
-FINGERS = (0.16, 0.62, 1.5)
+FINGERS = (0.12, 0.5, 1.4)
 """Thickness, width and length of a finger, in edges of a box."""
 
 BEYOND = 0.4
 """Length of the fingers beyond the tool point, in edges."""
 
-OPEN, HELD, SHUT = 1.5, 0.72, 0.12
-"""Distance of the fingers from the tool point, in edges, halved: open, at a box, and closed on nothing."""
+OPEN, HELD, SHUT = 1.7, 1.13, 0.14
+"""Distance between the middles of the fingers, in edges: open, at a box, and closed on nothing."""
 
 PAD = 0.06, 2.2
 """Height of the plate of the goal, and its width, in edges."""
@@ -121,7 +121,7 @@ class _Boxes:
         if not there:
             return
         frame = tool @ self._on_tool()
-        gap = 0.5 * self._edge * (OPEN + closed * ((2.0 * HELD if held else SHUT) - OPEN))
+        gap = 0.5 * self._edge * (OPEN + closed * ((HELD if held else SHUT) - OPEN))
         back = self._edge * (BEYOND - 0.5 * FINGERS[2])
         for finger, side in zip(self._fingers, (gap, -gap), strict=True):
             put(finger, frame @ transform(np.eye(3), np.array([side, 0.0, back])))
