@@ -39,6 +39,9 @@ TURNS = (0.6, 1.0, 0.35)
 """Heights of the boxes above the foot of the arm and distances from its first axis, in its length scales, and half the
 angles from the first box to the goal, radians: the first that the arm reaches are taken."""
 
+LEAST_RADIUS = 0.2
+"""Least distance of boxes from the first axis, in length scales: as far from it as the tool at home, if that is more."""
+
 NEXT = 2.0
 """Distance from one box to the next, in edges."""
 
@@ -113,10 +116,11 @@ def _places(arm: Arm, home: Floats) -> Iterator[tuple[list[Floats], Floats, Floa
     base, size = arm.base, arm.length_scale
     at_home = (inverse(base) @ arm.fk(home))[:3, 3]
     azimuth = float(np.arctan2(at_home[1], at_home[0]))
-    flat = "z" not in arm.task.position
+    flat, beside = "z" not in arm.task.position, float(np.hypot(*at_home[:2]))
+    radii = [*(size * share for share in RADII), *([beside] if beside > LEAST_RADIUS * size else [])]
     for height in [float(at_home[2])] if flat else [size * share for share in HEIGHTS]:
         for turn in TURNS:
-            for radius in (*(size * share for share in RADII), float(np.hypot(*at_home[:2]))):
+            for radius in radii:
                 step = NEXT * BOX * size / radius
                 ways = [azimuth - turn - k * np.sign(turn) * step for k in range(MOST_BOXES)]
                 spots = [
