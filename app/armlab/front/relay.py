@@ -36,7 +36,9 @@ async def relay(
                 log.error("a connection was lost", exc_info=end)
         refused = next((end for end in ends if isinstance(end, int)), None)
         with contextlib.suppress(TimeoutError):
-            closing = asyncio.gather(lab.close(), browser.close(code=refused or _told(lab.close_code)), return_exceptions=True)
+            closing = asyncio.gather(
+                lab.close(), browser.close(code=refused or _told(lab.close_code)), return_exceptions=True
+            )
             await asyncio.wait_for(closing, CLOSING)
         if request.transport is not None:
             request.transport.abort()
