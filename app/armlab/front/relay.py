@@ -12,6 +12,18 @@ from armlab.front.limits import Meter
 
 log = logging.getLogger(__name__)
 
+NONSENSE = frozenset(
+    {
+        WSCloseCode.PROTOCOL_ERROR,
+        WSCloseCode.UNSUPPORTED_DATA,
+        WSCloseCode.INVALID_TEXT,
+        WSCloseCode.POLICY_VIOLATION,
+        WSCloseCode.MESSAGE_TOO_BIG,
+        WSCloseCode.INTERNAL_ERROR,  # what a lab says to a message that it cannot unpack
+    }
+)
+"""Codes with which a browser is let go for what it has sent."""
+
 UNSAID = (1005, 1006, 1015)
 """Codes with which an end of a connection notes that the other one has said none."""
 
@@ -21,8 +33,8 @@ CLOSING = 3.0
 
 async def relay(
     request: web.Request, browser: web.WebSocketResponse, lab: ClientWebSocketResponse, meter: Meter
-) -> None:
-    """Pass messages both ways until one side closes, then close the other one."""
+) -> bool:
+    """Pass messages both ways until one side closes, then close the other one; return whether that was for nonsense."""
     pumps = [asyncio.create_task(_to_lab(browser, lab, meter)), asyncio.create_task(_to_browser(lab, browser))]
     try:
         await asyncio.wait(pumps, return_when=asyncio.FIRST_COMPLETED)
@@ -34,14 +46,13 @@ async def relay(
             # That a connection breaks is no news; anything else is a fault of the front.
             if isinstance(end, Exception) and not isinstance(end, (ClientError, ConnectionError)):
                 log.error("a connection was lost", exc_info=end)
-        refused = next((end for end in ends if isinstance(end, int)), None)
+        code = next((end for end in ends if isinstance(end, int)), None) or _told(lab.close_code)
         with contextlib.suppress(TimeoutError):
-            closing = asyncio.gather(
-                lab.close(), browser.close(code=refused or _told(lab.close_code)), return_exceptions=True
-            )
+            closing = asyncio.gather(lab.close(), browser.close(code=code), return_exceptions=True)
             await asyncio.wait_for(closing, CLOSING)
         if request.transport is not None:
             request.transport.abort()
+    return code in NONSENSE or browser.close_code in NONSENSE
 
 
 def _told(code: int | None) -> int:
