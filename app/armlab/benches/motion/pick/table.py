@@ -40,7 +40,7 @@ TURNS = (0.6, 1.0, 0.35)
 angles from the first box to the goal, radians: the first that the arm reaches are taken."""
 
 LEAST_RADIUS = 0.2
-"""Least distance of boxes from the first axis, in length scales: as far from it as the tool at home, if that is more."""
+"""Least distance of the tool at home from the first axis, in length scales, that is tried for boxes, too."""
 
 NEXT = 2.0
 """Distance from one box to the next, in edges."""
