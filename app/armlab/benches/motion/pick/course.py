@@ -118,7 +118,7 @@ def course(arm: Arm, planned: Planned | None, boxes: Sequence[Point], edge: floa
             if tries[-1].taken:
                 held = tries[-1].nearest
                 assert held is not None
-                spans[held].append(Span(grip.time, True, inverse(tool) @ spans[held][-1].pose))
+                spans[held].append(Span(grip.time, True, np.asarray(inverse(tool) @ spans[held][-1].pose)))
         elif not grip.closes and held is not None:
             spans[held].append(Span(grip.time, False, tool @ spans[held][-1].pose))
             held = None

@@ -33,7 +33,7 @@ BOX = 0.1
 LIFTS = (0.4, 0.25, 0.15)
 """How far the tool goes back from a box, in length scales of the arm: the first that the arm can."""
 
-HEIGHTS = (0.06, 0.2, 0.4, 0.7)
+HEIGHTS = (0.5 * BOX, 0.2, 0.4, 0.7)
 RADII = (1.0, 0.8, 1.2, 0.6)
 TURNS = (0.6, 1.0, 0.35)
 """Heights of the boxes above the foot of the arm and distances from its first axis, in its length scales, and half the
@@ -135,7 +135,7 @@ def _places(arm: Arm, home: Floats) -> Iterator[tuple[list[Floats], Floats, Floa
 
 def _around(base: Floats, radius: float, azimuth: float, height: float) -> Floats:
     local = np.array([radius * np.cos(azimuth), radius * np.sin(azimuth), height])
-    return np.round(base[:3, :3] @ local + base[:3, 3], DECIMALS)
+    return np.asarray(np.round(base[:3, :3] @ local + base[:3, 3], DECIMALS), dtype=np.float64)
 
 
 class Hand(NamedTuple):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from armlab.benches.motion.pick.course import GRASP
@@ -34,6 +36,9 @@ from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
+
+CORNERS = np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
+"""Corners of a space that a box takes in the picture, in edges."""
 
 MOST_LINES = 5
 """Largest number of sentences on the boxes that are shown."""
@@ -131,9 +136,10 @@ def _waypoint(form: Form, state: State, k: int) -> Inside:
 
 def around(state: State) -> Points:
     """Return the boxes, the goal, the waypoints and the path, (k, 3), world."""
-    part = state[Pick]
+    part, edge = state[Pick], edge_of(state[Joints].arm)
     places = [*part.boxes, *([part.goal] if part.goal is not None else [])]
-    return np.vstack([way_around(state), *places]) if places else way_around(state)
+    corners = np.array(places).reshape(-1, 1, 3) + edge * CORNERS
+    return np.vstack([way_around(state), corners.reshape(-1, 3)])
 
 
 def looks(state: State) -> bool:
