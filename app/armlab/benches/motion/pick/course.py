@@ -106,7 +106,8 @@ def course(arm: Arm, planned: Planned | None, boxes: Sequence[Point], edge: floa
     edge : float
         Of a box, metres.
     """
-    spans = [[Span(0.0, False, transform(np.eye(3), np.array(box)))] for box in boxes]
+    rest = [np.asarray(transform(np.eye(3), np.array(box)), dtype=np.float64) for box in boxes]
+    spans = [[Span(0.0, False, pose)] for pose in rest]
     if planned is None or planned.motion is None:
         return Course(tuple(map(tuple, spans)))
     tries: list[Try] = []
