@@ -41,6 +41,10 @@
     range.dispatchEvent(new Event('input', { bubbles: true }));
   };
   const asks = {
+    // What a hand points at is read in all plots with the same abscissa.
+    point: (plot, at) => {
+      for (const each of plots.values()) if (each === plot || each.picture?.x === plot.picture.x) each.point(at);
+    },
     canScrub: plot => clipOf(plot.key) !== '',
     scrub: (plot, at, done) => {
       scrubbed = !done;
