@@ -319,8 +319,10 @@
       const to = { ArrowRight: now + step, ArrowLeft: now - step, Home: low, End: high }[event.key];
       if (to !== undefined) {
         const held = Math.min(Math.max(to, low), high);
-        if (this.asked.canScrub(this)) this.asked.scrub(this, this.mark = held, true);
-        else this.asked.point(this, held);
+        if (this.asked.canScrub(this)) {
+          this.asked.point(this, null);
+          this.asked.scrub(this, held, true);
+        } else this.asked.point(this, held);
       } else if (event.key === '+' || event.key === '-') {
         const x = this.zoomed(this.X, this.read ?? (low + high) / 2, event.key === '+' ? 0.7 : 1 / 0.7);
         this.setZoom({ x, y: this.Y.range });
