@@ -1,4 +1,4 @@
-"""What a page draws by itself, and the button that shows it, or a plot, large below the scene."""
+"""Pictures that a page draws by itself, large below the scene, and the button that shows them, or a plot, so."""
 
 from __future__ import annotations
 
