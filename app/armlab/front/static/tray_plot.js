@@ -77,9 +77,9 @@
         + '<button type="button" data-act="reset" title="Whole curves again (double click)">Reset zoom</button>'
         + '<button type="button" data-act="png">PNG</button><button type="button" data-act="svg">SVG</button>'
         + '<button type="button" data-act="csv">CSV</button></span></div>'
-        + '<div class="tray-body"><div class="tray-field" role="slider" tabindex="0" aria-orientation="horizontal">'
+        + '<div class="tray-body"><div class="tray-field" role="slider" tabindex="0" aria-label="Cursor" aria-valuenow="0" aria-orientation="horizontal">'
         + '<svg class="tray-svg" role="presentation"></svg><svg class="tray-over" role="presentation"></svg></div>'
-        + '<div class="tray-legend"><output></output><ul></ul></div></div>';
+        + '<div class="tray-legend"><output aria-live="off"></output><ul></ul></div></div>';
       this.field = box.querySelector('.tray-field');
       this.svg = box.querySelector('.tray-svg');
       this.over = box.querySelector('.tray-over');
@@ -142,7 +142,7 @@
       if (!this.picture || wide < 40 || tall < 60) return;
       const colours = looks(), { picture, clip } = this;
       let { x, y } = this.ranges();
-      const rough = axis(y, tall - BOTTOM, TOP, false).marks(32);
+      const rough = axis(y, tall - BOTTOM, TOP, false).marks(26);
       const left = 14 + LETTER * Math.max(2, ...rough.map(([, text]) => text.length));
       const right = wide - RIGHT, bottom = tall - BOTTOM;
       if (picture.square && !this.zoom) [x, y] = sameScale(x, y, right - left, bottom - TOP);
@@ -155,7 +155,7 @@
         line(`M${X.at(value).toFixed(1)} ${TOP}V${bottom}`, colours.line);
         word(X.at(value), bottom + 14, text, 'middle');
       }
-      for (const [value, text] of Y.marks(32)) {
+      for (const [value, text] of Y.marks(26)) {
         line(`M${left} ${Y.at(value).toFixed(1)}H${right}`, colours.line, value === 0 ? 'stroke-width="2"' : '');
         word(left - 5, Y.at(value) + 4, text, 'end');
       }
@@ -187,7 +187,7 @@
       const units = [...new Set(this.curves.map(each => each.unit))];
       return units.length === 1 ? units[0] || this.title.split(', ').slice(1).join(', ') : '';
     }
-    get unit() { return this.picture.y || (this.curves.length === 1 ? this.curves[0].name : this.common); }
+    get unit() { return this.picture.y || (this.curves.length === 1 && (this.curves[0].unit || !this.common) ? this.curves[0].name : this.common); }
 
     // -- the cursor ----------------------------------------------------------------------------------------------
 
