@@ -24,7 +24,7 @@ from armlab.ui import measured
 from armlab.ui.colours import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION, VIRIDIS_CSS, YELLOW, Rgb, css
 from armlab.ui.form import Form
 from armlab.ui.format import number, pairs
-from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.units import Units
 
 COLOURS: dict[str, Rgb] = {
@@ -151,7 +151,8 @@ def planar_words(state: State, units: Units) -> Inside:
     ]
     differs = None
     if len(lengths) == 3 or space.dexterous:
-        differs = tag("details", tag("summary", "Where the notes differ"), tag("p.dim", NOTES_DIFFER[len(lengths)]))
+        text = tag("p.dim", NOTES_DIFFER[len(lengths)])
+        differs = joined("⟦", tag("details", tag("summary", "Where the notes differ"), text), "⟧")
     return pairs(rows), None if turns_fully(state[Joints].arm) else WITHOUT_LIMITS, differs
 
 
@@ -307,7 +308,7 @@ def definition() -> Markup:
     """Return the definition of the dexterous workspace."""
     two, one = ("WS", tag("sub", "2")), ("WS", tag("sub", "1"))
     return tag(
-        "p.dim", two, ": the points of ", one, " that the tool reaches in ", tag("b", "every"), " orientation (4.21)."
+        "p.dim", two, ": the points of ", one, " that the tool reaches in ", tag("b", "every"), " orientation⟦ (4.21)⟧."
     )
 
 
