@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 _MARKED = re.compile("⟦(.*?)⟧", re.DOTALL)
-_EMPTY = re.compile(r"<(p|small)(?: [^<>]*)?></\1>| title=\"\"")
+_EMPTY = re.compile(r"<details><summary></summary><p[^<>]*></p></details>|<(p|small)(?: [^<>]*)?></\1>| title=\"\"")
 """Elements and hints of which nothing is left without what was marked."""
 
 

@@ -16,8 +16,8 @@ EXAMPLES = part_examples(
         "notes",
         "Eigenvalues −1 and −2⟦ (1.58)⟧",
         Exponential(),
-        "The series needs about fifteen terms for what T e^Λt T⁻¹ gives at once; the product as it is printed in "
-        "1.58, T⁻¹ e^Λt T, is another matrix.",
+        "The series needs about fifteen terms for what T e^Λt T⁻¹ gives at once; the product in the other "
+        "order, T⁻¹ e^Λt T, is another matrix⟦, the one printed in 1.58⟧.",
     ),
     PartExample(
         "decay",

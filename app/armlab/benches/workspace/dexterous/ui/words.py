@@ -24,7 +24,7 @@ from armlab.ui import measured
 from armlab.ui.colours import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION, VIRIDIS_CSS, YELLOW, Rgb, css
 from armlab.ui.form import Form
 from armlab.ui.format import number, pairs
-from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.units import Units
 
 COLOURS: dict[str, Rgb] = {
@@ -41,10 +41,10 @@ COLOURS: dict[str, Rgb] = {
 WAYS = {1: "→", -1: "←"}
 
 NOTES_DIFFER = {
-    3: "“Not all orientations”: the notes say so of WS₁ \\ {∂WS₁ + ∂WS₂} (after 4.40), which still holds the inside of "
-    "WS₂; it is so in WS₁ \\ (∂WS₁ ∪ WS₂).",
-    2: "“Two orientations”: the notes say so of all of WS₁ \\ ∂WS₁; with l₁ = l₂ the origin, which is inside, is the "
-    "exception.",
+    3: "⟦“Not all orientations”: the notes say so of WS₁ \\ {∂WS₁ + ∂WS₂} (after 4.40), which still holds the inside "
+    "of WS₂; it is so in WS₁ \\ (∂WS₁ ∪ WS₂).⟧",
+    2: "⟦“Two orientations”: the notes say so of all of WS₁ \\ ∂WS₁; with l₁ = l₂ the origin, which is inside, is the "
+    "exception.⟧",
 }
 
 
@@ -152,7 +152,7 @@ def planar_words(state: State, units: Units) -> Inside:
     differs = None
     if len(lengths) == 3 or space.dexterous:
         text = tag("p.dim", NOTES_DIFFER[len(lengths)])
-        differs = joined("⟦", tag("details", tag("summary", "Where the notes differ"), text), "⟧")
+        differs = tag("details", tag("summary", "⟦Where the notes differ⟧"), text)
     return pairs(rows), None if turns_fully(state[Joints].arm) else WITHOUT_LIMITS, differs
 
 
