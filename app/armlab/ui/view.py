@@ -37,6 +37,7 @@ from armlab.ui.search.dialog import SearchDialog
 from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
 from armlab.ui.timeline_bar import TimelineBar
+from armlab.ui.tray import Tray
 from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)
@@ -118,6 +119,7 @@ class View:
             )
             self._search = SearchDialog(self)
             self._timeline = TimelineBar(self.client, self.post)
+            self._tray = Tray(self.client, self.post, self._refresh_now)
             yield
             yield from self._dock()
             self._lesson = LessonDock(self.client, self._gui, self.post)
@@ -153,7 +155,7 @@ class View:
 
     def _gui(self) -> Gui:
         gui = Gui(self.client, self.camera, self.open_tab)
-        gui.again = self._refresh_now
+        gui.again, gui.tray = self._refresh_now, self._tray
         return gui
 
     # -- which panels are open -----------------------------------------------------------------------------------
@@ -376,6 +378,7 @@ class View:
         self._show_overlay()
         self._search.show(self._open_panels(state))
         self._timeline.show(state, self._open_panels(state))
+        self._tray.show(dict(self._tabs[key].plots for key in self._window(state).seen))
         self._look(state)
         self._notices.not_done()
 

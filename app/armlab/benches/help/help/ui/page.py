@@ -18,7 +18,8 @@ PAGE_KEYS = (
     ("V", "projector: large text, no benches (Esc ends)"),
     ("Page ↑ ↓", "the step before or after, in a lesson"),
     ("space , .", "play what the open page shows, step back, step on"),
-    ("Esc", "close a question"),
+    ("X", "the plots of the open page, large; again: close them"),
+    ("Esc", "close a question, or the plots"),
 )
 """Keys that are handled by the page itself."""
 
