@@ -97,7 +97,7 @@ def _written(says: str) -> Markup:
 def _head(form: Form, part: Loop) -> Markup:
     chooser = examples(form, EXAMPLES, part.example, ChooseLoopExample, written=_written)
     formula = mathml(r"M\,\dot v=F,\quad F=K\,(v_d-v)")
-    title = "A mass without friction whose velocity is controlled by a force; notes 7.3-7.10"
+    title = "A mass without friction whose velocity is controlled by a force⟦; notes 7.3-7.10⟧"
     return joined(chooser, tag("div.eq.small", "\N{EM SPACE}", formula, title=title))
 
 
