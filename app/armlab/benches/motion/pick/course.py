@@ -32,7 +32,7 @@ class Span(NamedTuple):
 
 
 class Try(NamedTuple):
-    """What came of a gripper that closes.
+    """The outcome of a gripper that closes.
 
     Attributes
     ----------

@@ -31,7 +31,7 @@ BOX = 0.1
 """Edge of a box, in length scales of the arm."""
 
 LIFTS = (0.4, 0.25, 0.15)
-"""How far the tool goes back from a box, in length scales of the arm: the first that the arm can."""
+"""Ways back from a box, in length scales of the arm: the first that the arm can go is taken."""
 
 HEIGHTS = (0.5 * BOX, 0.2, 0.4, 0.7)
 RADII = (1.0, 0.8, 1.2, 0.6)

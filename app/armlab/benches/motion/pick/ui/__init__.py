@@ -1,1 +1,1 @@
-"""What the page Pick & place draws and shows."""
+"""The panel and the drawings of the page Pick & place."""
