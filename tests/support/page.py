@@ -102,6 +102,17 @@ FITTED = """() => {
 }"""
 """Whether picture and panels have followed the window."""
 
+FOLDED = """control => {
+  let found = null;
+  for (let at = control; at; at = at.parentElement) {
+    const holder = at.previousElementSibling?.querySelector(':scope > .al > details.kit-holds');
+    const fold = holder ?? (at.parentElement?.matches('details') && !at.matches('summary') ? at.parentElement : null);
+    if (fold && !fold.open) found = fold.firstElementChild;
+  }
+  return found;
+}"""
+"""The head of the outermost closed fold around a control."""
+
 LEAST = QUIET = 0.4
 """Seconds: after the first a page that has been the same for the second has probably had its answer."""
 
@@ -309,14 +320,28 @@ class LabPage:
         self.page.mouse.up()
         self.rest()
 
+    def unfold(self, title: str) -> None:
+        """Open the folded part of the panel with this title, unless it is open."""
+        head = self.page.locator("details.kit-fold > summary:visible", has_text=title).first
+        if head.locator("..").get_attribute("open") is None:
+            head.click()
+            self.rest()
+
+    def _revealed(self, control: Locator) -> Locator:
+        """Return a control, after the folds around it were opened from the outside in."""
+        while head := control.evaluate_handle(FOLDED).as_element():
+            head.click()
+            self.rest()
+        return control
+
     def press(self, cell: str) -> None:
-        """Press a button of our own markup."""
-        self.page.locator(f'button[data-cell="{cell}"]').first.click()
+        """Press a button of our own markup, also in a part of the panel that is folded."""
+        self._revealed(self.page.locator(f'button[data-cell="{cell}"]').first).click()
         self.rest()
 
     def type_into(self, cell: str, text: str) -> None:
-        """Fill a field of our own markup and press Enter."""
-        field = self.page.locator(f'input[data-cell="{cell}"]')
+        """Fill a field of our own markup, also in a part of the panel that is folded, and press Enter."""
+        field = self._revealed(self.page.locator(f'input[data-cell="{cell}"]'))
         field.fill(text)
         field.press("Enter")
         self.rest()

@@ -20,7 +20,7 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, number, pairs
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.markup import row, verdict_box
+from armlab.ui.markup import fold, row, verdict_box
 from armlab.ui.option_form import option_form
 from armlab.ui.playing import clock
 from armlab.ui.plot import TIME, Curve, Plot
@@ -43,7 +43,6 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     units = units_of(state)
     head, drawn, form, timing = gui.form(post), gui.html(), gui.form(post), gui.form(post)
     plots, verdict = _Plots(gui), gui.html()
-    gui.heading("Frequency response ", mathml(RESPONSE))
     response = gui.html()
 
     def show(state: State) -> None:
@@ -54,7 +53,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         timing.show(clock(timing, state, CLIP_KEY, part.end))
         plots.show(state)
         verdict.show(_verdict(part, units))
-        response.show(bode(part, units), _numbers(part, units))
+        response.show(fold(("Frequency response ", mathml(RESPONSE)), bode(part, units), _numbers(part, units)))
 
     return show
 

@@ -16,6 +16,7 @@ from armlab.ui.colours import AXES, css
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, dot, mathml, number, pairs
 from armlab.ui.html import Markup, joined, tag
+from armlab.ui.markup import fold
 from armlab.ui.symbols import with_indices
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
@@ -124,6 +125,5 @@ def turn_words() -> Markup:
     three = tag("div", mathml(THREE), title="Notes 6.150")
     return joined(
         tag("div.legend", names, tag("span", "— one axis"), tag("span", "- - three angles")),
-        tag("div.eq.small", one_axis, three),
-        corrected(CORRECTED),
+        fold("Formulas", tag("div.eq.small", one_axis, three), corrected(CORRECTED)),
     )

@@ -28,6 +28,7 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import readable
 from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import fold
 from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units, plain_number, units_of
@@ -62,7 +63,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         damping.show(damping_markup(damping, look))
         said = scales_words(look)
         note = tag("p.dim", said) if said else None
-        values.show(tag("h3", "Singular values and directions"), sigma_bars(look), note)
+        values.show(fold("Singular values and directions", sigma_bars(look), note))
 
     return show
 

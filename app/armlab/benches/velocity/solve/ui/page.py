@@ -31,7 +31,7 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, matrix, readable
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.markup import row, verdict_box
+from armlab.ui.markup import fold, row, verdict_box
 from armlab.ui.matrices import WIDE, copy_buttons
 from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Points, Show
@@ -69,7 +69,7 @@ class SolvePage:
         self._verdict.show(verdict_box(*verdict(solved, units)), legend(), reached_markup(solved, units))
         self._speeds.show(speeds_markup(solved, units), null_markup(solved, units))
         self._motion.show(state, solved)
-        self._singular.show(tag("h3", "Is J singular?"), singular_card(solved), measures_markup(solved))
+        self._singular.show(singular_markup(solved))
         self._folds.show(self._folded(solved))
 
     def _folded(self, solved: Found) -> Inside:
@@ -103,6 +103,13 @@ def head_markup(form: Form, state: State, solved: Found, units: Units) -> Markup
 
 def _component(k: int, name: str, turning: bool, units: Units, text: str) -> SetComponent:
     return SetComponent(k, units.read(text.strip().removesuffix("/s"), turning, name))
+
+
+def singular_markup(solved: Found) -> Markup:
+    """Return whether J is singular, by rank, determinant and singular values; open where it is."""
+    inside = singular_card(solved), measures_markup(solved)
+    head = "Is J singular? ", tag("small", f"rank {solved.spaces.rank}")
+    return fold(head, *inside, opened=solved.singular, key="Is J singular?")
 
 
 def svd_markup(solved: Found) -> Markup:

@@ -24,6 +24,7 @@ from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml, number, subscript, trimmed
 from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import fold
 from armlab.ui.symbols import with_indices
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
@@ -56,7 +57,7 @@ def sum_markup(state: State) -> Markup:
         lines.append(line(*_six(moving.parts[:, i], units), name=name))
     total = tag("tr.ve-sum", tag("th", "Σ = J q̇"), [tag("td", value) for value in _six(moving.twist, units)])
     aside = tag("small", f"{units.length_unit}/s, {units.angle_unit}/s; world axes")
-    return joined(tag("h3", "Parts and their sum ", aside), tag("table.ve-table", head_line(None, *ROWS), lines, total))
+    return fold(("Parts and their sum ", aside), tag("table.ve-table", head_line(None, *ROWS), lines, total))
 
 
 def size_markup(state: State) -> Markup:

@@ -80,7 +80,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         decimals = 3 if moving.J.shape[1] <= MOST_WIDE else 2
         matrix.show(state, _title(state), moving.matrix, decimals, None, columns_of(state), ROWS)
         words.show(tag("p.dim.ve-said", in_words(state, moving)))
-        total.show(sum_markup(state), size_markup(state))
+        total.show(size_markup(state), sum_markup(state))
         points.show(folded_markup("points", "Two points of a link", points, state, points_markup))
         higher.show(
             folded_markup("higher", "Acceleration and jerk", higher, state, lambda _, state: higher_markup(state))

@@ -22,7 +22,7 @@ from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml, number, pairs, scientific, subscript, trimmed
 from armlab.ui.html import Inside, Markup, classes, joined, tag
-from armlab.ui.markup import verdict_box
+from armlab.ui.markup import fold, verdict_box
 from armlab.ui.tables import head_line
 from armlab.ui.units import units_of
 
@@ -111,8 +111,8 @@ def work_markup(form: Form, state: State) -> Markup:
         ("difference", f"{'✓ ' if same else '✕ '}{scientific(MILLI * apart)} mJ"),
     ]
     again = form.button("displacement", "Another δq", DrawDisplacement(), "chip", "Draw another virtual displacement")
-    title = tag("h3", "Virtual work ", tag("small", "notes 5.160"), tag("span.copies", again))
-    return joined(title, tag("p.dim", f"δq = ({moved})"), pairs(rows))
+    head = "Virtual work ", tag("small", "notes 5.160")
+    return fold(head, tag("p.dim", f"δq = ({moved})"), pairs(rows), tag("div.bar", again))
 
 
 def free_markup(state: State) -> Markup:
@@ -178,8 +178,8 @@ def duality_markup(state: State) -> Markup:
         "velocity it gains a force for nothing. Six rows together: "
         f"{units.length(arm.length_scale)} count as much as 1 rad (half the reach)."
     )
-    return joined(
-        tag("h3", "Dual subspaces ", tag("small", "dimensions")),
+    return fold(
+        ("Dual subspaces ", tag("small", "dimensions")),
         tag("table.st-dual", head_line(None, None, *heads), rows),
         tag("p.dim", said),
     )

@@ -26,7 +26,7 @@ from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, dot, mathml, matrix, number, pairs, scientific
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.markup import row, verdict_box
+from armlab.ui.markup import fold, row, verdict_box
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
 
@@ -150,18 +150,18 @@ def _verdict(part: Turning, determinant: float, lost: Floats) -> Markup:
 def tool_markup(state: State) -> Markup:
     """Return the analytic Jacobian of the tool's angles, and the rates that the chosen joint speeds cause."""
     part, units, found = state[Turning], units_of(state), state.derived(tool_angles_of)
-    head = tag("h3", "Analytic Jacobian of the tool ", tag("small", mathml(ANALYTIC), " 5.47–5.51"))
+    head = "Analytic Jacobian of the tool ", tag("small", mathml(ANALYTIC), " 5.47–5.51")
     rows: list[tuple[Inside, Inside]] = [(f"φ of the tool, {units.angle_unit}", _three(found.angles, units))]
     if found.J is None or found.rates is None:
         told = f"{capitalised(singular_sentence(part.axes))}."
-        return joined(head, pairs(rows), verdict_box("no", "There is none here", told))
+        return fold(head, pairs(rows), verdict_box("no", "There is none here", told))
     rows += [
         (("φ̇ = J", tag("sub", "φ"), f" q̇, {units.angle_unit}/s"), _three(found.rates, units)),
         (("ω = J", tag("sub", "A"), f" q̇, {units.angle_unit}/s"), _three(found.omega, units)),
     ]
     wide = found.J.shape[1] > WIDE
     shown = tag("div.scroll.ve-wide" if wide else "div.scroll", matrix(found.J, 2 if wide else 3))
-    return joined(head, shown, pairs(rows), tag("p.dim", "With the joint speeds of “Jacobian”. ", RATES))
+    return fold(head, shown, pairs(rows), tag("p.dim", "With the joint speeds of “Jacobian”. ", RATES))
 
 
 def laws_markup(state: State) -> Markup:
