@@ -175,7 +175,7 @@ def test_a_page_that_is_not_seen_hears_no_gamepad(visit):
 def test_a_typed_joint_value_is_cut_at_its_limit_and_says_so_beside_the_slider(visit):
     lab = visit(size=(1024, 700))
     lab.type_into("value 2", "300")
-    said = lab.page.get_by_text("300.0° is beyond the limit of joint 2: 225.0° taken")
+    said = lab.page.get_by_text("300.0° exceeds the limit of joint 2: set to 225.0°")
     lab.until(lambda: said.is_visible())
     assert lab.slider_value(2) == 225.0
     # The field is on the line of its slider, and nothing else can be typed into there.

@@ -5,7 +5,7 @@ from contextlib import AsyncExitStack, asynccontextmanager
 from types import SimpleNamespace
 
 import aiohttp
-from aiohttp import web
+from aiohttp import WSCloseCode, web
 
 from armlab.front.front import Front
 from armlab.front.limits import Limits
@@ -42,6 +42,53 @@ def echoing():
     app = web.Application()
     app.router.add_get("/", echo)
     return app
+
+
+async def offended(request):
+    """Close as a lab does that was sent what it cannot unpack."""
+    socket = web.WebSocketResponse(protocols=[PROTOCOL])
+    await socket.prepare(request)
+    async for message in socket:
+        await socket.close(code=WSCloseCode.INTERNAL_ERROR if message.data == b"nonsense" else WSCloseCode.GOING_AWAY)
+    return socket
+
+
+async def open_again(said):
+    """Return whether a browser is let in again, and a newcomer, after the lab has closed for what the first one said.
+
+    A newcomer who has to wait would wait for days.
+    """
+    tokens, limits = Tokens(b"s" * 32), Limits(lapses=0.0, lapse_rate=1e-6, newcomers_wait=1e6)
+    app = web.Application()
+    app.router.add_get("/", offended)
+    async with AsyncExitStack() as opened:
+        lab = await opened.enter_async_context(served(app))
+        front = Front(SimpleNamespace(), tokens, "secret", [lab], None, limits)
+        url = f"http://127.0.0.1:{await opened.enter_async_context(served(front.app))}"
+        browser = await opened.enter_async_context(aiohttp.ClientSession(headers={"Origin": url}))
+        values = [tokens.new() for _ in range(2)]
+
+        async def is_let_in(value, patience):
+            cookie = {"Cookie": f"{tokens.cookie}={value}"}
+            try:
+                async with asyncio.timeout(patience):
+                    return await browser.ws_connect(url, protocols=[PROTOCOL], headers=cookie)
+            except TimeoutError:
+                return None
+
+        first = await is_let_in(values[0], WAIT)
+        await first.send_bytes(said)
+        async with asyncio.timeout(WAIT):
+            await first.receive()
+            while (front._lapsed.wait("127.0.0.1") > 0.0) != (said == b"nonsense"):
+                await asyncio.sleep(0.01)
+        same = await is_let_in(values[0], WAIT)
+        return same is not None, await is_let_in(values[1], 0.5 if said == b"nonsense" else WAIT) is not None
+
+
+def test_who_was_let_go_for_nonsense_keeps_newcomers_of_the_address_waiting_and_nobody_else():
+    assert run(open_again(b"nonsense")) == (True, False)
+    assert run(open_again(b"goodbye")) == (True, True)
 
 
 async def story(limits):

@@ -4,7 +4,8 @@ import urllib.parse
 
 import pytest
 
-from armlab.front.room import ASKED, MOST_ADDRESSES, TOO_OFTEN, TRIES, WRONG, Room
+from armlab.front.limits import Addresses
+from armlab.front.room import ASKED, TOO_OFTEN, TRIES, WRONG, Room
 from armlab.front.start import Settings, start
 from support.student import run, student
 from support.web import get, opened
@@ -94,10 +95,10 @@ def test_who_guesses_has_to_wait_and_others_do_not():
 
 
 def test_so_many_addresses_are_watched_and_no_more():
-    room = Room("blue elbow", b"secret")
-    for k in range(MOST_ADDRESSES + 50):
-        room.refusal("red", f"address {k}")
-    assert len(room._guessers) == MOST_ADDRESSES
+    found = Addresses(1.0, 5.0)
+    for k in range(Addresses.MOST + 50):
+        found.note(f"address {k}")
+    assert len(found._buckets) == Addresses.MOST
 
 
 def test_a_long_word_is_only_wrong():

@@ -30,10 +30,10 @@ def at(key, **values):
 
 
 SINGULAR = [
-    ("puma560", {"q5": 0.0}, "q5", "Wrist singularity: axis 4 and axis 6 are one line"),
+    ("puma560", {"q5": 0.0}, "q5", "Wrist singularity: axis 4 and axis 6 coincide"),
     ("irb120", {"q5": 0.0}, "q5", "Wrist singularity"),
     ("stanford", {"q5": math.pi}, "q5", "Wrist singularity"),
-    ("ur5e", {"q5": 0.0}, "q5", "Wrist singularity: the parallel axes and axis 6 are one line"),
+    ("ur5e", {"q5": 0.0}, "q5", "Wrist singularity: the parallel axes and axis 6 coincide"),
     ("ur5e", {"q3": 0.0}, "q3", "Elbow singularity: the links are stretched"),
     ("elbow_3r", {"q3": 0.0}, "q3", "Elbow singularity: the links are stretched"),
     ("elbow_3r", {"q3": math.pi}, "q3", "Elbow singularity: the links are folded"),
@@ -168,7 +168,7 @@ def test_a_wrist_centre_too_near_to_axis_1_names_joint_1():
     one = derived(arm, T, np.zeros(6))
     assert one.failed.key == "q1"
     assert one.failed.gap == pytest.approx(0.15005 - 0.05, abs=1e-12)
-    assert "nearer to axis 1 than the arm passes beside it" in one.failed.note
+    assert "nearer to axis 1 than the offset of the arm allows" in one.failed.note
 
 
 def test_the_borders_of_reach_belong_to_it():

@@ -115,23 +115,23 @@ def test_a_start_outside_the_limits_is_moved_inside_and_joints_with_equal_limits
 @pytest.mark.parametrize("method", METHODS)
 def test_out_of_reach_is_said(method):
     trace = ik.iterate(TWO_R, at(3.0, 1.0), [0.3, 0.4], method, most=20, limits="none")
-    assert (trace.status, trace.reason) == ("out of reach", "out of reach: farther than all links in a line")
+    assert (trace.status, trace.reason) == ("out of reach", "out of reach: farther than the fully stretched arm")
 
 
 def test_too_few_steps_and_going_to_and_fro_are_told_apart():
     few = ik.iterate(TWO_R, at(0.9, 0.7), [0.2, 1.0], "gradient", most=5)
-    assert (few.status, few.reason) == ("most", "not reached in 5 steps, still coming closer: more steps may")
+    assert (few.status, few.reason) == ("most", "not reached in 5 steps, still converging: more steps may reach it")
     # The hole of a 2R with links of 1 and 0.5 m: Gauss-Newton jumps about around the circle it cannot leave.
     arm = Arm.from_dh([("R", 1, 0, 0, 0), ("R", 0.5, 0, 0, 0)])
     hole = ik.iterate(arm, at(0.2, 0.0), [0.3, 2.0], "dls_constant", parameters={"lambda": 1e-4}, limits="none")
     assert hole.status in ("most", "jumped")
-    assert hole.reason.startswith(("not reached in 200 steps: the iterates go to and fro", "jumped"))
+    assert hole.reason.startswith(("not reached in 200 steps: the iterates oscillate", "jumped"))
 
 
 def test_a_first_step_beyond_all_bounds_is_told_without_counting_to_zero():
     trace = ik.iterate(TWO_R, TWO_R.fk([0.3, 1.0]), [0.1, 1e-10], "newton", limits="none")
     assert (trace.status, len(trace.q)) == ("diverged", 1)
-    assert trace.reason == "diverged: almost singular, already the first step would go beyond all bounds"
+    assert trace.reason == "diverged: almost singular, even the first step would exceed all bounds"
 
 
 def test_arms_without_lengths_and_with_a_missing_direction_say_that_they_are_stuck():

@@ -71,7 +71,7 @@ def test_the_stretched_arm_pulled_along_its_own_line_stays_stuck_and_says_so(tru
         for method in (key for key, one in ik.iteration_methods().items() if one.objective is None):
             trace = ik.iterate(TWO_R, T, q0, method)
             assert trace.status == "stuck", method
-            assert trace.reason == "stuck at a singular configuration: Jᵀe = 0 though the error e is not"
+            assert trace.reason == "stuck at a singular configuration: Jᵀe = 0, although the error e is not 0"
             np.testing.assert_allclose(trace.q[-1], q0, rtol=0, atol=1e-9)
             assert trace.position_error[-1] == pytest.approx(case["expected"]["error"], abs=1e-9)
 
@@ -136,7 +136,7 @@ def test_a_gain_matrix_weighs_the_components_in_v():
 
 
 def test_the_continuous_scheme_says_why_it_ends():
-    assert ik.transpose_flow(TWO_R, at(1.0, 0.0), [0.0, 0.0]).reason == "at rest though not at the target: JᵀKe = 0"
+    assert ik.transpose_flow(TWO_R, at(1.0, 0.0), [0.0, 0.0]).reason == "at rest, but not at the target: JᵀKe = 0"
     assert ik.transpose_flow(TWO_R, at(5.0, 0.0), [0.1, 0.2], duration=1.0).reason.startswith("out of reach")
     short = ik.transpose_flow(TWO_R, at(0.9, 0.7), [0.2, 1.0], duration=1.0)
     assert (short.status, short.reason) == ("going", "not at the target after 1.00 s")

@@ -214,7 +214,7 @@ def test_every_kind_says_what_is_free():
         assert found.kind == kind
         assert found.free == FREE[kind]
         assert found.free.endswith(".")
-    assert FREE["skew"].endswith("only the sense of x is free.")
+    assert FREE["skew"].endswith("only the direction of x is free.")
 
 
 @pytest.mark.parametrize("size", [1e-200, 1e-3, 7.0, 1e200])

@@ -176,8 +176,8 @@ R, P = "R", "P"
 @pytest.mark.parametrize(
     ("rows", "key", "title", "most"),
     [
-        ([(R, 1, 0, 0, 0)], "single", "One turn", 1),
-        ([(P, 0, 0, 0, 0)], "single", "One slide", 1),
+        ([(R, 1, 0, 0, 0)], "single", "One revolute joint", 1),
+        ([(P, 0, 0, 0, 0)], "single", "One prismatic joint", 1),
         ([(R, 0, -H, 0, 0), (P, 0, 0, 0, 0)], "planar", "Planar RP", 2),
         ([(P, 0, H, 0, 0), (R, 0.5, 0, 0, 0)], "planar", "Planar PR", 2),
         ([(R, 0, H, 0, H), (P, 0, -H, 0, 0), (R, 0.5, 0, 0, 0)], "planar", "Planar RPR", 2),

@@ -162,7 +162,7 @@ def test_the_arm_that_is_left_has_the_axes_of_the_others(convention, rng):
 
 def test_the_angle_of_one_turn_is_the_joint_value_but_for_sense_and_constant():
     why = structure_of(Arm.from_dh([(R, 1, 0, 0, 0.3)])).why
-    assert why == "The angle gives the joint value, but for its sense and a constant."
+    assert why == "The angle gives the joint value, up to its sign and a constant."
 
 
 @pytest.mark.parametrize(

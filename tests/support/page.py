@@ -11,7 +11,7 @@ from weakref import WeakSet
 
 import numpy as np
 from PIL import Image
-from playwright.sync_api import Browser, BrowserContext, Locator, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Locator, sync_playwright
 
 from armlab.session.pages import pages
 from support.at_rest import Traffic, told
@@ -33,8 +33,13 @@ ARGUMENTS = (
 WITHOUT_A_CARD = "--disable-gpu-compositing"
 """Puts the page together without the software that plays graphics card, which takes it most of the time."""
 
-EXPECTED_ERRORS = ("unsafe-eval", "Evaluating a string as JavaScript")
-"""At every load viser tries, and under our policy fails, to prepare a splat sorter nobody uses."""
+OF_VISER = (
+    "THREE.Clock: This module has been deprecated",
+    "THREE.WebGLRenderer: ",
+    "This browser does not support reading",
+    "[.WebGL",
+)
+"""How warnings begin that viser's libraries give of themselves, and they and the browser of the graphics card."""
 
 SMALL = (900, 600)
 """A small window, for tests of what the lab does; tests of its layout ask for the real sizes."""
@@ -157,7 +162,7 @@ class LabPage:
     ----------
     page : playwright Page
     errors : list of str
-        What the page complained about, expected complaints left out.
+        What the page complained about: errors, and warnings other than those `OF_VISER`.
     requests : list of str
         Every address it asked for.
     """
@@ -172,17 +177,18 @@ class LabPage:
         self.page.set_viewport_size({"width": size[0], "height": size[1]})
         self.errors: list[str] = []
         self.requests: list[str] = []
-        self.page.on("pageerror", lambda error: self._note(str(error)))
-        self.page.on("console", lambda message: self._note(message.text) if message.type == "error" else None)
+        self.page.on("pageerror", lambda error: self.errors.append(str(error)))
+        self.page.on("console", self._listen)
         self.page.on("request", lambda request: self.requests.append(request.url))
         self.page.on("websocket", lambda socket: self.requests.append(socket.url))
         self.page.goto(url)
         self.ready()
         self.dismiss_toasts()
 
-    def _note(self, text: str) -> None:
-        if not any(words in text for words in EXPECTED_ERRORS):
-            self.errors.append(text)
+    def _listen(self, message: ConsoleMessage) -> None:
+        tolerated = message.type == "warning" and message.text.startswith(OF_VISER)
+        if message.type in ("error", "warning") and not tolerated:
+            self.errors.append(message.text)
 
     def ready(self) -> None:
         """Wait until the arm is there, with all that the open panel and lesson show of it, or what covers it."""

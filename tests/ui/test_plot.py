@@ -41,6 +41,9 @@ class FakeGui:
     def save(self, name, text):
         self.saved[name] = text
 
+    def enlarges(self, plot):
+        return lambda: None
+
     def uplot(self, data, series, x, height):
         axes = ({"label": x, "size": 26}, {"size": 46})
         self.handle = SimpleNamespace(data=data, series=series, axes=axes, scales={"x": {"time": False}}, height=height)

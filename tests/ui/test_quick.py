@@ -58,6 +58,17 @@ def turned(name, k=0):
     return _messages.SetOrientationMessage(name, (1.0, float(k), 0.0, 0.0))
 
 
+def said(message):
+    """Return what a message says, in short."""
+    if hasattr(message, "wxyz"):
+        return message.name, message.wxyz[1]
+    return type(message).__name__, message.uuid
+
+
+def html(uuid):
+    return _messages.GuiHtmlMessage(uuid, "root", _messages.GuiHtmlProps(order=0.0, content="", visible=True))
+
+
 async def listened():
     """Return a buffer, and the list into which what is sent from it goes, one list each time."""
     buffer = AsyncMessageBuffer(asyncio.get_running_loop(), persistent_messages=False)
@@ -65,7 +76,7 @@ async def listened():
     sent = []
 
     def noted(window):
-        sent.append([(message.name, message.wxyz[1]) for message in window])
+        sent.append([said(message) for message in window])
 
     async def listen():
         async for window in buffer.window_generator(0):
@@ -126,6 +137,23 @@ def test_a_newer_pose_takes_the_place_of_one_that_waits_and_what_is_of_others_is
         return sent
 
     assert run(story()) == [[("a", 2.0)]]
+
+
+def test_a_control_that_goes_before_the_page_heard_of_it_is_not_mentioned():
+    async def story():
+        buffer, sent, listening = await listened()
+        buffer.push(html("seen"))
+        await some_turns()
+        buffer.push(html("unseen"))
+        for uuid in ("seen", "unseen"):
+            buffer.push(_messages.GuiUpdateMessage(uuid, {"content": "new"}))
+            buffer.push(_messages.GuiRemoveMessage(uuid))
+        await some_turns()
+        buffer.set_done()
+        await listening
+        return sent
+
+    assert run(story()) == [[("GuiHtmlMessage", "seen")], [("GuiRemoveMessage", "seen")]]
 
 
 def test_many_messages_go_in_several_windows_in_order():

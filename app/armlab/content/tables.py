@@ -112,7 +112,7 @@ def _joints(lines: Sequence[tuple[str, ...]], columns: Sequence[Column], notes: 
     places = [i for i, column in enumerate(columns) if column.role == "joint"]
     fixed = [line for line in lines if any(i < len(line) and _FIXED.fullmatch(plain(line[i]).lower()) for i in places)]
     if fixed:
-        notes.append(f"Not read, because it is no joint: {'; '.join(' '.join(line) for line in fixed)}.")
+        notes.append(f"Not read, because it is not a joint: {'; '.join(' '.join(line) for line in fixed)}.")
     return [line for line in lines if line not in fixed]
 
 

@@ -15,7 +15,7 @@ import aiohttp
 from aiohttp import WSCloseCode, web
 
 from armlab.front.doors import Doors
-from armlab.front.limits import Limits, Meter
+from armlab.front.limits import Addresses, Limits, Meter
 from armlab.front.page import Page
 from armlab.front.relay import relay
 from armlab.front.room import FORM, POLICY, Room
@@ -73,6 +73,7 @@ class Front:
         self._labs, self._hosts = labs, hosts
         self._limits, self._room = limits or Limits(), room
         self.doors = Doors(self._limits)
+        self._lapsed = Addresses(self._limits.lapse_rate, self._limits.lapses)
         self._there = asyncio.Event()
         self._meters: dict[str, Meter] = {}
         self._wishes = Wishes()
@@ -185,6 +186,7 @@ class Front:
         try:
             # The lab first: a browser is accepted only when there is something to talk to; it tries again otherwise.
             await asyncio.wait_for(self._labs_for(request), STARTING)
+            await self._newcomer(token, request)
             lab = await self._client.ws_connect(
                 f"ws://127.0.0.1:{self._lab_of(token)}",
                 protocols=[protocol],
@@ -208,7 +210,8 @@ class Front:
             self._sockets.add(browser)
             self.doors.leave(request.protocol)
             meter = self._meters.setdefault(token, Meter(self._limits))
-            await relay(request, browser, lab, meter)
+            if await relay(request, browser, lab, meter):
+                self._lapsed.note(request.remote or "")
         finally:
             await lab.close()
             self._release(token)
@@ -221,6 +224,11 @@ class Front:
                 raise TimeoutError
             with contextlib.suppress(TimeoutError):
                 await asyncio.wait_for(self._there.wait(), GIVEN_UP)
+
+    async def _newcomer(self, token: str, request: web.Request) -> None:
+        """Wait before a browser that was not here before, if others at its address were let go for what they sent."""
+        if token not in self._meters:
+            await asyncio.sleep(min(self._lapsed.wait(request.remote or ""), self._limits.newcomers_wait))
 
     def _release(self, token: str) -> None:
         self._open[token] -= 1

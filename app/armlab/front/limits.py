@@ -32,6 +32,11 @@ class Limits:
         Connections that are no sockets yet: asking for the page, receiving it, or silent.
     visit : float
         Seconds after which such a connection ends.
+    lapses, lapse_rate : float
+        Sockets of one address, in a row and a second, that may be closed for what they sent before its next newcomer
+        has to wait: a page costs more than any message.
+    newcomers_wait : float
+        Longest such wait, seconds; the honest ones behind the same address wait as well.
     """
 
     message: int = 2 << 20
@@ -45,6 +50,9 @@ class Limits:
     heartbeat: float = 20.0
     visitors: int = 500
     visit: float = 60.0
+    lapses: float = 5.0
+    lapse_rate: float = 0.5
+    newcomers_wait: float = 4.0
 
 
 class Bucket:
@@ -60,6 +68,36 @@ class Bucket:
         self._level = min(self._burst, self._level + (now - self._at) * self._rate) - amount
         self._at = now
         return max(0.0, -self._level / self._rate)
+
+
+class Addresses:
+    """A bucket for each address from which something unwelcome came.
+
+    Parameters
+    ----------
+    rate, burst : float
+        Of each bucket.
+    clock : callable
+    """
+
+    MOST = 1000
+    """Number of addresses that are counted; the one with the oldest attempt is forgotten first."""
+
+    def __init__(self, rate: float, burst: float, clock: Callable[[], float] = time.monotonic) -> None:
+        self._rate, self._burst, self._clock = rate, burst, clock
+        self._buckets: dict[str, Bucket] = {}
+
+    def note(self, address: str) -> None:
+        """Count one more."""
+        found = self._buckets.pop(address, None) or Bucket(self._rate, self._burst, self._clock)
+        self._buckets[address] = found
+        while len(self._buckets) > self.MOST:
+            del self._buckets[next(iter(self._buckets))]
+        found.take(1.0)
+
+    def wait(self, address: str) -> float:
+        """Return the time an address has to wait, seconds."""
+        return self._buckets[address].take(0.0) if address in self._buckets else 0.0
 
 
 class Meter:

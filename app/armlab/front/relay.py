@@ -12,14 +12,26 @@ from armlab.front.limits import Meter
 
 log = logging.getLogger(__name__)
 
+NONSENSE = frozenset(
+    {
+        WSCloseCode.PROTOCOL_ERROR,
+        WSCloseCode.UNSUPPORTED_DATA,
+        WSCloseCode.INVALID_TEXT,
+        WSCloseCode.POLICY_VIOLATION,
+        WSCloseCode.MESSAGE_TOO_BIG,
+        WSCloseCode.INTERNAL_ERROR,  # what a lab says to a message that it cannot unpack
+    }
+)
+"""Codes with which a browser is let go for what it has sent."""
+
 CLOSING = 3.0
 """Time, seconds, for a regular close; a browser that no longer reads would delay it for ever."""
 
 
 async def relay(
     request: web.Request, browser: web.WebSocketResponse, lab: ClientWebSocketResponse, meter: Meter
-) -> None:
-    """Pass messages both ways until one side closes, then close the other one."""
+) -> bool:
+    """Pass messages both ways until one side closes, then close the other one; return whether that was for nonsense."""
     pumps = [asyncio.create_task(_to_lab(browser, lab, meter)), asyncio.create_task(_to_browser(lab, browser))]
     try:
         await asyncio.wait(pumps, return_when=asyncio.FIRST_COMPLETED)
@@ -37,6 +49,7 @@ async def relay(
             await asyncio.wait_for(closing, CLOSING)
         if request.transport is not None:
             request.transport.abort()
+    return code in NONSENSE or browser.close_code in NONSENSE
 
 
 async def _to_lab(browser: web.WebSocketResponse, lab: ClientWebSocketResponse, meter: Meter) -> int | None:

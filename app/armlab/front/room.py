@@ -7,13 +7,10 @@ import hmac
 import time
 from collections.abc import Callable
 
-from armlab.front.limits import Bucket
+from armlab.front.limits import Addresses
 
 TRIES, TRIES_A_SECOND = 10.0, 0.2
 """Number of wrong codes from one address that are allowed in a row, and the rate afterwards: one in five seconds."""
-
-MOST_ADDRESSES = 1000
-"""Number of addresses that are counted; the one with the oldest attempt is forgotten first."""
 
 LONGEST = 100
 """Longest code, in characters."""
@@ -52,8 +49,8 @@ class Room:
     """
 
     def __init__(self, code: str, secret: bytes, clock: Callable[[], float] = time.monotonic) -> None:
-        self._code, self._clock = _plain(code), clock
-        self._guessers: dict[str, Bucket] = {}
+        self._code = _plain(code)
+        self._guessed = Addresses(TRIES_A_SECOND, TRIES, clock)
         self.cookie = f"armlab-room-{hashlib.sha256(secret).hexdigest()[:8]}"
         self.key = hmac.new(secret, b"room " + self._code, hashlib.sha256).hexdigest()
         """Value of the cookie of everybody inside; it changes with the code."""
@@ -66,23 +63,12 @@ class Room:
         """Return the reason why a browser with this code, or none, is not let in; empty when it is."""
         if said is None:
             return ASKED
-        if self._guessed(address) > 0.0:
+        if self._guessed.wait(address) > 0.0:
             return TOO_OFTEN
         if hmac.compare_digest(_plain(said[:LONGEST]), self._code):
             return ""
-        self._guesser(address).take(1.0)
+        self._guessed.note(address)
         return WRONG
-
-    def _guesser(self, address: str) -> Bucket:
-        found = self._guessers.pop(address, None) or Bucket(TRIES_A_SECOND, TRIES, self._clock)
-        self._guessers[address] = found
-        while len(self._guessers) > MOST_ADDRESSES:
-            del self._guessers[next(iter(self._guessers))]
-        return found
-
-    def _guessed(self, address: str) -> float:
-        """Return the time an address has to wait, seconds."""
-        return self._guessers[address].take(0.0) if address in self._guessers else 0.0
 
 
 def _plain(word: str) -> bytes:

@@ -251,7 +251,7 @@ def _same(expected: float, got: float, kind: Quantity, tolerance: float) -> bool
 
 def _shifted(expected: float, kind: Quantity) -> list[tuple[Mistake, float, str]]:
     """Return mistakes of direction as (mistake, the value it leads to, text), the likelier first."""
-    sign: tuple[Mistake, float, str] = ("sign", -expected, "the sign is the other one")
+    sign: tuple[Mistake, float, str] = ("sign", -expected, "the sign is wrong")
     if kind == "length":
         return [sign]
     # The other half turn is a full turn away from this one.

@@ -26,7 +26,7 @@ UNIT = 1e-15
 """Deviation of the length of a direction from one up to which it is not normalised again."""
 
 FREE: dict[Relation, str] = {
-    "skew": "Exactly one segment is perpendicular to both lines: its place is unique; only the sense of x is free.",
+    "skew": "Exactly one segment is perpendicular to both lines: its place is unique; only the direction of x is free.",
     "parallel": "The lines are parallel: the normal may sit anywhere along them, so its foot (the offset d) is free.",
     "intersecting": "The lines meet: the normal has length zero and is perpendicular to both; only its sense is free.",
     "coincident": "Both are the same line: the foot and the direction of the normal, perpendicular to it, are free.",

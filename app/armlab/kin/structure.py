@@ -111,8 +111,8 @@ def structure_of(arm: Arm) -> Structure:
 _NUMBERS = {1: "one", 2: "two", 3: "three", 4: "four", 5: "five", 6: "six"}
 
 _NONE = (
-    "None of the sufficient conditions known to this lab was found: three turns through one point, a planar part of "
-    "three joints, three slides."
+    "None of the sufficient conditions known to this lab was found: three revolute axes through one point, a planar "
+    "part of three joints, three prismatic joints."
 )
 
 
@@ -132,20 +132,20 @@ def _single(axes: Axes) -> Structure | None:
     if axes.arm.n != 1:
         return None
     if axes.kinds == "P":
-        return Structure("single", "One slide", True, "The position is linear in the joint value.", 1, (1,))
+        return Structure("single", "One prismatic joint", True, "The position is linear in the joint value.", 1, (1,))
     turned = axes.arm.task.rotation in ("phi", "full")
     why = (
-        "The angle gives the joint value, but for its sense and a constant."
+        "The angle gives the joint value, up to its sign and a constant."
         if turned
         else "The tool point moves on a circle."
     )
-    return Structure("single", "One turn", True, why, 1 if turned else 2, (1,))
+    return Structure("single", "One revolute joint", True, why, 1 if turned else 2, (1,))
 
 
 def _cartesian(axes: Axes) -> Structure | None:
     if "R" in axes.kinds:
         return None
-    why = "All joints slide: the position is linear in the joint values."
+    why = "All joints are prismatic: the position is linear in the joint values."
     return Structure("cartesian", "Cartesian arm", True, why, 1, _joints(axes))
 
 
@@ -161,7 +161,7 @@ def _planar(axes: Axes) -> Structure | None:
     most = (2 if two else 1) if closed else None
     planar = f"{len(kinds)}R" if set(kinds) == {"R"} else kinds
     turning = [i for i in flat if axes.kinds[i - 1] == "R"]
-    why = f"{_axes(turning)} are parallel" if len(turning) > 1 else f"joint {turning[0]} is the only one that turns"
+    why = f"{_axes(turning)} are parallel" if len(turning) > 1 else f"joint {turning[0]} is the only revolute one"
     sliding = [i for i in flat if i not in turning]
     if sliding:
         why += f" and {_slides(sliding)} at a right angle to {'them' if len(turning) > 1 else 'its axis'}"
@@ -179,7 +179,10 @@ def _three_joints(axes: Axes) -> Structure | None:
     if axes.arm.n != 3:
         return None
     if axes.meet(1):
-        why = "Axes 1, 2 and 3 meet in one point: the hand turns about it, each orientation in at most two ways."
+        why = (
+            "Axes 1, 2 and 3 meet in one point: the tool rotates about it and takes each orientation in at most "
+            "two ways."
+        )
         most = 2 if axes.arm.task.rotation == "full" else None
         return Structure("wrist", "Spherical wrist alone", True, why, most, (1, 2, 3))
     most = _ways(axes.kinds) if _position_only(axes) else None
@@ -211,7 +214,7 @@ def _turning_plane(axes: Axes) -> Structure | None:
     if n == 5 and not axes.perpendicular(4):
         return None
     why = "Axes 2, 3 and 4 are parallel and axis 1 is perpendicular to them: joint 1 turns the plane of a 3R"
-    why += ", and joint 5 rolls the hand about an axis in that plane." if n == 5 else "."
+    why += ", and joint 5 rotates the tool about an axis in that plane." if n == 5 else "."
     most = 4 if axes.arm.task.key == "pose" else None
     return Structure("turning_plane", f"{n}R with a turning plane", True, why, most, (1, 2, 3, 4))
 
@@ -270,12 +273,16 @@ def _three_slides(axes: Axes) -> Structure | None:
     if n not in (4, 5, 6) or axes.kinds.count("P") != 3:
         return None
     sliding = [i for i in _joints(axes) if axes.kinds[i - 1] == "P"]
-    alone = "turn alone makes the angle" if n == 4 else f"{_NUMBERS[n - 3]} turns alone make the orientation"
+    alone = (
+        "revolute joint determines the angle"
+        if n == 4
+        else f"{_NUMBERS[n - 3]} revolute joints determine the orientation"
+    )
     why = f"{_capital(_slides(sliding))}: the {alone}, then the position is linear."
     most = {(4, "xyz phi"): 1, (5, "xyz approach"): 2, (6, "pose"): 2}.get((n, axes.arm.task.key))
     if n == 4 and not _about_z(axes, axes.kinds.index("R") + 1):
         most = None
-    return Structure("three_slides", "Three slides", True, why, most, tuple(sliding))
+    return Structure("three_slides", "Three prismatic joints", True, why, most, tuple(sliding))
 
 
 def _about_z(axes: Axes, i: int) -> bool:
@@ -315,7 +322,7 @@ def _with_planar_part(axes: Axes, run: list[int], lifts: list[int]) -> Structure
     flat = [j for j in run if j not in lifts]
     kinds = "".join(axes.kinds[j - 1] for j in flat)
     planar = "3R" if kinds == "RRR" else kinds
-    why = f"joints {_listed(flat)} are a planar {planar}"
+    why = f"joints {_listed(flat)} form a planar {planar}"
     why += f" and {_slides(lifts)} at a right angle to its plane" if lifts else ""
     why = f"{_capital(why)}: the other joints separate from it."
     return Structure("planar_part", f"Planar {planar} inside", True, why, _ways_around(axes, run, lifts), tuple(run))

@@ -18,7 +18,7 @@ def first_target(robot: Robot) -> NDArray[np.float64]:
     """Return the pose of the tool not far from home.
 
     The first joint a little towards the middle of its range, the others away from it, where there is room: in the
-    middle arms are stretched, a singular place to begin with.
+    middle arms are stretched, a singular configuration to begin with.
     """
     arm, home = robot.arm, np.asarray(robot.home, dtype=float)
     low, high = arm.limits.T

@@ -5,16 +5,17 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.session.state import Command
-from armlab.ui.colours import VERDICT, Rgb, css
+from armlab.ui.colours import VERDICT, css
+from armlab.ui.curve import Curve as Curve
 from armlab.ui.format import dot
-from armlab.ui.html import Inside, tag
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.tray_picture import Drawn, Level, Picture
 
 if TYPE_CHECKING:
     from armlab.ui.widgets import Gui
@@ -26,47 +27,15 @@ MOST_POINTS = 500
 NOTHING = 1e-9
 """Largest absolute value of a curve that is shown as zero, because it consists of rounding errors."""
 
+LARGE_KEY = "KeyX"
+"""The key that shows the plots of the open page large; see `armlab.js`."""
+
+_LARGE: Markup = tag(
+    "svg", tag("path", d="M7 2H2v5M9 14h5V9M2 2l4.5 4.5M14 14L9.5 9.5"), viewBox="0 0 16 16", aria_hidden="true"
+)
+
 TIME = "time"
 """Value for a cursor that follows the timeline."""
-
-
-@dataclass(frozen=True)
-class Curve:
-    """One curve.
-
-    Attributes
-    ----------
-    name : str
-        With its unit, such as ``"w, m²"``.
-    colour : (int, int, int)
-    width : float
-        Of the line, or of its dots, pixels.
-    dots : bool
-        Whether its points are drawn as dots without a line: a line goes on over gaps inside of a curve.
-    dash : tuple of int
-        Pixels drawn and left out in turn; empty for a full line.
-    opacity : float
-        Below 1 for what stands behind other curves.
-    """
-
-    name: str
-    colour: Rgb
-    width: float = 1.6
-    dots: bool = False
-    dash: tuple[int, ...] = ()
-    opacity: float = 1.0
-
-    @property
-    def series(self) -> dict[str, Any]:
-        """Options with which the page draws the curve."""
-        drawn: dict[str, Any] = {"label": self.name, "stroke": css(self.colour)}
-        if self.opacity < 1.0:
-            drawn["stroke"] = f"rgba{css(self.colour)[3:-1]},{self.opacity:g})"
-        if self.dash:
-            drawn["dash"] = list(self.dash)
-        if self.dots:
-            return {**drawn, "width": 0, "points": {"show": True, "size": self.width, "fill": css(self.colour)}}
-        return {**drawn, "width": self.width}
 
 
 class Plot:
@@ -90,6 +59,21 @@ class Plot:
         Whether the ordinate begins at 0, which the curves must not be below.
     legend : bool
         Whether several curves are named above the plot.
+    clip : str
+        Key of the clip whose time is the abscissa, in seconds; empty if it is another quantity.
+
+    Attributes
+    ----------
+    on : bool
+        Whether the plot is seen.
+    file, clip : str
+        As given.
+    title : str or markup
+        The heading.
+    drawn : object
+        Another one each time what is drawn has changed.
+    at : float or None
+        Value of x at which the cursor stands, unless it follows the timeline.
     """
 
     def __init__(
@@ -103,11 +87,14 @@ class Plot:
         height: int = HEIGHT,
         from_zero: bool = False,
         legend: bool = True,
+        clip: str = "",
     ) -> None:
         self._from_zero = from_zero
-        self._x, self._curves, self._limits, self._file = x, tuple(curves), limits, file
+        self.on, self.file, self.clip, self.title, self.at = True, file, clip, title, cast(float | None, None)
+        self._x, self._curves, self._limits = x, tuple(curves), limits
+        self.drawn, self._levels = object(), tuple[float, ...]()
         self._table: tuple[NDArray[np.float64], ...] = ()
-        self._gui = gui
+        self._gui, self._enlarge = gui, gui.enlarges(self)
         names = [tag("span", dot(css(curve.colour)), curve.name) for curve in self._curves]
         self._head = gui.form(lambda _: None)
         self._legend = tag("div.legend", names) if legend and len(self._curves) > 1 else None
@@ -132,23 +119,32 @@ class Plot:
 
     def name(self, title: Inside) -> None:
         """Set the heading of the plot: the quantity and its unit."""
-        save = self._head.button("csv", "CSV", self._save, "copy", "Save the curves as a table")
-        self._head.show(tag("h3", title, tag("span.copies", save)), self._legend)
+        self.title = title
+        large = self._head.button(
+            "large", _LARGE, self._enlarge, "copy", "Large, below the scene (X)", "Enlarge", data_key=LARGE_KEY
+        )
+        save = self._head.button("csv", "CSV", self._saved, "copy", "Save the curves as a table")
+        self._head.show(tag("h3", title, tag("span.copies", large, save)), self._legend)
 
-    def _save(self) -> tuple[Command, ...]:
-        self._gui.save(f"{self._file}.csv", self.csv())
+    def _saved(self) -> tuple[Command, ...]:
+        self.save()
         return ()
+
+    def save(self) -> None:
+        """Let the browser save the curves as a table."""
+        self._gui.save(f"{self.file}.csv", self.csv())
 
     def name_x(self, x: str) -> None:
         """Set the name and unit of the abscissa."""
         if x == self._x:
             return
-        self._x = x
+        self._x, self.drawn = x, object()
         first, *rest = self._handle.axes
         self._handle.axes = ({**first, "label": x}, *rest)
 
     def visible(self, on: bool) -> None:
         """Show or hide the whole plot."""
+        self.on = on
         self._head.visible(on)
         self._cursor.visible(on)
         if self._handle.visible != on:
@@ -181,6 +177,7 @@ class Plot:
                 f"plot: expected {len(self._curves)} curves and at most {self._limits} limits, "
                 f"got {len(curves)} and {len(limits)}"
             )
+        self.drawn, self._levels = object(), tuple(limits)
         self._table = (np.asarray(x, dtype=float), *(np.asarray(curve, dtype=float) for curve in curves))
         pick = np.unique(np.linspace(0, len(x) - 1, min(len(x), MOST_POINTS)).round().astype(int))
         shown = [column[pick] for column in self._table]
@@ -207,11 +204,27 @@ class Plot:
     def cursor(self, at: float | str | None) -> None:
         """Put the cursor at a value of x, let it follow the timeline (`TIME`), or remove it (None, or outside)."""
         mark = at if isinstance(at, str) else ""
+        self.at = None if isinstance(at, str) else at
         if isinstance(at, (int, float)) and self._table and len(self._table[0]):
             low, high = self._table[0][0], self._table[0][-1]
             if high > low and low <= at <= high:
                 mark = f"{(at - low) / (high - low):.5f}"
         self._cursor.show(tag("i", hidden=True, data_cursor=mark))
+
+    def picture(self) -> Picture | None:
+        """Return what the tray draws of the plot, large; None while there is nothing."""
+        if not self._table:
+            return None
+        x, *columns = self._table
+        scales = self._handle.scales
+        across, up = (scales.get(axis, {}).get("range") for axis in "xy")
+        drawn = [
+            Drawn(curve, x, column)
+            for curve, column in zip(self._curves, columns, strict=True)
+            if np.isfinite(column).any()
+        ]
+        levels = [Level("limit", value) for value in self._levels]
+        return Picture(self.title, self._x, drawn, levels, across=across, up=up)
 
     def csv(self) -> str:
         """Return the curves as comma-separated values, with all points, and with names and units in the first line."""

@@ -94,11 +94,12 @@ def send_at_once(buffer: AsyncMessageBuffer) -> None:
 
     viser waits a sixtieth of a second for more, or for a `flush`; that costs it two timers and three tasks a message.
     Messages between two turns of the loop go together all the same, and while a page is slow to take them, newer poses
-    replace those that wait.
+    replace those that wait. A control that has gone before the page heard of it is not mentioned at all.
     """
 
     async def windows(client_id: int, backlog_done_message: object = None) -> AsyncGenerator[list[Message], None]:
         looked_at = -1
+        controls: set[str] = set()
         while not buffer.done:
             window: list[Message] = []
             while looked_at < buffer.message_counter - 1 and len(window) < LONGEST_WINDOW:
@@ -108,7 +109,9 @@ def send_at_once(buffer: AsyncMessageBuffer) -> None:
                 with buffer.buffer_lock:
                     message = buffer.pop_message_locked(looked_at)
                     buffer.generator_cursors[client_id] = looked_at
-                if message is not None and message.excluded_self_client != client_id:
+                if message is None or message.excluded_self_client == client_id:
+                    continue
+                if _is_news(message, controls):
                     window.append(message)
             if window:
                 yield window
@@ -119,6 +122,17 @@ def send_at_once(buffer: AsyncMessageBuffer) -> None:
     changed: Any = buffer
     changed.window_generator, changed.flush = windows, lambda: None
     changed.event_loop = _SameLoop(buffer.event_loop)
+
+
+def _is_news(message: Message, controls: set[str]) -> bool:
+    """Return whether a page has to hear of this message, and keep the controls that it has heard of up to date."""
+    if isinstance(message, _messages._CreateGuiComponentMessage):
+        controls.add(message.uuid)
+    elif isinstance(message, _messages.GuiRemoveMessage):
+        if message.uuid not in controls:
+            return False
+        controls.remove(message.uuid)
+    return True
 
 
 class _SameLoop:

@@ -52,6 +52,9 @@ class _Noted:
     def save(self, name: str, text: str) -> None:
         self._gui.save(name, text)
 
+    def enlarges(self, plot: Plot) -> Callable[[], None]:
+        return self._gui.enlarges(plot)
+
     def visible(self, on: bool) -> None:
         if self.hidden == on:
             self.hidden = not on
@@ -80,6 +83,7 @@ class RunPlot(Plot):
 
     def visible(self, on: bool) -> None:
         """Show or hide the whole plot."""
+        self.on = on
         self._noted.visible(on)
 
     def show_runs(self, x: Array, curves: Sequence[Array | None]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from armlab.page import Page
@@ -16,6 +16,7 @@ from armlab.ui.html import tag
 from armlab.ui.markup import verdict_box
 from armlab.ui.plugin import Show, whole_panel
 from armlab.ui.plugin import panel as panel_of
+from armlab.ui.tray import Enlarged
 from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)
@@ -113,10 +114,15 @@ class Tab:
                 same = before is not None and state[RobotPart] is before[RobotPart]
                 self._gui.clear(linger=same and self._built == page.key)
                 self._built = page.key
-                self._gui.scope = page.scope
+                self._gui.scope, self._gui.page = page.scope, page.key
                 self._show = self._try(panel.build, self._gui, state, self._post)
             if self._show is not None and (new or again or before is None or _differ(panel.watches, state, before)):
                 self._try(_done(self._show), state)
+
+    @property
+    def plots(self) -> tuple[str, Sequence[Enlarged]]:
+        """The key of the page that is shown, and its plots; none where it is covered or broken."""
+        return self._built, self._gui.plots
 
     def _show_again(self) -> None:
         if self._shown is not None:

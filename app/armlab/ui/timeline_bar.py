@@ -46,7 +46,8 @@ class TimelineBar:
             return
         end = duration(state)
         self._bar.show(self._markup(timeline, end, clips()[timeline.clip].stops(state)))
-        mark = {"time": timeline.time, "end": end, "rate": timeline.speed if timeline.playing else 0.0}
+        rate = timeline.speed if timeline.playing else 0.0
+        mark = {"time": timeline.time, "end": end, "rate": rate, "clip": timeline.clip}
         self._clock.show(tag("i", id="al-clock", hidden=True, data_clock=json.dumps(mark)))
 
     def _markup(self, timeline: Timeline, end: float, stops: tuple[float, ...]) -> Markup:

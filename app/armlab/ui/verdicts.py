@@ -25,7 +25,7 @@ def verdict_words(verdict: Verdict, units: Units) -> tuple[str, str]:
     if verdict.status == "limit":
         return verdict.reason, short
     if verdict.status == "beyond":
-        return "out of reach", f"{short}; farther than all links in a line"
+        return "out of reach", f"{short}; farther than the fully stretched arm"
     if verdict.status == "closest":
         return "closest possible", short
     return "not there yet", short

@@ -37,6 +37,7 @@ from armlab.ui.search.dialog import SearchDialog
 from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
 from armlab.ui.timeline_bar import TimelineBar
+from armlab.ui.tray import Tray
 from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)
@@ -118,6 +119,7 @@ class View:
             )
             self._search = SearchDialog(self)
             self._timeline = TimelineBar(self.client, self.post)
+            self._tray = Tray(self.client, self.post, self._refresh_now)
             yield
             yield from self._dock()
             self._lesson = LessonDock(self.client, self._gui, self.post)
@@ -128,8 +130,9 @@ class View:
             if drawn is not None:
                 yield from self._draw(state, drawn)
             self.show()
+            yield
             if not self._refreshed:
-                self._refresh_now()  # part of what the browser gets at once
+                yield from self._refreshing()  # part of what the browser gets at once
 
     def post(self, command: Command) -> None:
         """Pass on a command of the student at this page."""
@@ -152,7 +155,7 @@ class View:
 
     def _gui(self) -> Gui:
         gui = Gui(self.client, self.camera, self.open_tab)
-        gui.again = self._refresh_now
+        gui.again, gui.tray = self._refresh_now, self._tray
         return gui
 
     # -- which panels are open -----------------------------------------------------------------------------------
@@ -324,13 +327,7 @@ class View:
     def _look_at(self, drawn: Drawn, before: RobotPart | None) -> None:
         """Follow another arm with the camera; an edit of the same table keeps the view."""
         assert self._robot is not None
-        edited = (
-            before is not None
-            and before.origin == self._robot.origin
-            and before.robot.name == self._robot.robot.name
-            and (before.own or self._robot.own)
-        )
-        self.camera.follow(self._robot.robot, drawn.figure, stay=edited)
+        self.camera.follow(self._robot.robot, drawn.figure, stay=self._robot.edits(before))
 
     def _figure_made(self, arm: Arm, problem: BaseException | None) -> None:
         """Show the new figure. One that cannot be drawn is reported once, and not tried again."""
@@ -363,19 +360,27 @@ class View:
             self._refresh = None
         if self._closed:
             return
-        self._refreshed = self._loop.time()
         with self.client.atomic():
-            again, self._untaken = self._untaken != self.session.untaken, self.session.untaken
-            state = self.session.state
-            self._show_heads(state)
-            for key in self._window(state).seen:
-                self._pace.timed(self._tabs[key].show, state, again)
-            self._lesson.show(state)
-            self._show_overlay()
-            self._search.show(self._open_panels(state))
-            self._timeline.show(state, self._open_panels(state))
-            self._look(state)
-            self._notices.not_done()
+            for _ in self._refreshing():
+                pass
+
+    def _refreshing(self) -> Iterator[None]:
+        """Show the panels and what stands around them, in pieces."""
+        self._refreshed = self._loop.time()
+        again, self._untaken = self._untaken != self.session.untaken, self.session.untaken
+        state = self.session.state
+        self._show_heads(state)
+        for key in self._window(state).seen:
+            self._pace.timed(self._tabs[key].show, state, again)
+            yield
+        self._lesson.show(state)
+        yield
+        self._show_overlay()
+        self._search.show(self._open_panels(state))
+        self._timeline.show(state, self._open_panels(state))
+        self._tray.show(dict(self._tabs[key].plots for key in self._window(state).seen))
+        self._look(state)
+        self._notices.not_done()
 
     def _theme(self, state: State) -> None:
         self.client.gui.configure_theme(

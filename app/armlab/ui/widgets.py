@@ -7,7 +7,7 @@ import logging
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, cast
 
 import viser
 
@@ -18,6 +18,7 @@ from armlab.ui.fields import Fields
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, tag
 from armlab.ui.png import rgba_png
+from armlab.ui.tray import Enlarged, Tray
 
 log = logging.getLogger(__name__)
 
@@ -161,12 +162,19 @@ class Gui:
         Class under which the stylesheets of the bench hold.
     again : callable
         Shows once more what these controls belong to: something has changed, or was refused, that is in no state.
+    page : str
+        Key of the page to which the controls belong.
+    plots : list of Enlarged
+        Its plots.
+    tray : Tray or None
+        Where they are shown large.
     """
 
     def __init__(self, client: viser.ClientHandle, camera: Camera, open_panel: Callable[[str], None]) -> None:
         self._client, self._gui, self.camera, self.open_panel = client, client.gui, camera, open_panel
         self.scope = ""
         self.again: Callable[[], None] = lambda: None
+        self.page, self.plots, self.tray = "", list[Enlarged](), cast(Tray | None, None)
         self._made: list[Any] = []
         self._channels: list[Any] = []
         self._drawing: set[asyncio.Task[None]] = set()
@@ -183,7 +191,7 @@ class Gui:
             asyncio.get_running_loop().call_later(LINGER, _remove, self._channels)
         else:
             _remove(self._channels)
-        self._made, self._channels = [], []
+        self._made, self._channels, self.plots = [], [], []
 
     def _keep(self, handle: Any) -> Any:
         self._made.append(handle)
@@ -266,6 +274,16 @@ class Gui:
     def form(self, post: Post, longest: int | None = None) -> Form:
         """Add markup whose controls carry their actions; see `Form`, and `Fields` for the longest text."""
         return Form(lambda on_input: self.fields(on_input, longest), post, lambda: self.again())
+
+    def enlarges(self, plot: Enlarged) -> Callable[[], None]:
+        """Take a plot among those of the page; returns a function that shows it large."""
+        self.plots.append(plot)
+
+        def enlarge() -> None:
+            if self.tray is not None:
+                self.tray.open(self.page, plot)
+
+        return enlarge
 
     def uplot(self, data: tuple[Any, ...], series: tuple[Any, ...], x: str, height: int) -> Any:
         """Add the bare chart of a `Plot`; returns the handle."""

@@ -330,7 +330,7 @@ def test_a_locked_joint_stays_where_it_stands_and_its_map_is_one_of_the_film():
     film = with_films(apply(state, StartInMap(0.6, 0.4)))[Iterations].film
     assert film.success == (index != FAILED)
     assert film.last == steps
-    with pytest.raises(InputError, match="locked joints have changed"):
+    with pytest.raises(InputError, match="the held joints have changed"):
         apply(apply(state, LockJoint(2, False)), StartInMap(0.5, 0.5))
     both = apply(opened("planar_2r"), LockJoint(0, True))
     assert "not locked" in refusal(both)

@@ -178,9 +178,9 @@ def test_a_click_on_a_map_of_other_locks_is_refused_below_the_map(url):
         await browser.press("draw")
         await browser.until(lambda: "Save as PNG" in browser.html())
         await browser.press("0")  # the chip that holds joint 1
-        await browser.until(lambda: "held: click to let it go" in browser.html())
+        await browser.until(lambda: "held: click to release it" in browser.html())
         await browser.press("start", "0.5,0.25")
-        await browser.until(lambda: 'role="alert">✕ locked joints have changed' in piece(browser, "ba-map"))
+        await browser.until(lambda: 'role="alert">✕ the held joints have changed' in piece(browser, "ba-map"))
         assert "Iterates of run" not in browser.html()
         await browser.close()
 

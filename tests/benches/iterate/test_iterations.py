@@ -116,7 +116,7 @@ def test_runs_are_added_copied_and_removed_and_keep_their_colours():
     assert again[Iterations].run.colour == part.runs[0].colour
     for _ in range(3):
         kept = apply(kept, RemoveRun(0)) if len(kept[Iterations].runs) > 1 else kept
-    with pytest.raises(InputError, match="last run stays"):
+    with pytest.raises(InputError, match="at least one run is needed"):
         apply(kept, RemoveRun(0))
 
 

@@ -235,7 +235,7 @@ def test_newton_reaches_the_first_target_and_the_gradient_does_not_diverge(key):
     assert first.success, first.reason
     assert gradient.status != "diverged", gradient.reason
     assert gradient.position_error[-1] < 0.5 * gradient.position_error[0]
-    # Not beside a singular place, which would be an ill-conditioned lecture.
+    # Not beside a singular configuration, which would be an ill-conditioned lecture.
     assert first.sigma_min[-1] > 0.05 * (arm.length_scale if first.sigma_unit == "m" else 1.0)
 
 

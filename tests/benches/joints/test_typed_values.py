@@ -33,22 +33,22 @@ def test_a_value_cut_to_its_limit_says_so_at_the_field_until_the_joint_leaves_it
     async def main():
         browser = await student(url)
         await browser.press("value 2", "999")
-        said = "999.0° is beyond the limit of joint 2: 225.0° taken"
+        said = "999.0° exceeds the limit of joint 2: set to 225.0°"
         await browser.until(lambda: said in browser.html())
         assert shown(browser, 2) == "225.0"
         await browser.press("value 2", "-100")
-        await browser.until(lambda: "−100.0° is beyond the limit of joint 2: −45.0° taken" in browser.html())
+        await browser.until(lambda: "−100.0° exceeds the limit of joint 2: set to −45.0°" in browser.html())
         assert said not in browser.html()
         await browser.press("value 2", "225.04")
         await browser.until(lambda: shown(browser, 2) == "225.0")
-        await browser.until(lambda: "is beyond the limit" not in browser.html())
+        await browser.until(lambda: "exceeds the limit" not in browser.html())
         await browser.press("value 2", "300")
-        await browser.until(lambda: "300.0° is beyond the limit" in browser.html())
+        await browser.until(lambda: "300.0° exceeds the limit" in browser.html())
         await browser.set_value(browser.slider(2), 10.0)
-        await browser.until(lambda: "is beyond the limit" not in browser.html())
+        await browser.until(lambda: "exceeds the limit" not in browser.html())
         await browser.set_value(browser.slider(2), 225.0)
         await settled(browser)
-        assert "is beyond the limit" not in browser.html()
+        assert "exceeds the limit" not in browser.html()
         await browser.close()
 
     run(main())

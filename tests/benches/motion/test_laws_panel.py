@@ -56,6 +56,9 @@ class Maker:
     def html(self, content=""):
         return Element()
 
+    def enlarges(self, plot):
+        return lambda: None
+
     def uplot(self, *given):
         return self.chart
 

@@ -56,6 +56,9 @@ class Maker:
         self.elements.append(Element())
         return self.elements[-1]
 
+    def enlarges(self, plot):
+        return lambda: None
+
     def uplot(self, data, series, x, height):
         axes = ({"label": x}, {"size": 46})
         self.chart = SimpleNamespace(data=data, series=series, axes=axes, scales={}, height=height)

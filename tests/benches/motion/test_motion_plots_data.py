@@ -13,7 +13,6 @@ from armlab.benches.motion.plan.moves import Move, Waypoint
 from armlab.benches.motion.plan.question import Recorded
 from armlab.benches.motion.plan.state import Plan
 from armlab.benches.motion.plots.drawn import (
-    boundaries,
     can_compare,
     compared,
     kind_of,
@@ -90,7 +89,7 @@ def test_limits_exceeded_in_several_legs_are_told_once_for_each_joint():
     found = [each for each in state[Plan].planned.overruns if each.quantity == "velocity"]
     assert [each.joint for each in found] == [1, 2]
     assert [len(each.spans) for each in found] == [3, 1]
-    starts = [0.0, *boundaries(state[Plan].planned), 1.0]
+    starts = [0.0, *state[Plan].planned.boundaries, 1.0]
     for (start, end), (first, last) in zip(found[0].spans, itertools.pairwise(starts), strict=True):
         assert first < start < end < last
 

@@ -93,7 +93,7 @@ def test_a_formula_nobody_can_read_is_counted_and_not_written():
         assert len("".join(page.shown)) < 150_000
         assert all(len(text) < 30_000 for text in re.findall(r'data-copy="([^"]*)"', "".join(page.shown)))
     text = "".join(page.shown)
-    assert text.count("too long to be read: about ") == 12
+    assert text.count("too long to read: about ") == 12
     assert "data-copy" not in text
     assert "12 of 12 formulas have over 100 terms and are not written." in text
 

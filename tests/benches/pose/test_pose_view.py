@@ -116,7 +116,7 @@ def test_frames_there_are_not_are_refused(state, reference, frame):
 
 
 def test_a_frame_in_itself_is_refused(state):
-    with pytest.raises(InputError, match="two different frames, got '3' twice"):
+    with pytest.raises(InputError, match="two different frames, got '3' for both"):
         apply(state, LookAt("3", "3"))
 
 

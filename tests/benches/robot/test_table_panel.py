@@ -156,7 +156,7 @@ def test_the_closed_form_is_told_with_its_reason():
     assert "4, 5 and 6 meet in one point" in card
     assert "At most 8 solutions" in card
     none = closed_form_card(facts_of(catalogue()["manseur_doty"].arm).structure)
-    assert "◐ General 6R: no closed form known" in none
+    assert "◐ General 6R: no closed form is known" in none
 
 
 def test_remainders_of_a_conversion_are_told_both_ways():
@@ -182,7 +182,7 @@ def test_a_conversion_that_cannot_keep_the_task_says_so():
     units = units_of(tilted)
     there = apply(tilted, Convert("standard"))[RobotPart]
     assert there.robot.arm.task.key == "xy phi"
-    assert "in the axes of the other frame 0; it is now position (x, y) and" in joined(moved_lines(there, units))
+    assert "in the axes of the new frame 0; it is now position (x, y) and" in joined(moved_lines(there, units))
     read = RobotPart.from_json(json.loads(json.dumps(there.to_json())), there.robot)
     assert joined(moved_lines(read, units)) == joined(moved_lines(there, units))
     with pytest.raises(InputError, match="moved"):
@@ -210,12 +210,12 @@ def test_a_cell_is_edited_undone_and_kept(url):
         await browser.until(lambda: value_of(browser, "dh-2-a") == "500")
         assert "PUMA 560" in browser.html()
         assert "edited" in browser.html()
-        assert joined("Back to the file's table") in browser.html()
+        assert joined("Restore the table of the file") in browser.html()
         again = await at_the_table(url, cookie)
         assert value_of(again, "dh-2-a") == "500"
         await browser.press("undo")
         await browser.until(lambda: value_of(browser, "dh-2-a") == "431.8")
-        assert "Back to the file's table" not in browser.html()
+        assert "Restore the table of the file" not in browser.html()
         await browser.press("redo")
         await browser.until(lambda: value_of(browser, "dh-2-a") == "500")
         await browser.press("restore")

@@ -99,7 +99,7 @@ def test_which_arms_are_exercises():
     assert set(TEXTBOOK) <= keys
     # Their axes lie askew in every pose of their files.
     assert catalogue().robots.keys() - keys == {"openmanipulator_x", "panda"}
-    with pytest.raises(InputError, match="no pose in which all joint axes"):
+    with pytest.raises(InputError, match="no known configuration in which all joint axes"):
         started("panda")
 
 
@@ -287,8 +287,8 @@ def test_going_back_to_the_axes_keeps_the_table_without_marks():
         ("started", ChooseDirection(0, "y", "+z"), "axis"),
         ("started", ChooseDirection(0, "z", "up"), "direction"),
         ("started", ShowAxes(-1), "frame: expected 0 to 2"),
-        ("placed", ChooseDirection(0, "z", "+z"), "go back to them"),
-        ("placed", CheckTable(), "fill at least one cell"),
+        ("placed", ChooseDirection(0, "z", "+z"), "to choose them again"),
+        ("placed", CheckTable(), "fill in at least one cell"),
         ("placed", SetAnswer(2, "a", 1.0), "row: expected 1 to 2, got 3"),
         ("placed", SetAnswer(0, "beta", 1.0), "cell"),
         ("placed", SetAnswer(0, "a", math.nan), "expected a number up to"),

@@ -83,6 +83,6 @@ def test_a_wrong_sum_along_parallel_axes_blames_no_cell_alone():
     rows = [Row("R", a=0.3), Row("R", a=0.3, d=0.2), Row("R", a=0.1)]
     cells = [{"a": row.a, "alpha": 0.0, "d": d, "theta": 0.0} for row, d in zip(rows, (0.2, 0.0, 0.1), strict=True)]
     texts = {verdict["d"].text for verdict in judge_table(rows, cells)}
-    assert texts == {"only the sum of d over rows 1 to 3 counts, and it is not right yet"}
+    assert texts == {"only the sum of d over rows 1 to 3 counts, and it is not correct yet"}
     cells[2]["d"] = 0.0
     assert all(verdict["d"].ok for verdict in judge_table(rows, cells))

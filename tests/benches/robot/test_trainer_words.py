@@ -7,14 +7,14 @@ from armlab.content.robots import catalogue
 
 
 def test_the_number_of_solutions_comes_with_its_conditions():
-    conditions = ", full turns not counted, away from singular poses."
+    conditions = ", apart from full turns and away from singular configurations."
     assert f"At most 8 solutions{conditions}" in closed_form_card(facts_of(catalogue()["puma560"].arm).structure)
     assert f"One solution{conditions}" in closed_form_card(facts_of(catalogue()["cartesian_3p"].arm).structure)
     assert conditions not in closed_form_card(facts_of(catalogue()["iiwa7"].arm).structure)
 
 
 def test_the_rule_of_the_axes_says_where_a_slide_is_taken():
-    assert "A sliding joint's axis is taken where it is drawn." in AXES_RULE
+    assert "The axis of a prismatic joint is taken where it is drawn." in AXES_RULE
 
 
 def test_an_exercise_with_parallel_axes_says_that_its_origins_need_not_lie_on_the_arm():

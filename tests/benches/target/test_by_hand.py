@@ -87,7 +87,7 @@ def test_what_cannot_be_chosen_or_gone_to_is_refused_in_a_sentence():
     with pytest.raises(InputError, match="no joint values"):
         apply(apply(state, EndDrag(moved(state, 7.0, 0.0, 0.0), 1)), GoByHand())
     other = apply(state, ChooseBranch("q1", 1 - choices_of(state)["q1"]))
-    with pytest.raises(InputError, match=r"joint 1 is held|out of limits"):
+    with pytest.raises(InputError, match=r"joint 1 is held|outside the joint limits"):
         apply(apply(other, LockJoint(0, True)), GoByHand())
     with pytest.raises(InputError, match="no joint values"):
         apply(opened("manseur_doty"), GoByHand())
@@ -164,7 +164,7 @@ def test_joint_values_out_of_limits_are_told_and_the_arm_cannot_be_sent_there():
     assert any(np.abs(np.sin(0.5 * (row.q - q))).max() < 1e-9 for row in outside)
     said = out_of_limits(state, q)
     assert said.startswith(" Out of the limits of joint")
-    with pytest.raises(InputError, match="out of limits"):
+    with pytest.raises(InputError, match="outside the joint limits"):
         apply(state, GoByHand())
 
 

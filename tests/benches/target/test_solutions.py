@@ -203,9 +203,9 @@ def test_a_row_of_an_old_list_is_solved_for_anew():
 
 
 def test_a_slot_that_is_not_there_is_refused():
-    with pytest.raises(InputError, match="no longer there"):
+    with pytest.raises(InputError, match="no longer exists"):
         apply(opened("puma560"), GoToSolution(0))
-    with pytest.raises(InputError, match="no longer there"):
+    with pytest.raises(InputError, match="no longer exists"):
         apply(searched(opened("puma560")), GoToSolution(99))
 
 

@@ -57,7 +57,7 @@ def test_a_proof_is_given_up_when_the_target_moves_or_it_is_cancelled():
     assert proof_job.wanted(apply(state, MoveJoint(0, 0.4)), OPEN) is None
     assert proof_job.wanted(apply(state, ChooseRobot("scara")), OPEN) is None
     assert apply(state, Prove(False))[Solutions].proof is None
-    with pytest.raises(InputError, match="not there yet"):
+    with pytest.raises(InputError, match="still being computed"):
         apply(opened("puma560"), Prove(True))
 
 

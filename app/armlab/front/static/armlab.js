@@ -315,6 +315,7 @@
     const text = `${time.toFixed(1)} / ${clock.end.toFixed(1)} s`;
     if (label && label.textContent !== text) label.textContent = text;
     placeCursors(part);
+    window.armlabTray.time(time);
     return time;
   };
   const CLOCK_INTERVAL = 45; // ms: each move of the thumb is a layout of the page, and takes time from the picture

@@ -164,7 +164,7 @@ class _Tracer:
         self.scales = np.where(arm.revolute, 1.0, arm.length_scale)
         self.task = task_error_of(arm)
         self.target = self.task.target(T)
-        # Without damping but for the floor: the shortest step back, at a singular place nearly so.
+        # Without damping but for the floor: the shortest step back, at a singular configuration nearly so.
         self.step = problem_of(arm, methods()["dls"]).numbers(self.target, 0.0, None)
         self.floor = FLOOR * np.eye(arm.task.m)
         self.low, self.high = np.minimum(arm.limits[:, 0], start), np.maximum(arm.limits[:, 1], start)

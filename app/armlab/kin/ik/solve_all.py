@@ -135,7 +135,7 @@ def _by_closed_form(arm: Arm, T: Vector, seed: int) -> Answer | None:
         return Answer(some.rows, "complete", "", form.key, why, (), some.loose, some.missed)
     if found.sampled:
         return None
-    reason = found.none or "The target is off what the joints of this arm can do."
+    reason = found.none or "The joints of this arm cannot reach the target."
     answer = Answer([], "none", reason, form.key, why, missed=some.missed)
     if _is_general(arm):
         # Next to a singular pose a step of the closed form may leave the next without a solution.
@@ -214,7 +214,10 @@ def _by_search(arm: Arm, T: Vector, seed: int, held: dict[int, float] | None = N
     if any(_moves(arm, row, T, held) for row in q):
         reason = "Some of them move while the tool stands still."
         return Answer(q[:SURFACE], "infinite", reason, "many_starts", why)
-    reason = f"{'Found from' if q else 'Looked for from'} {STARTS} random starts; a search proves nothing."
+    reason = (
+        f"{'Found from' if q else 'Searched from'} {STARTS} random starts; a search cannot prove that there are no "
+        "others."
+    )
     return Answer(q, "at least", reason, "many_starts", why, (), some.loose, some.missed)
 
 

@@ -39,7 +39,7 @@ PROBED = 3
 REPRESENTATIVES = 8
 """Number of representatives of each family, and least number that is looked for inside the limits."""
 
-_SEARCHED = f"Looked for from {FAMILY_STARTS + STARTS} random starts; a search proves nothing."
+_SEARCHED = f"Searched from {FAMILY_STARTS + STARTS} random starts; a search cannot prove that there are no others."
 
 
 def with_spare_joints(arm: Arm, T: Vector, seed: int) -> Answer:

@@ -55,7 +55,7 @@ class Verdict:
             return f"limit on joint{'s' if len(self.limits) > 1 else ''} {joints}"
         return {
             "reached": "reached",
-            "beyond": "out of reach: farther than all links in a line",
+            "beyond": "out of reach: farther than the fully stretched arm",
             "closest": "closest possible from here",
             "moving": "not there yet",
         }[self.status]

@@ -26,7 +26,7 @@ from armlab.kin.motion.path_types import PathType, path_type, path_types
 from armlab.kin.motion.peaks import Violation, peaks, violations
 from armlab.kin.motion.run_along import run_along
 from armlab.kin.motion.scaling import Scaling, as_fast_as_allowed, optimal_scaling, scaled
-from armlab.kin.motion.sequence import Separate, Sequential, Slowed
+from armlab.kin.motion.sequence import Hold, Separate, Sequential, Slowed
 from armlab.kin.motion.tool_path import ToolPath
 from armlab.kin.motion.trajectory import Motion, Samples, Trajectory
 
@@ -35,6 +35,7 @@ __all__ = [
     "ByLength",
     "Followed",
     "Frenet",
+    "Hold",
     "Law",
     "LawBounds",
     "LawType",

@@ -1,4 +1,4 @@
-"""Motions in sequence, side by side, and slowed down."""
+"""Motions in sequence, side by side, slowed down, and none at all for a while."""
 
 from __future__ import annotations
 
@@ -83,6 +83,33 @@ class Sequential(Motion):
             for out, values in zip(found, motion.limits_at(local, before), strict=True):
                 out[at] = values
         return found
+
+
+class Hold(Motion):
+    """Rest at one place for a while, such as a wait between two motions in sequence.
+
+    Parameters
+    ----------
+    q : array_like, shape (m,)
+        The coordinates.
+    duration : float
+        Seconds, more than 0.
+    """
+
+    degree = 0
+
+    def __init__(self, q: ArrayLike, duration: float) -> None:
+        self.q, self.duration = np.array(q, dtype=float), positive(duration, "duration")
+        self.m, self.pieces = len(self.q), np.zeros(0)
+
+    def derivatives(self, t: ArrayLike, orders: Sequence[int] = ORDERS) -> list[Floats]:
+        """Return the place, and zeros for its derivatives; see `Motion.derivatives`."""
+        shape = (*np.shape(t), self.m)
+        return [np.broadcast_to(self.q, shape).copy() if order == 0 else np.zeros(shape) for order in orders]
+
+    def limits_at(self, t: Floats, before: bool) -> list[Floats]:
+        """Return the same from either side; see `Motion.limits_at`."""
+        return self.derivatives(t)
 
 
 class Separate(Motion):

@@ -41,6 +41,12 @@ class RobotPart(Part):
         """Whether the table is edited by the student."""
         return self.robot.key == OWN
 
+    def edits(self, before: RobotPart | None) -> bool:
+        """Return whether this is the table of a part before, with edits."""
+        if before is None or (before.origin, before.robot.name) != (self.origin, self.robot.name):
+            return False
+        return before.own or self.own
+
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the part for an arm."""

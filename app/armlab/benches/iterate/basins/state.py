@@ -315,7 +315,7 @@ def start_in_map(state: State, x: float, y: float) -> tuple[tuple[float, ...], Q
     start, asked = found.start(x, y), found.question
     held = np.array(asked.locked)
     if joints.locked != asked.locked or not np.allclose(joints.q[held], np.array(asked.rest)[held], atol=1e-9):
-        raise InputError("locked joints have changed since the map was drawn: draw it again")
+        raise InputError("the held joints have changed since the map was drawn: draw it again")
     return start, asked
 
 

@@ -92,7 +92,7 @@ class RemoveRun(Command):
         part = state[Iterations]
         gone = checked_run(part, self.run)
         if len(part.runs) == 1:
-            raise InputError("the last run stays: choose another method for it")
+            raise InputError("at least one run is needed: choose another method for it")
         runs = tuple(run for i, run in enumerate(part.runs) if i != gone)
         selected = part.selected - (part.selected > gone)
         return changed(state, runs=runs, selected=min(selected, len(runs) - 1))

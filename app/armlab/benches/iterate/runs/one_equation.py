@@ -123,9 +123,9 @@ def _why(found: Sequence[Iterate1D], tolerance: float) -> tuple[str, str]:
     if abs(last.f) <= tolerance:
         return "converged", f"converged to x = {signed(last.x, 10)} in {steps}" if k else "x₀ is a root already"
     if abs(last.x) > LARGE * max(1.0, abs(found[0].x)):
-        return "away", f"diverged: the steps lead farther and farther away, x{_index(k)} = {signed(last.x, 3)}"
+        return "away", f"diverged: the iterates move farther and farther away, x{_index(k)} = {signed(last.x, 3)}"
     if last.tangent.slope == 0.0:
-        return "level", f"f′(x{_index(k)}) = 0: the tangent is level and never meets the axis, so there is no next x"
+        return "level", f"f′(x{_index(k)}) = 0: the tangent is horizontal and meets the axis nowhere: no next x"
     if k < MOST:
         there = signed(last.tangent.root, 4)
         return "undefined", f"the tangent at x{_index(k)} meets the axis at {there}, where f has no value"
@@ -139,10 +139,10 @@ def _unfinished(x: Sequence[float], f: Sequence[float], last: float) -> tuple[st
             if period == 1:
                 break
             places = ", ".join(signed(round(value, 6), 6) for value in x[-period:])
-            return "round", f"it goes round and round: {places}, and again; f is 0 at none of them"
+            return "round", f"the iterates repeat in a cycle: {places}, and so on; f is 0 at none of them"
     if f[-1] < 0.6 * f[-2] < 0.36 * f[-3]:
-        return "most", f"not there after {MOST} steps, but still coming closer: f = {signed(last, 2)}"
-    return "most", f"not at a root after {MOST} steps, and coming no closer: f = {signed(last, 3)}"
+        return "most", f"no root after {MOST} steps, but still converging: f = {signed(last, 2)}"
+    return "most", f"no root after {MOST} steps, and not converging: f = {signed(last, 3)}"
 
 
 def _index(k: int) -> str:

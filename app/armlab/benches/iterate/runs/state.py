@@ -79,7 +79,7 @@ class Iterations(FieldPart):
     selected : int
         The run whose film is played.
     limits : "clamp" or "none"
-        Whether each step ends at the joint limits. Flows never do.
+        Whether each step is stopped at the joint limits. Flows never do.
     most : int
         Largest number of steps.
     example : str
@@ -211,7 +211,7 @@ def checked_start(arm: Arm, q: ArrayLike) -> tuple[float, ...]:
     values = finite_floats(q, "start", (arm.n,), f"{arm.n} finite joint values")
     most = np.where(arm.revolute, MOST_TURNED, FARTHEST * arm.length_scale)
     if np.any(np.abs(values) > most):
-        raise InputError("start: a joint cannot stand there; expected at most ten turns")
+        raise InputError("start: a joint cannot take this value; expected at most ten turns")
     return tuple(values.tolist())
 
 

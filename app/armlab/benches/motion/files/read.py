@@ -9,6 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.motion.plan.question import Grip
 from armlab.benches.motion.plan.state import Plan
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
@@ -65,7 +66,7 @@ def column_names(arm: Arm) -> tuple[str, ...]:
     return ("time_s", *names)
 
 
-def motion_csv(arm: Arm, motion: Motion, rate: float) -> str:
+def motion_csv(arm: Arm, motion: Motion, rate: float, grips: Sequence[Grip] = ()) -> str:
     """Return a motion as comma-separated values in s, rad, m, with one header line without comment signs.
 
     Parameters
@@ -74,6 +75,8 @@ def motion_csv(arm: Arm, motion: Motion, rate: float) -> str:
     motion : Motion
     rate : float
         Samples a second, at least: they are evenly spaced, with both ends.
+    grips : sequence of Grip
+        If there are some, a last column has 1 where the gripper is closed and 0 where it is open, as it is at first.
 
     Raises
     ------
@@ -84,7 +87,12 @@ def motion_csv(arm: Arm, motion: Motion, rate: float) -> str:
     samples = motion.sample(rate=rate)
     whole = np.column_stack([samples.t, samples.q, samples.qdot, samples.qddot])
     decimals = [FINE] * (1 + arm.n) + [COARSE] * (2 * arm.n)
-    return table_text(column_names(arm), whole, decimals)
+    if not grips:
+        return table_text(column_names(arm), whole, decimals)
+    closed = [0.0, *(float(grip.closes) for grip in grips)]
+    last = np.searchsorted([grip.time for grip in grips], samples.t + 1e-9, side="right")
+    names = (*column_names(arm), "gripper_closed")
+    return table_text(names, np.column_stack([whole, np.array(closed)[last]]), [*decimals, 0])
 
 
 def refuse_long(duration: float, rate: float) -> None:

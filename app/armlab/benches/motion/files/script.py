@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import takewhile
 from typing import Any
 
 import numpy as np
@@ -44,7 +43,10 @@ header = (
 np.savetxt("{file}", table, fmt="%.12f", delimiter=",", header=header, comments="")
 """
 
+GRIPPER = {"open": "opens", "close": "closes"}
+
 NAMES = (
+    "Hold",
     "Limits",
     "Sequential",
     "Through",
@@ -124,14 +126,24 @@ def _arm(part: RobotPart) -> str:
 
 def _legs(planned: Planned) -> str:
     question, lines = planned.question, ["legs = []"]
-    running = list(takewhile(lambda leg: leg.motion is not None, planned.legs))
+    running = planned.running
     q = np.array(question.waypoints[0].q)
     for k, leg in enumerate(running):
-        lines += ["", *_leg(question, leg, q, first=k == 0)]
+        rest = _rest(question, 0, _array(q)) if k == 0 else []
+        lines += ["", *rest, *_leg(question, leg, q, first=k == 0)]
         assert leg.motion is not None
+        assert leg.stretch is not None
+        lines += _rest(question, leg.stretch.last, "legs[-1].at(legs[-1].duration)")
         q = leg.motion.at(leg.motion.duration)
-    whole = "legs[0]" if len(running) == 1 else "Sequential(legs)"
+    whole = "legs[0]" if sum(line.startswith("legs.append") for line in lines) == 1 else "Sequential(legs)"
     return "\n".join([*lines, "", f"motion = {whole}", ""])
+
+
+def _rest(question: Question, k: int, place: str) -> list[str]:
+    """Return the lines of what is done at a waypoint."""
+    point = question.waypoints[k]
+    does = [f"# At waypoint {k + 1} the gripper {GRIPPER[point.gripper]}."] if point.gripper in GRIPPER else []
+    return [*does, *([f"legs.append(Hold({place}, {point.wait!r}))"] if point.wait else [])]
 
 
 def _leg(question: Question, leg: Leg, q: Floats, first: bool) -> Iterable[str]:

@@ -24,10 +24,9 @@ def duration(state: State) -> float:
 
 
 def stops(state: State) -> tuple[float, ...]:
-    """Return the times at which one leg ends and the next begins."""
+    """Return the times at which a leg or a wait ends and the next begins."""
     planned = last_planned(state)
-    legs = () if planned is None else planned.legs
-    return tuple(leg.start for leg in legs if leg.motion is not None and leg.start > 0.0)
+    return () if planned is None else planned.boundaries
 
 
 def configuration(state: State, time: float) -> Floats | None:

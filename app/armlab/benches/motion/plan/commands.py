@@ -12,8 +12,6 @@ from armlab.benches.motion.plan.moves import (
     checked_space,
     checked_turning,
     resting,
-    stretch_at,
-    stretches,
 )
 from armlab.benches.motion.plan.paths import joint_path, refuse_coincident, tool_path
 from armlab.benches.motion.plan.state import (
@@ -41,9 +39,8 @@ def with_plan(state: State, part: Plan) -> State:
 
 def refuse_pathless(arm: Arm, part: Plan) -> None:
     """Raise `InputError` if there is no path through the waypoints of a stretch."""
-    parts = stretches(part.moves)
-    refuse_coincident(arm, part.waypoints, parts)
-    for stretch in parts:
+    refuse_coincident(arm, part.waypoints, part.parts)
+    for stretch in part.parts:
         points = part.waypoints[stretch.first : stretch.last + 1]
         if stretch.move.space == "joint":
             joint_path(arm, stretch, np.array([point.q for point in points]))
@@ -193,14 +190,14 @@ def _moves_of(part: Plan, k: int) -> tuple[int, int]:
     """Return the first move, and the one after the last, of the stretch that ends at a waypoint."""
     if checked_index(part, k) == 0:
         raise InputError("waypoint 1: the motion begins there, no move comes to it")
-    stretch = stretch_at(part.moves, k - 1)
+    stretch = part.stretch_to(k)
     return stretch.first, stretch.last
 
 
 def refitted(part: Plan) -> Plan:
     """Return a plan without the options that list values for another number of waypoints."""
     moves = list(part.moves)
-    for stretch in stretches(part.moves):
+    for stretch in part.parts:
         count = stretch.last - stretch.first + 1
         for i in range(stretch.first, stretch.last):
             move = moves[i]

@@ -40,9 +40,8 @@ def _figures(planned: Planned) -> Generator[None, None, Figures | None]:
     peaks_of: dict[int, list[Floats]] = {1: [], 2: []}
     times_of: dict[int, list[Floats]] = {1: [], 2: []}
     met = []
-    for leg in planned.legs:
-        if leg.motion is None:
-            continue
+    for leg in planned.running:
+        assert leg.motion is not None
         for order in (1, 2):
             found = peaks(leg.motion, order)
             peaks_of[order].append(found.peak)

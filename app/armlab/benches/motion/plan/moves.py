@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Literal, Self, cast, get_args
+from typing import Any, Literal, Self, cast, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.field import Field
 from armlab.kin.motion import law_types, path_types
 from armlab.kin.motion.path_types import PathType, Space
 from armlab.kin.transforms import as_pose
@@ -35,12 +36,34 @@ MOST_WAYPOINTS = 100
 """Largest number of waypoints in a list; longer lists of samples are read as a recorded motion."""
 
 
+Gripper = Literal["leave", "open", "close"]
+
+LONGEST_WAIT = 60.0
+"""Longest wait at a waypoint, seconds."""
+
+AT_WAYPOINT: dict[str, Field] = {
+    field.key: field
+    for field in (
+        Field(
+            "gripper",
+            "",
+            "gripper",
+            "choice",
+            "leave",
+            choices=(("leave", "leave as it is"), ("open", "open"), ("close", "close")),
+        ),
+        Field("wait", "", "wait", "number", 0.0, 0.0, LONGEST_WAIT, unit="s"),
+    )
+}
+"""Actions of the arm at a waypoint besides being there, by name."""
+
+
 LINE, TRAPEZOID = Chosen("line"), Chosen("trapezoidal")
 
 
 @dataclass(frozen=True)
 class Waypoint:
-    """A configuration of the plan.
+    """A configuration of the plan, and what is done there.
 
     Attributes
     ----------
@@ -48,10 +71,31 @@ class Waypoint:
         rad and m, inside the limits.
     pose : tuple of float or None
         The 16 numbers of the wanted tool pose in the world where it was typed or dragged; None: the one of ``q``.
+    gripper : str
+        What the gripper does when the arm has come there.
+    wait : float
+        Seconds for which the arm then rests.
     """
 
     q: tuple[float, ...]
     pose: tuple[float, ...] | None = None
+    gripper: Gripper = "leave"
+    wait: float = 0.0
+
+    @property
+    def rests(self) -> bool:
+        """Whether the arm rests there, since it waits or its gripper opens or closes."""
+        return self.wait > 0.0 or self.gripper != "leave"
+
+    @property
+    def does(self) -> dict[str, Any]:
+        """Actions there, by the names of `AT_WAYPOINT`, without those that are left as they come."""
+        given = {name: getattr(self, name) for name in AT_WAYPOINT}
+        return {name: value for name, value in given.items() if value != AT_WAYPOINT[name].default}
+
+    def doing(self, other: Waypoint) -> Self:
+        """Return the waypoint with what is done at another one."""
+        return replace(self, gripper=other.gripper, wait=other.wait)
 
     def wanted(self, arm: Arm) -> Floats:
         """Return the wanted pose of the tool in the world, (4, 4)."""
@@ -60,13 +104,14 @@ class Waypoint:
 
     def to_json(self) -> Json:
         """Write the waypoint."""
-        return {"q": list(self.q), **({} if self.pose is None else {"pose": list(self.pose)})}
+        return {"q": list(self.q), **({} if self.pose is None else {"pose": list(self.pose)}), **self.does}
 
     @classmethod
     def from_json(cls, data: Json, arm: Arm) -> Self:
         """Read the waypoint back; raises if it does not fit the arm."""
         pose = data.get("pose")
-        return cls(checked_q(arm, data["q"]), None if pose is None else flat_pose(np.reshape(pose, (4, 4))))
+        does = {name: field.checked(data.get(name, field.default)) for name, field in AT_WAYPOINT.items()}
+        return cls(checked_q(arm, data["q"]), None if pose is None else flat_pose(np.reshape(pose, (4, 4))), **does)
 
 
 @dataclass(frozen=True)
@@ -153,8 +198,8 @@ class Stretch:
         return f"{self.first + 1} → {self.last + 1}"
 
 
-def stretches(moves: tuple[Move, ...]) -> tuple[Stretch, ...]:
-    """Return the stretches of the moves between waypoints 0, 1, ..., in order."""
+def stretches(moves: tuple[Move, ...], waypoints: tuple[Waypoint, ...]) -> tuple[Stretch, ...]:
+    """Return the stretches of the moves between the waypoints, in order; where the arm rests one ends."""
     found: list[Stretch] = []
     for k, move in enumerate(moves):
         before = found[-1] if found else None
@@ -162,6 +207,7 @@ def stretches(moves: tuple[Move, ...]) -> tuple[Stretch, ...]:
         joins = (
             before is not None
             and not moves[k - 1].stop
+            and not waypoints[k].rests
             and before.move.through() == move.through()
             and (most is None or before.last - before.first + 2 <= most)
         )
@@ -186,11 +232,6 @@ def _straightened(stretch: Stretch) -> Stretch:
 def resting(law: Chosen) -> Chosen:
     """Return a law that rests at its ends, because constant speed is only for paths with their own time."""
     return TRAPEZOID if law.key == "constant" else law
-
-
-def stretch_at(moves: tuple[Move, ...], k: int) -> Stretch:
-    """Return the stretch of a move; the move to waypoint k + 1 is counted from 0."""
-    return next(stretch for stretch in stretches(moves) if stretch.first <= k < stretch.last)
 
 
 def checked_q(arm: Arm, q: ArrayLike) -> tuple[float, ...]:

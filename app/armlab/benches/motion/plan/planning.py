@@ -13,13 +13,14 @@ from numpy.typing import NDArray
 from armlab.benches.motion.plan.laws import bounds_of, fastest, independent_motion, lasting, unkept
 from armlab.benches.motion.plan.moves import Stretch
 from armlab.benches.motion.plan.paths import joint_path, shortfall, tool_path
-from armlab.benches.motion.plan.question import LONGEST, Feasible, Leg, Planned, Question
+from armlab.benches.motion.plan.question import LONGEST, SHORTEST, Feasible, Leg, Planned, Question
 from armlab.benches.motion.plan.recorded import recorded_motion
 from armlab.benches.motion.plan.samples import DRAWN, drawn_leg, exceeded, sampled, spans_of, too_fast
 from armlab.errors import InputError
 from armlab.kin.ik.branches import branch_names
 from armlab.kin.motion import (
     Followed,
+    Hold,
     Motion,
     Path,
     Sequential,
@@ -148,28 +149,53 @@ def _together(question: Question, legs: Sequence[Leg]) -> Planned:
     """Return the planned motion of legs in sequence, in the requested time."""
     running = list(takewhile(lambda leg: leg.motion is not None, legs))
     within = sum(leg.motion.duration for leg in running if leg.motion is not None)
-    start, placed = 0.0, []
+    first = question.waypoints[0].wait
+    waits = [_wait(question, leg) for leg in running]
+    start, placed = first, []
     for k, leg in enumerate(running):
         try:
-            placed.append(replace(_lasting(question, leg, within), start=start))
+            placed.append(replace(_lasting(question, leg, within, first + sum(waits)), start=start, wait=waits[k]))
         except InputError as refusal:
             return _together(question, (*legs[:k], replace(leg, motion=None, trouble=str(refusal)), *legs[k + 1 :]))
-        start += _motion(placed[-1]).duration
+        start = placed[-1].arrival + waits[k]
     if not placed:
         return Planned(question, tuple(legs), None, None, (), math.nan)
-    motion: Motion = _motion(placed[0]) if len(placed) == 1 else Sequential([_motion(leg) for leg in placed])
+    parts = [part for leg in placed for part in (_motion(leg), *_rest(_motion(leg), leg.wait))]
+    if first:
+        parts.insert(0, Hold(parts[0].at(0.0), first))
+    motion: Motion = parts[0] if len(parts) == 1 else Sequential(parts)
     over, samples = exceeded(question, motion), sampled(question.arm, motion, placed)
     spans = (*spans_of(over), *too_fast(samples, question.limits.tool_speed))
     drawn = [drawn_leg(question.arm, leg, spans) for leg in placed]
     every = (*drawn, *legs[len(running) :])
-    return Planned(question, every, motion, samples, over, within, unkept(question, motion))
+    return Planned(question, every, motion, samples, over, within + first + sum(waits), unkept(question, motion))
 
 
-def _lasting(question: Question, leg: Leg, within: float) -> Leg:
-    """Return a leg in its share of the requested time, or as fast as allowed if none was requested."""
+def _wait(question: Question, leg: Leg) -> float:
+    """Return the seconds for which the arm rests at the end of a leg."""
+    return 0.0 if leg.stretch is None else question.waypoints[leg.stretch.last].wait
+
+
+def _rest(motion: Motion, wait: float) -> tuple[Motion, ...]:
+    """Return the rest at the end of a motion, if there is one."""
+    return (Hold(motion.at(motion.duration), wait),) if wait else ()
+
+
+def _lasting(question: Question, leg: Leg, within: float, waits: float) -> Leg:
+    """Return a leg in its share of the requested time, or as fast as allowed if none was requested.
+
+    Raises
+    ------
+    InputError
+        The waits leave no time to move.
+    """
     if question.duration is None or leg.stretch is None or leg.path is None:
         return leg
-    share = question.duration * _motion(leg).duration / within
+    if question.duration - waits < SHORTEST:
+        raise InputError(
+            f"duration: the whole is to last {question.duration:g} s, and the waits alone take {waits:g} s"
+        )
+    share = (question.duration - waits) * _motion(leg).duration / within
     return replace(leg, motion=lasting(leg.stretch, leg.path, _motion(leg), share))
 
 

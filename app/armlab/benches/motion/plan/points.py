@@ -3,19 +3,28 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.motion.plan.commands import PlanCommand, checked_index, edited, refitted, with_plan
-from armlab.benches.motion.plan.moves import MOST_WAYPOINTS, Move, Waypoint, checked_joint, checked_q, flat_pose
+from armlab.benches.motion.plan.moves import (
+    AT_WAYPOINT,
+    MOST_WAYPOINTS,
+    Move,
+    Waypoint,
+    checked_joint,
+    checked_q,
+    flat_pose,
+)
 from armlab.benches.motion.plan.state import Plan
 from armlab.errors import InputError
 from armlab.kin import ik
 from armlab.kin.arm import Arm
 from armlab.kin.ik.target import feasible
 from armlab.kin.transforms import as_pose
+from armlab.registry import known_name
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import FARTHEST
 from armlab.session.state import Command, State
@@ -195,6 +204,37 @@ class SetWaypointJoint(PlanCommand):
         return with_plan(state, _with_point(part, self.k, Waypoint(checked_q(arm, q))))
 
 
+@dataclass(frozen=True)
+class SetAtWaypoint(PlanCommand):
+    """Set what is done at a waypoint; None restores what comes by itself.
+
+    Parameters
+    ----------
+    k : int
+        From 0.
+    name : str
+        One of `AT_WAYPOINT`.
+    value : object
+    """
+
+    k: int
+    name: str
+    value: Any
+    label: ClassVar[str] = "gripper and wait"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the waypoint selected; `InputError` outside the range."""
+        part = state[Plan]
+        point = part.waypoints[checked_index(part, self.k)]
+        field = AT_WAYPOINT[known_name("at a waypoint", self.name, AT_WAYPOINT)]
+        value = field.default if self.value is None else field.checked(self.value)
+        if value == getattr(point, self.name):
+            return state
+        points = list(part.waypoints)
+        points[self.k] = replace(point, **{self.name: value})
+        return with_plan(state, refitted(edited(part, waypoints=tuple(points), selected=self.k)))
+
+
 @dataclass(frozen=True, eq=False)
 class SetWaypointPose(PlanCommand):
     """Type the tool pose of a waypoint, (4, 4) in the world."""
@@ -256,7 +296,8 @@ def _size(value: float, turns: bool) -> str:
 
 
 def _with_point(part: Plan, k: int, point: Waypoint) -> Plan:
-    checked_index(part, k)
+    """Return the plan with a waypoint elsewhere, where the same is done as before."""
+    point = point.doing(part.waypoints[checked_index(part, k)])
     return edited(part, waypoints=(*part.waypoints[:k], point, *part.waypoints[k + 1 :]), selected=k)
 
 

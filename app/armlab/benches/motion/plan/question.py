@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
+from itertools import takewhile
 from typing import NamedTuple
 
 import numpy as np
@@ -24,8 +25,8 @@ FULL_AFTER = 0.1
 """Time in which an acceleration is built up if a law needs a limit of jerk and none is given, seconds."""
 
 
-LONGEST = 600.0
-"""Longest motion, seconds."""
+SHORTEST, LONGEST = 0.01, 600.0
+"""Shortest and longest motion, seconds."""
 
 
 class Limits(NamedTuple):
@@ -93,7 +94,7 @@ class Question(NamedTuple):
     @property
     def parts(self) -> tuple[Stretch, ...]:
         """The stretches of the moves."""
-        return stretches(self.moves)
+        return stretches(self.moves, self.waypoints)
 
 
 class Feasible(IntEnum):
@@ -107,7 +108,7 @@ class Feasible(IntEnum):
 
 @dataclass(frozen=True, eq=False)
 class Leg:
-    """A stretch, planned.
+    """A stretch, planned, and the wait at its end.
 
     Attributes
     ----------
@@ -136,6 +137,8 @@ class Leg:
         What the limits of the joints leave to the law.
     deviation : float
         Metres by which the tool leaves its path between the samples of the inverse kinematics, at most.
+    wait : float
+        Seconds for which the arm rests at its end.
     """
 
     stretch: Stretch | None
@@ -151,6 +154,12 @@ class Leg:
     followed: Followed | None = None
     bounds: LawBounds | None = None
     deviation: float = 0.0
+    wait: float = 0.0
+
+    @property
+    def arrival(self) -> float:
+        """Seconds at which the arm comes to its end; where it begins if it cannot be run."""
+        return self.start if self.motion is None else self.start + self.motion.duration
 
     @property
     def trajectory(self) -> Trajectory | None:
@@ -185,6 +194,14 @@ class Samples:
     tool_speed: Floats
     s: Floats
     curvature: Floats
+
+
+class Grip(NamedTuple):
+    """An action of the gripper: when, seconds, whether it closes, and the waypoint, from 0."""
+
+    time: float
+    closes: bool
+    waypoint: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,7 +253,26 @@ class Planned:
         """Duration of the part that can be run, seconds."""
         return 0.0 if self.motion is None else self.motion.duration
 
+    @property
+    def running(self) -> tuple[Leg, ...]:
+        """The legs of the motion: up to the first that cannot be run."""
+        return tuple(takewhile(lambda leg: leg.motion is not None, self.legs))
+
+    @property
+    def boundaries(self) -> tuple[float, ...]:
+        """Times at which one leg ends, a wait begins or ends, or the next leg begins, seconds."""
+        times = {time for leg in self.running for time in (leg.start, leg.arrival)}
+        return tuple(sorted(time for time in times if 0.0 < time < self.duration))
+
+    @property
+    def grips(self) -> tuple[Grip, ...]:
+        """When the gripper opens or closes, in the order of time."""
+        reached = [(0, 0.0)] if self.running else []
+        reached += [(leg.stretch.last, leg.arrival) for leg in self.running if leg.stretch is not None]
+        points = self.question.waypoints
+        return tuple(Grip(t, points[k].gripper == "close", k) for k, t in reached if points[k].gripper != "leave")
+
     def leg_at(self, time: float) -> Leg | None:
-        """Return the leg at a time."""
-        on = [leg for leg in self.legs if leg.motion is not None and leg.start <= time + 1e-9]
-        return on[-1] if on else None
+        """Return the leg at a time; in a wait the one before."""
+        on = [leg for leg in self.running if leg.start <= time + 1e-9]
+        return on[-1] if on else next(iter(self.running), None)

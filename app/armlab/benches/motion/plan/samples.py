@@ -85,11 +85,12 @@ def tool_rates(arm: Arm, q: Floats, qdot: Floats, qddot: Floats) -> tuple[Floats
 
 
 def _parameter(legs: Sequence[Leg], t: Floats) -> Floats:
-    """Return the path parameter of the leg at each time."""
+    """Return the path parameter of the leg at each time; while the arm waits, that where it rests."""
     found = np.full(len(t), np.nan)
-    for leg in legs:
+    for k, leg in enumerate(legs):
         if leg.trajectory is not None:
-            on = (t >= leg.start - 1e-12) & (t <= leg.start + leg.trajectory.duration + 1e-12)
+            begins = leg.start if k else 0.0
+            on = (t >= begins - 1e-12) & (t <= leg.arrival + leg.wait + 1e-12)
             found[on] = leg.trajectory.law.at(t[on] - leg.start)
     return found
 

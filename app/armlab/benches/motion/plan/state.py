@@ -10,9 +10,10 @@ from typing import ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.benches.motion.plan.moves import Move, Stretch, Waypoint, checked_q, stretch_at, stretches
+from armlab.benches.motion.plan.moves import Move, Stretch, Waypoint, checked_q, stretches
 from armlab.benches.motion.plan.question import (
     LONGEST,
+    SHORTEST,
     TURN_ACCELERATION,
     TURN_SPEED,
     Limits,
@@ -34,9 +35,6 @@ CLIP_KEY = "motion"
 
 SAMPLES, MOST_SAMPLES = 201, 1001
 """Usual and largest number of poses along a Cartesian stretch for which the inverse kinematics is solved."""
-
-SHORTEST = 0.01
-"""Shortest motion, seconds."""
 
 LEAST, MOST = 1e-4, 1e6
 """Least and largest limit in SI units."""
@@ -126,7 +124,7 @@ class Plan(Part):
         # Radians are no metres: a joint that has become a sliding one has neither values nor limits yet.
         if not same or self.kinds != _kinds(arm):
             return self.initial(robot)
-        points = tuple(Waypoint(checked_q(arm, point.q)) for point in self.waypoints)
+        points = tuple(Waypoint(checked_q(arm, point.q)).doing(point) for point in self.waypoints)
         return replace(self, waypoints=points, recorded=None, example="", before=None, planned=None, other=None)
 
     def after(self, before: State, now: State) -> Self:
@@ -137,7 +135,7 @@ class Plan(Part):
     @cached_property
     def parts(self) -> tuple[Stretch, ...]:
         """The stretches of the moves."""
-        return stretches(self.moves)
+        return stretches(self.moves, self.waypoints)
 
     @property
     def limits(self) -> Limits:
@@ -153,7 +151,11 @@ class Plan(Part):
     @property
     def stretch(self) -> Stretch | None:
         """The stretch that ends at the selected waypoint, or None if there is no move."""
-        return stretch_at(self.moves, max(self.selected - 1, 0)) if self.moves else None
+        return self.stretch_to(max(self.selected, 1)) if self.moves else None
+
+    def stretch_to(self, k: int) -> Stretch:
+        """Return the stretch of the move to waypoint k, counted from 0; the first has none."""
+        return next(stretch for stretch in self.parts if stretch.first < k <= stretch.last)
 
     def to_json(self) -> Json:
         """Write all but the planned motions."""

@@ -20,11 +20,6 @@ SAME = 1e-4
 """Relative difference of the durations of motions that count as equally long: one follows its path by samples."""
 
 
-def boundaries(planned: Planned) -> tuple[float, ...]:
-    """Return the times at which one leg ends and the next begins."""
-    return tuple(leg.start for leg in planned.legs if leg.motion is not None and leg.start > 0.0)
-
-
 def shares(planned: Planned) -> tuple[Floats, Floats] | None:
     """Return |qdot_i| / v_i and |qddot_i| / a_i at the samples, (k, n) each, or None if the motion cannot be run."""
     if planned.samples is None:

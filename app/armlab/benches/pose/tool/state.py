@@ -52,7 +52,7 @@ class PoseView(FieldPart):
     reference: str = text("frame of reference", WORLD)
     frame: str = text("frame", TOOL)
     axes: str = choice("sequence of axes", "zyx", SEQUENCES)
-    fixed: bool = flag("axes that stay", False)
+    fixed: bool = flag("fixed axes", False)
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -73,7 +73,7 @@ class PoseView(FieldPart):
             if name not in frame_names(self.n):
                 raise UnknownName("frame", name, frame_names(self.n))
         if self.reference == self.frame:
-            raise InputError(f"transform: expected two different frames, got {self.frame!r} twice")
+            raise InputError(f"transform: expected two different frames, got {self.frame!r} for both")
 
     @property
     def inward(self) -> bool:

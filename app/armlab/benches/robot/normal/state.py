@@ -107,7 +107,7 @@ class Lines(Part):
         first, second = (Line(_inside(point, robot.arm), direction) for point, direction in data["lines"])
         pair = None if data["pair"] is None else int(data["pair"])
         if pair is not None and not 0 <= pair < robot.arm.n - 1:
-            raise InputError(f"lines: joint {pair + 1} has no next one")
+            raise InputError(f"lines: joint {pair + 1} is the last one and has no next axis")
         return cls(first, second, scale, pair, next(name for name in HANDLES if name == data["handle"]))
 
 

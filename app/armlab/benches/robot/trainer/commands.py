@@ -35,7 +35,10 @@ class StartTrainer(Command):
         """Return the state at the beginning of the exercise."""
         exercise = state[Trainer].exercise
         if not exercise.usable:
-            raise InputError("trainer: this arm has no pose in which all joint axes lie along x, y or z of the world")
+            raise InputError(
+                "trainer: this arm has no known configuration in which all joint axes lie along x, y or z of the "
+                "world frame"
+            )
         before = state[Trainer].before if state[Trainer].started else state[Joints].q
         return _posed(state).replace(Trainer(exercise, Answers.empty(exercise.n), True, before))
 
@@ -90,7 +93,7 @@ class ChooseDirection(Command):
         """Return the state with the choice made."""
         answers = _started(state).answers
         if answers.placed:
-            raise InputError("trainer: the axes are placed; go back to them to change one")
+            raise InputError("trainer: all axes are placed; press “change” to choose them again")
         if not 0 <= self.frame < len(answers.axes):
             raise InputError(f"frame: expected 0 to {len(answers.axes) - 1}, got {self.frame}")
         if self.axis not in ("z", "x"):
@@ -180,7 +183,7 @@ class CheckTable(Command):
         trainer = _placed(state)
         answers = trainer.answers
         if all(value is None for row in answers.cells for value in row):
-            raise InputError("trainer: fill at least one cell first")
+            raise InputError("trainer: fill in at least one cell first")
         checked = replace(answers, checked_cells=answers.cells, table_checks=answers.table_checks + 1)
         marks = replace(trainer, answers=checked).cell_marks
         misses = tuple(
@@ -248,7 +251,7 @@ def _posed(state: State) -> State:
     moved = joints.moved_to(q)
     for i, held in enumerate(joints.locked):
         if held and moved.q[i] != q[i]:
-            raise InputError(f"trainer: joint {i + 1} is held and cannot go to the pose of the exercise")
+            raise InputError(f"trainer: joint {i + 1} is held and cannot move to the configuration of the exercise")
     return state if moved is joints else state.replace(moved)
 
 

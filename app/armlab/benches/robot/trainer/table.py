@@ -36,7 +36,7 @@ def judge_table(
         if off is not None and abs(off) > tolerance:
             for i in run:
                 if verdicts[i]["d"].mistake == "wrong":
-                    verdicts[i]["d"] = CellVerdict(False, "wrong", f"only {rows} counts, and it is not right yet")
+                    verdicts[i]["d"] = CellVerdict(False, "wrong", f"only {rows} counts, and it is not correct yet")
         elif off is not None:
             free = CellVerdict(True, "", f"right: only {rows} is defined")
             for i in run:

@@ -196,10 +196,10 @@ class GoByHand(Command):
         found, joints = state.derived(sheet), state[Joints]
         q = None if found is None else found.derivation.q
         if q is None:
-            raise InputError("The derivation has no joint values at this target.")
+            raise InputError("The derivation gives no joint values at this target.")
         there = nearest_copy(joints.arm, q, joints.q)
         if there is None:
-            raise InputError("These joint values are out of limits.")
+            raise InputError("These joint values are outside the joint limits.")
         apart = np.abs(gap(joints.arm, there, joints.q))
         held = [i + 1 for i, locked in enumerate(joints.locked) if locked and apart[i] > HERE]
         if held:

@@ -76,7 +76,7 @@ class Proof:
             return said + "no solution."
         more = f"{'more than ' if len(self.others) >= MOST else ''}{len(self.others)}"
         if not self.of_families and self.solutions.completeness == "infinite":
-            return said + f"{more} different ones besides the list, as it must be where there are infinitely many."
+            return said + f"{more} others found that are not in the list, as expected where there are infinitely many."
         count = len(self.solutions.families) if self.of_families else len(self.solutions)
         kind = ("family", "families") if self.of_families else ("solution", "solutions")
         same = (

@@ -26,12 +26,12 @@ from armlab.session.way_to_solution import HERE, gap
 
 PRESETS: dict[str, tuple[str, str, str]] = {
     "2R": ("planar_2r", "home", "2 solutions: elbow up and down"),
-    "2R, centre": ("planar_2r", "folded", "infinitely many: the tool is on axis 1, and the links are equally long"),
+    "2R, centre": ("planar_2r", "folded", "infinitely many: the tool is on axis 1, and the links have equal lengths"),
     "polar": ("polar_rrp", "home", "4 solutions, most of them with a slide of negative length"),
     "elbow": ("elbow_3r", "home", "4 solutions: front and back, elbow up and down"),
     "UR10": ("ur10_notes", "eight", "8 solutions, figure 4.8"),
     "Manseur–Doty": ("manseur_doty", "sixteen", "16 solutions, as many as six joints can have"),
-    "PUMA, q₅ = 0": ("puma560", "zero", "infinitely many: axes 4 and 6 are one line"),
+    "PUMA, q₅ = 0": ("puma560", "zero", "infinitely many: axes 4 and 6 coincide"),
 }
 """Robot, pose and a sentence for each example of section 4.3 of the notes, by name."""
 
@@ -118,7 +118,7 @@ class GoToSolution(Command):
         found = state[Solutions].found
         row = None if found is None else found.row(self.slot)
         if found is None or row is None or found.question.arm is not state[Joints].arm:
-            raise InputError("This solution is no longer there: the target has moved on.")
+            raise InputError("This solution no longer exists: the target has moved.")
         if state.derived(fresh) is not None and row is state.derived(present_row):
             return state
         q = _inside(found, row)
@@ -144,7 +144,7 @@ class TurnTo(Command):
         """Return the state with these turns."""
         turns = state.derived(whole_turns)
         if not 0 <= self.k < len(turns):
-            raise InputError("These whole turns are not there any more: the target has moved on.")
+            raise InputError("These whole turns no longer exist: the target has moved.")
         _check_held(state, turns[self.k], "with these turns")
         return jumped_to(state, turns[self.k])
 
@@ -204,7 +204,7 @@ class Prove(Command):
         if not self.on:
             return state if part.proof is None else state.replace(replace(part, proof=None))
         if found is None:
-            raise InputError("The list is not there yet: try again in a moment.")
+            raise InputError("The list is still being computed: try again in a moment.")
         if len(found.question.held) == found.question.arm.n:
             raise InputError("All joints are held: there is nothing to search for.")
         return state.replace(replace(part, proof=Proof(found.question, found.solutions)))
@@ -243,7 +243,7 @@ def _solved_again(state: State, row: Row) -> NDArray[np.float64]:
     if result.success and float(np.abs(gap(joints.arm, result.q, start)).max()) < 1.0:
         return np.asarray(result.q, dtype=np.float64)
     _check_held(state, row.q, "there")
-    raise InputError(f"{_named(row)} cannot be reached from the old list: wait for the new one.")
+    raise InputError(f"{_named(row)} belongs to an outdated list: wait for the new one.")
 
 
 def _check_held(state: State, q: NDArray[np.float64], where: str) -> None:

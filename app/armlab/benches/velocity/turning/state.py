@@ -44,7 +44,7 @@ class Turning(FieldPart):
     clip: ClassVar[str] = CLIP_KEY
 
     axes: str = choice("sequence of axes", "xyz", SEQUENCES)
-    fixed: bool = flag("axes that stay", True)
+    fixed: bool = flag("fixed axes", True)
     angles: Triple = vector("φ", "angles", (math.radians(20.0), math.radians(50.0), math.radians(-30.0)))
     rates: Triple = vector("φ̇", "rates of the angles", (math.radians(30.0), math.radians(-15.0), math.radians(20.0)))
     shown: str = choice("view", "angles", VIEWS)

@@ -29,7 +29,17 @@ INVERSE = RateInverse(
     "pinv",
     "Pseudo-inverse J#",
     2,
-    (Field("cutoff", "ε", "singular values below this part of the largest are zero", "number", CUTOFF, 0.0, 0.5),),
+    (
+        Field(
+            "cutoff",
+            "ε",
+            "singular values below this fraction of the largest count as zero",
+            "number",
+            CUTOFF,
+            0.0,
+            0.5,
+        ),
+    ),
     speeds,
     r"\dot q=J^{\#}v",
 )

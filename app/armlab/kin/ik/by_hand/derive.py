@@ -40,12 +40,12 @@ def why_not(arm: Arm) -> str:
         number = "one joint is" if structure.free == 1 else f"{structure.free} joints are"
         return (
             f"{number.capitalize()} to spare, so there are infinitely many solutions and no formula gives one of them "
-            "unless it is said first which."
+            "unless some joint values are chosen first."
         )
     if form is not None:
         return (
-            "It has a closed form, which the page Solutions uses, but its axes do not make the triangles that are "
-            "worked here."
+            "It has a closed form, which the page Solutions uses, but its axes do not form the triangles that are "
+            "used here."
         )
     if structure.key == "general_6r":
         return (

@@ -138,7 +138,7 @@ class _Euler:
             values["q"] = Quantity(f"q_{n}", branches[self.k].value or 0.0, "rad")
             lines.append(Line("q", "<theta> - <zero>"))
         one, last = self.turns.names
-        note = f"Wrist singularity: {one} and {last} are one line, and both signs give the same angle."
+        note = f"Wrist singularity: {one} and {last} coincide, and both signs give the same angle."
         A, B, _ = self._now()
         work = self.work
         work.add(

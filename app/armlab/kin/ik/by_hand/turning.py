@@ -160,7 +160,7 @@ def turn_plane(work: Work, pillar: Pillar, home: Vector, place: Vector, name: st
     work.add(
         "q1",
         "q_1",
-        f"Seen along axis 1, the plane of the arm turns to {name}",
+        f"Seen along axis 1, the plane of the arm is turned towards {name}",
         "atan2 of two lengths" if d == 0.0 else "a sin θ + b cos θ = c",
         *_written(pillar, x, y, z, d, rho, theta, case, k),
         index=0,
@@ -197,9 +197,12 @@ def _note(case: Case, d: float, name: str) -> str:
     if case == "any":
         return f"Shoulder singularity: {name} lies on axis 1, so θ₁ may be any angle. The present one is kept."
     if case == "merged":
-        return f"Shoulder singularity: {name} is exactly as far from axis 1 as the arm passes by: both values are one."
+        return (
+            f"Shoulder singularity: {name} is exactly as far from axis 1 as the offset of the arm: both values "
+            "coincide."
+        )
     if case == "none":
-        return f"Out of reach: {name} is {{gap}} nearer to axis 1 than the arm passes beside it."
+        return f"Out of reach: {name} is {{gap}} nearer to axis 1 than the offset of the arm allows."
     return ""
 
 

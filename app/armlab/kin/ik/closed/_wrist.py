@@ -39,11 +39,13 @@ def solve_wrist_arm(s: Screws, G: Vector) -> Found:
         first, last = s.z[3], s.turn(4, min(straight)) @ s.z[5]
         what = "sum" if float(first @ last) > 0.0 else "difference"
         families += (
-            f"The wrist is straight: axes 4 and 6 are one line, only the {what} of q4 and q6 is fixed, and q4 may have "
+            f"The wrist is straight: axes 4 and 6 coincide, only the {what} of q4 and q6 is fixed, and q4 may have "
             "any value.",
         )
     if found:
         return Found(found, families)
     if not placed:
         return Found([], (), "The wrist centre is out of reach of joints 1, 2 and 3.")
-    return Found([], (), "Joints 4, 5 and 6 cannot turn the hand to this orientation.", any(arm.free for arm in placed))
+    return Found(
+        [], (), "Joints 4, 5 and 6 cannot bring the tool to this orientation.", any(arm.free for arm in placed)
+    )

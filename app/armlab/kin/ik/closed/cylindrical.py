@@ -23,7 +23,11 @@ def solve(arm: Arm, T: Vector) -> Found:
     plane = plane_for(arm, "cylindrical")
     assert plane is not None
     found = solve_in_plane(arm, T, plane)
-    return found if found.q else Found([], (), "The target is nearer to the axis than the sliding arm passes by it.")
+    return (
+        found
+        if found.q
+        else Found([], (), "The target is nearer to the axis than the offset of the sliding arm allows.")
+    )
 
 
 CLOSED = ClosedForm("cylindrical", "Cylindrical arm", 40, fits, solve)

@@ -28,7 +28,9 @@ def solve(arm: Arm, T: Vector) -> Found:
     found = solve_in_plane(arm, T, plane)
     if found.q or arm.task.rotation != "phi":
         return found
-    return Found([], (), "The place the last joint must be at for this angle is out of reach of the joints before it.")
+    return Found(
+        [], (), "The position that this angle requires of the last joint is out of reach of the joints before it."
+    )
 
 
 CLOSED = ClosedForm("planar", "Planar arm", 20, fits, solve)

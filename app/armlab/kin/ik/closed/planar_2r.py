@@ -34,7 +34,7 @@ def solve(arm: Arm, T: Vector) -> Found:
     if found.q or l1 * l2 == 0.0:
         return found
     cosine = (abs(p) ** 2 - l1 * l1 - l2 * l2) / (2.0 * l1 * l2)
-    side = "farther than both links in a line" if cosine > 1.0 else "inside the circle the folded arm draws"
+    side = "farther than the stretched arm" if cosine > 1.0 else "inside the circle of the folded arm"
     return Found([], (), f"cos θ2 would be {cosine:.3f}: the target is {side}.".replace("-", "−"))
 
 

@@ -26,7 +26,7 @@ def fits(arm: Arm) -> str | None:
 
 def solve(arm: Arm, T: Vector) -> Found:
     """Return all solutions, T (4, 4) in frame 0."""
-    return solve_place(arm, T, "The target is nearer to the shoulder than the slide passes by it.")
+    return solve_place(arm, T, "The target is nearer to the shoulder than the offset of the prismatic joint allows.")
 
 
 CLOSED = ClosedForm("polar", "Polar RRP", 60, fits, solve)

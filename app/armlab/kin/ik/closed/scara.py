@@ -23,7 +23,7 @@ def solve(arm: Arm, T: Vector) -> Found:
     plane = plane_for(arm, "scara")
     assert plane is not None
     found = solve_in_plane(arm, T, plane)
-    return found if found.q else Found([], (), "Seen from above, the axis of the hand would be out of reach.")
+    return found if found.q else Found([], (), "Seen from above, the axis of the last joint would be out of reach.")
 
 
 CLOSED = ClosedForm("scara", "SCARA", 30, fits, solve)

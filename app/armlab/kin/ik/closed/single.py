@@ -29,7 +29,10 @@ def solve(arm: Arm, T: Vector) -> Found:
     """Return the only solution, T (4, 4) in frame 0; none when the target lies off the path of the joint."""
     s = screws_of(arm)
     if s.kinds == "P":
-        return Found([np.array([s.z[0] @ (T[:3, 3] - s.home[:3, 3])])], none="The target is off the line of the slide.")
+        return Found(
+            [np.array([s.z[0] @ (T[:3, 3] - s.home[:3, 3])])],
+            none="The target does not lie on the line of the prismatic joint.",
+        )
     if arm.task.rotation == "phi":
         plane = plane_of(s)
         return Found([np.array([plane.flats[0].way.real * heading(plane, T)])])
@@ -37,7 +40,9 @@ def solve(arm: Arm, T: Vector) -> Found:
     if across(s.z[0], start) <= 1e-10 * s.scale:
         family = "The tool point lies on the axis of joint 1: q1 may have any value."
         return Found([np.array([q]) for q in FREE_ANGLES], (family,))
-    return Found([np.array([angle_about(s.z[0], start, end)])], none="The target is off the circle of the tool point.")
+    return Found(
+        [np.array([angle_about(s.z[0], start, end)])], none="The target does not lie on the circle of the tool point."
+    )
 
 
 CLOSED = ClosedForm("single", "One joint", 5, fits, solve)

@@ -19,9 +19,7 @@ from armlab.kin.ik.closed_form import ClosedForm, Found, known_structure
 from armlab.kin.ik.screws import Vector, screws_of
 from armlab.kin.transforms import inverse
 
-FAMILY = (
-    "Axes 1 and 3 are one line, or a point to be placed lies on an axis: one of the joint values may be chosen freely."
-)
+FAMILY = "Axes 1 and 3 coincide, or a point to be placed lies on an axis: one of the joint values is free."
 
 
 def fits(arm: Arm) -> str | None:

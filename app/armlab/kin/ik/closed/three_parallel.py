@@ -133,7 +133,7 @@ def _families(free: list[frozenset[int]], turned: bool) -> tuple[str, ...]:
     if any(last in joints for joints in free):
         axes = "2, 3, 4 and 6" if not turned else "1, 3, 4 and 5"
         sentences.append(
-            f"Axes {axes} are parallel: four turns share what three can do, and q{last + 1} may be chosen within what "
+            f"Axes {axes} are parallel: four joints share what three can do, and q{last + 1} may be chosen within what "
             "the others allow."
         )
     return (*sentences, *families_of([joints - {last} for joints in free]))
@@ -141,8 +141,8 @@ def _families(free: list[frozenset[int]], turned: bool) -> tuple[str, ...]:
 
 def _why_none(first: bool, hand: bool, turned: bool) -> str:
     if turned or (first and hand):
-        return "The planar 3R of the parallel axes does not reach the place that the other joints leave to it."
-    return "The point where axes 5 and 6 meet is nearer to axis 1 than the arm passes beside it."
+        return "The planar 3R of the parallel axes does not reach the position that the other joints require of it."
+    return "The point where axes 5 and 6 meet is nearer to axis 1 than the offset of the arm allows."
 
 
 CLOSED = ClosedForm("three_parallel", "Three parallel axes", 120, fits, solve)

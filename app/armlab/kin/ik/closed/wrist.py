@@ -26,7 +26,7 @@ def solve(arm: Arm, T: Vector) -> Found:
     """Return all solutions, T (4, 4) in frame 0."""
     s = screws_of(arm)
     found = turn((s.z[0], s.z[1], s.z[2]), T[:3, :3] @ s.home[:3, :3].T)
-    family = "The wrist is straight: axes 1 and 3 are one line, and q1 may have any value, q3 making up for it."
+    family = "The wrist is straight: axes 1 and 3 coincide, and only the sum or difference of q1 and q3 is fixed."
     families = (family,) if any(one.free for one in found) else ()
     return Found([np.array(one.q) for one in found], families)
 

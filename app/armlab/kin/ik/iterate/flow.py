@@ -169,7 +169,7 @@ def _flow(problem: Problem, points: list[Point], K: Floats, dt: float, status: s
     words: dict[str, tuple[FlowStatus, str]] = {
         "converged": ("converged", f"at the target after {t[-1]:.2f} s"),
         "locked": ("locked", "all joints are locked"),
-        "stuck": ("stuck", "at rest though not at the target: JᵀKe = 0"),
+        "stuck": ("stuck", "at rest, but not at the target: JᵀKe = 0"),
         "unstable": (
             "unstable",
             f"the time step is too long for this gain: dt K σ_max² = {dt * largest:.3g}, above {STABLE}",
@@ -178,7 +178,7 @@ def _flow(problem: Problem, points: list[Point], K: Floats, dt: float, status: s
     }
     final, reason = words[status]
     if problem.beyond and final in ("stuck", "going"):
-        reason = "out of reach: farther than all links in a line"
+        reason = "out of reach: farther than the fully stretched arm"
     return Flow(
         t=t,
         q=np.concatenate([point.q for point in points]),

@@ -71,7 +71,11 @@ EXAMPLES = (
     ),
     Example1D("too_far", "atan x = 0 from too far away: it diverges", math.atan, lambda x: 1.0 / (1.0 + x * x), 1.5),
     Example1D(
-        "cycle", "x³ − 2x + 2 = 0: it goes round", lambda x: x**3 - 2.0 * x + 2.0, lambda x: 3.0 * x * x - 2.0, 0.0
+        "cycle",
+        "x³ − 2x + 2 = 0: the iterates repeat in a cycle",
+        lambda x: x**3 - 2.0 * x + 2.0,
+        lambda x: 3.0 * x * x - 2.0,
+        0.0,
     ),
 )
 """Examples of section 4.4.1 of the notes: a function minus a wanted value, its derivative, and what may go wrong."""

@@ -54,7 +54,7 @@ def verdict(
             return "limit", f"stopped at the limits of {_joints(held)}"
         return _stuck(method, fate, last)
     if fate == Fate.REPRESENTATION:
-        text = "the Euler angles are singular here: first and third turn about one line"
+        text = "the Euler angles are singular here: the first and the third axis coincide"
         return "representation", f"{text}; choose another sequence, or the rotation vector as error"
     if fate == Fate.LIMIT:
         return "limit", f"stopped at the limits of {_joints(at_limits(problem, last.q[0]))}"
@@ -73,7 +73,7 @@ def plain_verdict(
     if converged:
         return "converged", _converged(len(cost) - 1, jumps)
     if problem.beyond:
-        return "out of reach", "out of reach: farther than all links in a line"
+        return "out of reach", "out of reach: farther than the fully stretched arm"
     return _unfinished(problem, last, cost, jumps)
 
 
@@ -83,22 +83,22 @@ def _converged(k: int, jumps: tuple[int, ...]) -> str:
 
 def _grown(last: Point, k: int) -> str:
     if k:
-        return f"error or joint values grew beyond all bounds in {_steps(k)}"
+        return f"the error or the joint values grew without bound in {_steps(k)}"
     nearly = bool(last.sigma_min[0] <= NEARLY * last.sigma_max[0])
-    return f"{'almost singular, ' if nearly else ''}already the first step would go beyond all bounds"
+    return f"{'almost singular, ' if nearly else ''}even the first step would exceed all bounds"
 
 
 def _stuck(method: IterationMethod, fate: Fate, last: Point) -> tuple[Status, str]:
     nearly = bool(last.sigma_min[0] <= NEARLY * last.sigma_max[0])
     if last.sigma_max[0] == 0.0:
-        return "stuck", "stuck: no joint moves the task vector, J = 0"
+        return "stuck", "stuck: no joint changes the task vector, J = 0"
     if not is_flat(last)[0]:
         if fate == Fate.SINGULAR:
             return "singular", f"no step: the configuration is singular, and {method.title} has to invert J"
         return "stuck", "stuck: no step of this method brings the tool closer"
     if nearly:
-        return "stuck", "stuck at a singular configuration: Jᵀe = 0 though the error e is not"
-    return "stuck", "closest from here: Jᵀe = 0, and there are more task components than joints to move them"
+        return "stuck", "stuck at a singular configuration: Jᵀe = 0, although the error e is not 0"
+    return "stuck", "closest point from here: Jᵀe = 0, with more task components than joints"
 
 
 def _unfinished(problem: Problem, last: Point, cost: Floats, jumps: tuple[int, ...]) -> tuple[Status, str]:
@@ -111,8 +111,8 @@ def _unfinished(problem: Problem, last: Point, cost: Floats, jumps: tuple[int, .
         return "limit", f"not reached in {_steps(k)}, at the limits of {_joints(held)}"
     half = len(cost) // 2
     if k >= FEW and cost[half:].min() > NO_CLOSER * cost[:half].min():
-        return "most", f"not reached in {_steps(k)}: the iterates go to and fro and come no closer"
-    return "most", f"not reached in {_steps(k)}, still coming closer: more steps may"
+        return "most", f"not reached in {_steps(k)}: the iterates oscillate and come no closer"
+    return "most", f"not reached in {_steps(k)}, still converging: more steps may reach it"
 
 
 def at_limits(problem: Problem, q: NDArray[np.float64]) -> tuple[int, ...]:

@@ -19,7 +19,8 @@ PAGE_KEYS = (
     ("V", "projector: large text, no benches (Esc ends)"),
     ("Page ↑ ↓", "the step before or after, in a lesson"),
     ("space , .", "play what the open page shows, step back, step on"),
-    ("Esc", "close a question"),
+    ("X", "the plots of the open page, large; again: close them"),
+    ("Esc", "close a question, or the plots"),
 )
 """Keys that are handled by the page itself."""
 
@@ -46,7 +47,7 @@ WORDS = (
     ("✓ reached", "the tool is at the target"),
     ("✕ limit on joint 3", "only a joint limit keeps the tool away"),
     ("✕ closest possible", "no small move of any joint comes closer"),
-    ("✕ out of reach", "farther than all links in a line"),
+    ("✕ out of reach", "farther than the fully stretched arm"),
 )
 
 

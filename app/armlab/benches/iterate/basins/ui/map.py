@@ -111,7 +111,7 @@ def _scale(found: Map) -> Markup | None:
     if not high:
         return None
     if low == high:
-        return tag("p.dim", f"Every way took {low} steps.")
+        return tag("p.dim", f"Every run took {low} steps.")
     return tag("p.dim", f"Bright: {low} steps or fewer. Dark: {high} or more.")
 
 

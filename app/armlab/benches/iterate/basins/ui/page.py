@@ -49,8 +49,8 @@ from armlab.ui.units import Units, plain_number, units_of
 from armlab.ui.widgets import Gui
 
 LIMITS = {"none": "Not kept", "clamp": "Kept"}
-KEPT = "Whether each step ends at the joint limits"
-WHAT_TO_DO = "Choose a task vector with a joint in it, or lock joints on the page Joints."
+KEPT = "Whether each step is stopped at the joint limits"
+WHAT_TO_DO = "Choose a task vector that contains a joint, or hold joints on the page Joints."
 
 
 class BasinsPage:
@@ -139,8 +139,8 @@ def _task(form: Form, state: State, units: Units) -> list[Markup]:
     arm, part = state[Joints].arm, state[Iterations]
     vector, found = vector_of(state), choices(arm)
     place = target_text(arm, part.target, units)
-    hint = "Take the target of the lab; when dragged, it is taken by itself"
-    lines = [row("Target", (tag("span", place), form.chip("aim", "From the handle", AimAt(), hint)))]
+    hint = "Use the target of the lab; dragging it updates this one as well"
+    lines = [row("Target", (tag("span", place), form.chip("aim", "Use the lab's target", AimAt(), hint)))]
     if len(found) == 1:
         lines.append(row("Task", tag("span", vector_text(vector))))
     else:
@@ -195,7 +195,7 @@ def _rest(form: Form, state: State, units: Units) -> Markup | None:
         cells.append(tag("label", tag("span", name), cell, tag("i", units.unit(revolute))))
     if not cells:
         return None
-    take = form.chip("stand", "As the arm stands", MapRest(), "Take the joint values of the arm")
+    take = form.chip("stand", "Present configuration", MapRest(), "Use the present joint values of the arm")
     return row("Others", (tag("div.kit-numbers", cells), take))
 
 
@@ -207,7 +207,7 @@ def _action(form: Form, state: State) -> Inside:
     part = state[Basins]
     if part.drawing is not None:
         done = part.map.done if part.map is not None and part.map.question is part.drawing else 0.0
-        press = form.chip("cancel", "Cancel", CancelBasins(), "Stop drawing; what there is stays")
+        press = form.chip("cancel", "Cancel", CancelBasins(), "Stop drawing; what has been drawn stays")
         return tag("div.bar", press, tag("span.dim", f"Drawing: {100.0 * done:.0f} %")), progress_bar(done)
     why = refusal(state)
     press = form.button("draw", "Draw", DrawBasins(), "main", off=bool(why))

@@ -81,7 +81,7 @@ def problem_markup(form: Form, state: State) -> Markup:
 
 def _bounds(form: Form, part: Iterations) -> Markup:
     """Return the choice of limits, and the largest number of steps."""
-    hint = "Whether each step ends at the joint limits"
+    hint = "Whether each step is stopped at the joint limits"
     kept = form.chips("limits", LIMITS, part.limits, hint, lambda key: Set(Iterations, "limits", key))
     most = form.field("most", str(part.most), "Largest number of steps", _most)
     steps = tag("label.it-most", "at most ", most, tag("i", "steps"))
@@ -118,8 +118,8 @@ def _start_markup(form: Form, state: State) -> Inside:
         cells.append(tag("label", tag("span", name), cell, tag("i", units.unit(revolute))))
     poses = state[RobotPart].robot.poses
     named = {"": "named pose …", **{name: name for name in poses}}
-    take = form.chip("here", "Present pose", SetStart(), "Begin where the arm stands")
-    hint = "Begin at a pose of the robot file"
+    take = form.chip("here", "Present configuration", SetStart(), "Start from the present configuration")
+    hint = "Start from a named pose of the robot"
     pose = form.select("pose", "Named pose", named, "", lambda name: SetStart(tuple(poses[name].tolist())), hint)
     return tag("h3", "Start", tag("span.copies", take, pose)), tag("div.kit-numbers", cells)
 
@@ -127,8 +127,8 @@ def _start_markup(form: Form, state: State) -> Inside:
 def _target_markup(form: Form, state: State) -> Markup:
     part, units = state[Iterations], units_of(state)
     place = ", ".join(units.text(float(value), False) for value in part.target[:3, 3])
-    hint = "Take the target of the lab; when dragged, it is taken by itself"
-    take = form.chip("aim", "From the handle", AimAt(), hint)
+    hint = "Use the target of the lab; dragging it updates this one as well"
+    take = form.chip("aim", "Use the lab's target", AimAt(), hint)
     return tag("h3", "Target ", tag("small", f"({place}) {units.length_unit}"), tag("span.copies", take))
 
 

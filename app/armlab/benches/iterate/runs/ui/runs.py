@@ -29,7 +29,7 @@ def runs_markup(form: Form, state: State) -> Markup:
     part = state[Iterations]
     runs = [_run(form, state, i, run) for i, run in enumerate(part.runs)]
     full = len(part.runs) == MOST_RUNS
-    hint = f"At most {MOST_RUNS} runs" if full else "One more run from the same start"
+    hint = f"At most {MOST_RUNS} runs" if full else "Add a run from the same start"
     more = form.chip("add-run", "+ Run", AddRun("dls_error"), hint, off=full)
     return joined(tag("h3", "Runs", tag("span.copies", more)), runs)
 

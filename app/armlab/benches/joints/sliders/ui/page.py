@@ -94,7 +94,7 @@ def _lock(form: Form, joints: Joints, i: int, units: Units) -> Markup:
     axis = subscript("z", i if joints.arm.convention == "standard" else i + 1)
     low, high = (units.text(float(value), revolute) for value in joints.arm.limits[i])
     does = f"{'turns about' if revolute else 'slides along'} {axis}, {low} to {high} {units.unit(revolute)}"
-    wish = "held: click to let it go" if on else "click to hold it where it is"
+    wish = "held: click to release it" if on else "click to hold it at its present value"
     hint = f"Joint {i + 1} {does}; {wish}"
     return form.button(str(i), _name(joints, i, units), LockJoint(i, not on), "chip lock", hint, pressed=on)
 
@@ -106,7 +106,7 @@ def _readout(joints: Joints, units: Units) -> Inside:
     angles = [units.turned(float(value)) for value in (yaw, pitch, roll)]
     degrees = "°" if units.in_degrees else ""
     product = turns("zyx", False, [f"{value}{degrees}" for value in angles])
-    note = "Pitch is ±90°: only yaw ∓ roll is defined, roll is set to 0."
+    note = "Pitch is ±90°: only yaw ∓ roll is defined, and roll is set to 0."
     measure = mathml("w"), " of the task", tag("br"), f"({_controlled(joints.arm)})"
     return (
         tag("h3", "Tool in the world, ", mathml("{}^{w}T_{E}"), " ", tag("small", "position in m")),

@@ -60,7 +60,7 @@ class TypedValue:
         value = self._units.read(text, revolute, f"joint {i + 1}")
         stop = min(max(value, float(joints.arm.limits[i, 0])), float(joints.arm.limits[i, 1]))
         shown = self._units.angle if revolute else self._units.length
-        said = f"{shown(value)} is beyond the limit of joint {i + 1}: {shown(stop)} taken"
+        said = f"{shown(value)} exceeds the limit of joint {i + 1}: set to {shown(stop)}"
         # A limit that was typed as it is shown is not beyond itself.
         self._cut, self._came = (None if shown(value) == shown(stop) else (stop, said)), False
         return TypeJoint(i, value)

@@ -105,7 +105,7 @@ class MotionFiles:
             return lambda: recording.record(recording.Scenario(state, motion, *eye), cast(recording.Kind, kind))
         refuse_long(motion.duration, rate)
         if kind == "csv":
-            return lambda: motion_csv(state[Joints].arm, motion, rate)
+            return lambda: motion_csv(state[Joints].arm, motion, rate, planned.grips)
         return lambda: motion_script(state[RobotPart], planned, rate, f"{name}.csv")
 
     def _saved(self, name: str, content: str | bytes) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from armlab.benches.motion.files.commands import BackToWaypoints, MakeWaypoints
+from armlab.benches.motion.plan.moves import AT_WAYPOINT, Waypoint
 from armlab.benches.motion.plan.paths import shortfall
 from armlab.benches.motion.plan.points import (
     AddWaypoint,
@@ -12,6 +13,7 @@ from armlab.benches.motion.plan.points import (
     GoToWaypoint,
     RemoveWaypoint,
     SelectWaypoint,
+    SetAtWaypoint,
     SetWaypointJoint,
     SetWaypointPose,
     ShiftWaypoint,
@@ -27,11 +29,15 @@ from armlab.session.state import State
 from armlab.ui.form import Form
 from armlab.ui.format import lowered
 from armlab.ui.html import Markup, classes, joined, tag
+from armlab.ui.option_form import option_form
 from armlab.ui.pose_fields import pose_form
 from armlab.ui.units import Units, units_of
 
 MADE = 12
 """Number of waypoints that are made here from a motion of a file; the page Import & export has the choice."""
+
+GRIPPER_SIGNS = {"open": "⟨ ⟩", "close": "⟩⟨"}
+"""Small pictures of what the gripper does."""
 
 SPACES = {"joint": "joint", "cartesian": "Cartesian"}
 
@@ -76,7 +82,15 @@ def _row(form: Form, state: State, k: int) -> Markup:
     bad = tag("b.no", "✕", title="The arm does not reach it") if short else None
     place = tag("span.mo-at", _place(state, k, units))
     row = tag(classes("div.mo-row", now=selected), select, place, bad, tools)
-    return joined(_move_line(part, k) if k else None, row)
+    return joined(_move_line(part, k) if k else None, row, does_markup(part.waypoints[k]))
+
+
+def does_markup(point: Waypoint) -> Markup | None:
+    """Return a line on what is done at a waypoint, or nothing if nothing is."""
+    sign = GRIPPER_SIGNS.get(point.gripper)
+    gripper = (tag("b", sign, aria_hidden="true"), f"gripper {point.gripper}s") if sign else None
+    wait = f"{' · ' if sign else ''}waits {point.wait:g} s" if point.wait else None
+    return tag("div.mo-move.mo-does", gripper, wait) if point.rests else None
 
 
 def _place(state: State, k: int, units: Units) -> str:
@@ -113,7 +127,13 @@ def _selected(form: Form, state: State) -> Markup:
         tag("div.kit-numbers", cells),
         pose_form(form, arm, point.wanted(arm), units, partial(SetWaypointPose, k), "pose "),
         tag("p.no", f"✕ {short}") if short else None,
+        tag("div.options.mo-doing", at_waypoint(form, k, point)),
     )
+
+
+def at_waypoint(form: Form, k: int, point: Waypoint) -> Markup:
+    """Return the choice of what the gripper does at a waypoint, and the field of the wait there."""
+    return option_form(form, f"at-{k} ", tuple(AT_WAYPOINT.values()), point.does, partial(SetAtWaypoint, k))
 
 
 def _joint(form: Form, k: int, i: int, value: float, revolute: bool, units: Units) -> Markup:

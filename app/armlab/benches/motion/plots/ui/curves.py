@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.motion.plan.state import CLIP_KEY
 from armlab.ui.colours import GREY, VERDICT, Rgb
+from armlab.ui.html import Inside
 from armlab.ui.plot import NOTHING, TIME, Curve, Plot
+from armlab.ui.tray_picture import Drawn, Level, Picture
 from armlab.ui.widgets import Gui
 
 HEIGHT = 124
@@ -123,9 +127,10 @@ class MotionPlot(Plot):
 
     def __init__(self, gui: Gui, title: str, file: str, from_zero: bool = False, sight: float = IN_SIGHT) -> None:
         self._zero, self._sight, self._end = from_zero, sight, 0.0
+        self._large: Callable[[], Picture] | None = None
         self._rows: list[list[float]] = []
         self._names: list[str] = []
-        super().__init__(gui, title, "t, s", [Curve(title, GREY)], file, height=HEIGHT, legend=False)
+        super().__init__(gui, title, "t, s", [Curve(title, GREY)], file, height=HEIGHT, legend=False, clip=CLIP_KEY)
         x, y = self._handle.axes
         self._handle.axes = (x, {**y, **ORDINATE})
 
@@ -162,10 +167,15 @@ class MotionPlot(Plot):
         self._note(times, lines)
         self._end = times.end
         scales = {"x": {"time": False, "range": (0.0, times.end)}, "y": {"range": (low, high)}}
+        self._large = partial(large_picture, self.title, times, lines, (low, high))
         self.announce([curve for curve, _ in drawn])
         self.show(t, [values for _, values in drawn])
         if self._handle.scales != scales:
             self._handle.scales = scales
+
+    def picture(self) -> Picture | None:
+        """Return the motion at its own samples, with a name for each limit."""
+        return None if self._large is None else self._large()
 
     def _range_of(self, lines: Sequence[Line], most: float | None) -> tuple[float, float]:
         """Return the ends of the ordinate, which the page cannot choose for curves with gaps."""
@@ -207,6 +217,58 @@ class MotionPlot(Plot):
         """Put the cursor at a time of a clip that lasts until ``end``, or remove it."""
         # Where the clip is as long as the axis, the page moves the cursor by its own clock.
         self.cursor(TIME if time is not None and abs(end - self._end) <= NOTHING * max(1.0, end) else time)
+
+
+def large_picture(title: Inside, times: Times, lines: Sequence[Line], up: tuple[float, float]) -> Picture:
+    """Return the plot for the tray; what it is compared with is thinner and paler.
+
+    Parameters
+    ----------
+    title : str or markup
+    times : Times
+    lines : sequence of Line
+    up : (float, float)
+        Ends of the ordinate.
+    """
+    drawn = []
+    for line in lines:
+        if line.other is not None and times.other is not None:
+            curve = Curve(_compared(line.name), line.colour, 1.1, dash=line.dash, opacity=0.7)
+            drawn.append(Drawn(curve, times.other, line.other))
+    for line in lines:
+        if line.beyond:
+            red = Curve("beyond the limit", VERDICT["no"], 6.0, opacity=0.6)
+            drawn.append(Drawn(red, times.own, _within(times.own, line.values, line.beyond)))
+    drawn += [Drawn(Curve(line.name, line.colour, 2.0, dash=line.dash), times.own, line.values) for line in lines]
+    return Picture(title, "t, s", drawn, _named_limits(lines, *up), times.legs, (0.0, times.end), up)
+
+
+def _compared(name: str) -> str:
+    """Return the name of a curve for comparison, before its unit.
+
+    >>> _compared("q₁, °")
+    'q₁ compared, °'
+    """
+    symbol, *unit = name.split(", ")
+    return ", ".join([f"{symbol} compared", *unit])
+
+
+def _named_limits(lines: Sequence[Line], low: float, high: float) -> list[Level]:
+    """Return the visible limits, each with the names of the curves for which it holds."""
+    found = _levels(lines, low, high)
+    return [
+        Level(f"limit {' '.join(names)}" if len(names := _limited_by(lines, at)) < len(lines) else "limit", at, colour)
+        for at, colour in found.items()
+    ]
+
+
+def _limited_by(lines: Sequence[Line], level: float) -> list[str]:
+    """Return the symbols of the curves that have a limit."""
+    return [
+        line.name.split(", ")[0]
+        for line in lines
+        if any(abs(level - each) <= 1e-9 * max(1.0, abs(level)) for each in line.limits)
+    ]
 
 
 def _with_marks(t: Array, legs: Sequence[float]) -> tuple[Array, Array]:

@@ -7,7 +7,6 @@ from armlab.benches.motion.plan.question import Planned
 from armlab.benches.motion.plan.state import CLIP_KEY, Plan, last_planned
 from armlab.benches.motion.plan.ui.around import in_the_way, way_around
 from armlab.benches.motion.plots.drawn import (
-    boundaries,
     can_compare,
     compared,
     kind_of,
@@ -115,7 +114,7 @@ class _Page:
             plot.visible(there)
             if planned is None or samples is None or not there:
                 continue
-            times = Times(samples.t, None if beside is None else beside.t, boundaries(planned))
+            times = Times(samples.t, None if beside is None else beside.t, planned.boundaries)
             lines = lines_of(slot, planned, samples, other, planned.overruns, units)
             plot.draw(times, lines, most_of(slot, planned.question.arm, lines))
 

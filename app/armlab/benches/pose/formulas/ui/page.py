@@ -76,12 +76,12 @@ def _head(python: dict[str, str], formulas: dict[str, Written], count: int) -> I
     }
     notes = []
     if any(has_numbers(formula.latex) for name, formula in formulas.items() if name[0] == "p"):
-        notes.append("Numbers in the formulas of p are lengths in m, in every unit chosen under View.")
+        notes.append("Numbers in the formulas of p are lengths in m, whatever units are chosen under View.")
     hidden = sum(formula.left_out > 0 for formula in formulas.values())
     if hidden:
         notes.append(
             f"{hidden} of {count} formulas are long (over {LONGEST} characters of LaTeX): only their beginning is "
-            "shown. The copies have them whole."
+            "shown. The copies are complete."
         )
     if len(formulas) < count:
         notes.append(f"{count - len(formulas)} of {count} formulas have over {MOST_TERMS} terms and are not written.")
@@ -92,7 +92,7 @@ def _head(python: dict[str, str], formulas: dict[str, Written], count: int) -> I
 
 def _too_long(terms: int) -> Markup:
     """Return the text in place of a formula that is too long to read."""
-    return tag("div.formula.dim", f"too long to be read: about {float(f'{terms:.2g}'):,.0f} terms")
+    return tag("div.formula.dim", f"too long to read: about {float(f'{terms:.2g}'):,.0f} terms")
 
 
 def _constant(numbers: dict[str, str]) -> Markup:

@@ -46,14 +46,15 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         {axes: axes for axes in SEQUENCES},
         view.axes,
         lambda axes: post(Set(PoseView, "axes", axes)),
-        "The axes of the three turns, in order. The first six are Tait–Bryan, the others proper Euler angles.",
+        "The axes of the three rotations, in order. The first six are Tait–Bryan angles, the others proper Euler "
+        "angles.",
     )
     about = gui.segments(
-        "About axes that",
-        {"moving": "Move", "fixed": "Stay"},
+        "Rotations about",
+        {"moving": "Current axes", "fixed": "Fixed axes"},
         "fixed" if view.fixed else "moving",
         lambda key: post(Set(PoseView, "fixed", key == "fixed")),
-        "Axes that move are turned along by the turns before; axes that stay are those of the reference frame",
+        "Current axes have been rotated by the rotations before; fixed axes are those of the reference frame",
     )
     angles = gui.html()
 
@@ -74,14 +75,14 @@ def _one_turn(R: NDArray[np.floating], units: Units) -> Inside:
     axis, angle = axis_angle(R)
     theta = float(angle)
     if theta < NEAR:
-        turn: Inside = tag("p.said", "No turn: θ = 0, and every axis is right.")
+        turn: Inside = tag("p.said", "No rotation: θ = 0, and r may be any unit vector.")
     else:
         half = math.pi - theta < NEAR
         both = [
             ("r, θ", f"{vector(axis.tolist())}\u2002{units.angle(theta)}"),
             (f"{MINUS}r, {'' if half else MINUS}θ", _opposite(axis, theta if half else -theta, units)),
         ]
-        turn = pairs(both), tag("p.dim", "Half a turn: both axes are right.") if half else None
+        turn = pairs(both), tag("p.dim", "Half a turn: r and −r give the same rotation.") if half else None
     q = quaternion_from_rotation(R)
     quaternions = pairs([("q = (w, x, y, z)", vector(q.tolist())), (f"{MINUS}q", vector((-q).tolist()))])
     return tag("h3", "Axis r, angle θ"), turn, tag("h3", "Quaternion, scalar first"), quaternions
@@ -117,8 +118,8 @@ def _singular(found: EulerSolutions, letters: list[str], view: PoseView, units: 
     value = first + third if plus else first - third
     written = turns(view.axes, view.fixed, [units.orientation(angle) for angle in (first, middle, third)])
     said = (
-        f"{letters[1]} = {units.orientation(middle)} lays the first and the third turn on one line. "
-        f"{defined} = {units.orientation(value)}; here {letters[2]} is 0."
+        f"{letters[1]} = {units.orientation(middle)} makes the first and the third axis coincide. "
+        f"{defined} = {units.orientation(value)}; here {letters[2]} is set to 0."
     )
     head = f"Singular: only {defined} is defined"
     return verdict_box("warn", head, said), tag("div.eq.small", "R = ", written)
@@ -128,7 +129,7 @@ def _residual(R: NDArray[np.floating], found: EulerSolutions, view: PoseView) ->
     products = rotation_from_sequence(view.axes, found.solutions, fixed=view.fixed)
     residual = float(np.abs(products - R).max())
     if residual <= CHECKED:
-        return tag("p.dim", "Both triples give R.")
+        return tag("p.dim", "Both triples of angles give R.")
     return tag("p.dim", f"The products differ from R by {residual:.0e}.")
 
 

@@ -32,7 +32,7 @@ def chooser_markup(form: Form, view: PoseView) -> Markup:
         look = LookAt(reference, frame, keeps_sense=True)
         return form.button(f"{reference}-{frame}", name, look, "chip", hint, hint, on)
 
-    hint = "The inverse: reference and frame exchanged"
+    hint = "The inverse transform: reference and frame exchanged"
     inverse = form.button("inverse", "inverse", Invert(), "chip", hint, hint, view.inward)
     return tag(
         "div.choose",

@@ -9,8 +9,8 @@ from armlab.ui.format import number, subscript
 from armlab.ui.html import Inside, tag
 from armlab.ui.units import Units
 
-NOTHING = "Press a letter, a row or an entry: the scene shows it."
-LAST_ROW = "The last row is 0 0 0 1 in every transform: with it, turning and shifting are one product."
+NOTHING = "Select a letter, a row or an entry to see it in the scene."
+LAST_ROW = "The last row is 0 0 0 1 in every transform: with it, rotation and translation become one matrix product."
 
 
 def in_words(view: PoseView, selected: Selection, pair: Pair, units: Units) -> Inside:
@@ -30,7 +30,7 @@ def in_words(view: PoseView, selected: Selection, pair: Pair, units: Units) -> I
         return f"Row {'xyz'[row]}: the {'xyz'[row]} axis of {here} in the axes of {moved}; its last entry is that of p."
     if column == 3:
         value = float(pair.transform[row, 3])
-        said = f" = {units.length(value)}: how far p goes along the {'xyz'[row]} axis of {here}."
+        said = f" = {units.length(value)}: the component of p along the {'xyz'[row]} axis of {here}."
         return "p", tag("sub", "xyz"[row]), said
     name = subscript("r", 10 * (row + 1) + column + 1)
     angle = cosine(float(pair.transform[row, column]), pair.angle(row, column), units)

@@ -33,7 +33,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         {family: family[0].upper() + family[1:] for family in FAMILIES},
         shown,
         choose_family,
-        "Arms by their structure; the list below shows one family.",
+        "Arms grouped by structure; the list below shows one family.",
     )
     arms = gui.form(post)
     gui.html(_description(present, units_of(state)))
@@ -61,7 +61,7 @@ def _description(robot: Robot, units: Units) -> Inside:
     rows = [
         ("convention", BOOKS[arm.convention]),
         ("task", arm.task.title),
-        ("all lengths in a line", units.length(arm.reach)),
+        ("sum of all lengths", units.length(arm.reach)),
     ]
     source = tag("h3", "Source"), tag("p.dim", robot.source)
     table = fold("Denavit–Hartenberg table, source", dh_table(arm, units), source)

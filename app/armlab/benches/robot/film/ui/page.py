@@ -71,7 +71,7 @@ def _to_move(arm: Arm, row: int, move: int) -> Seek:
 
 
 def _invitation(form: Form) -> Inside:
-    hint = "Space shows it, and plays it then"
+    hint = "Space shows the film, and then plays it"
     show = form.button("show", "▶ Show the film", OpenClip(CLIP.key), "main", hint, data_key=SPACE)
     return tag("p.dim", INTRODUCTION), show
 

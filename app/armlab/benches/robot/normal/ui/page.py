@@ -42,7 +42,7 @@ DIRECTION = r"n=z_1\times z_2,\quad x=\pm\frac{n}{|n|}"
 LENGTH = r"a=(p_2-p_1)\cdot x"
 TWIST = r"\alpha=\mathrm{atan2}\big((z_1\times z_2)\cdot x,\;z_1\cdot z_2\big)"
 NO_CROSS = {
-    "parallel": "x is taken straight across, from the first line to the second.",
+    "parallel": "x is taken perpendicular to both lines, from the first to the second.",
     "coincident": "x is any direction perpendicular to the line; here one is chosen.",
 }
 """Sentences on the direction of x if the cross product is zero."""
@@ -60,16 +60,16 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         {"move": "Move", "turn": "Turn"},
         state[Lines].handle,
         lambda key: post(HandleLines(key)),
-        "What dragging a line does; near a special case it snaps into it",
+        "What dragging a line does; close to a special case it snaps to it",
     )
     axes = None
     if n > 1:
         axes = gui.dropdown(
             "Axes of arm",
-            {OWN: "lines of my own", **{str(i): _pair(i, state) for i in range(n - 1)}},
+            {OWN: "my own lines", **{str(i): _pair(i, state) for i in range(n - 1)}},
             _chosen(state),
             lambda key: post(KeepLines() if key == OWN else TakeAxes(int(key))),
-            "Take two neighbouring joint axes: a and α become those of the table.",
+            "Two neighbouring joint axes take the place of the lines; a and α are then those of the DH table.",
         )
     card, numbers, table = gui.html(), gui.html(), gui.html()
     gui.html(_formulas())
@@ -90,7 +90,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def _cases(form: Form, kind: str) -> Markup:
-    hint = "Put the lines into this case"
+    hint = "Bring the lines into this position"
     chips = [form.chip(key, text, PlaceLines(key), hint, key == kind) for key, text in CASES.items()]
     return tag("div.cases", chips)
 
@@ -109,7 +109,7 @@ def _card(lines: Lines, units: Units) -> Markup:
     normal = lines.normal
     kind = "ok" if normal.kind == "skew" else "warn"
     near = f"{units.angle(SNAP_ANGLE)} or {units.length(SNAP_DISTANCE * lines.scale)}"
-    snapped = f" Snapped: the hand was within {near} of it." if lines.snapped else ""
+    snapped = f" Snapped: the line was within {near} of it." if lines.snapped else ""
     return verdict_box(kind, CASES[normal.kind], f"{normal.free}{snapped}")
 
 
@@ -157,9 +157,9 @@ def _table(state: State, units: Units) -> Inside:
 def _agreement(normal: CommonNormal, a: float, alpha: float) -> str:
     """Return a sentence that compares a and alpha of the table with those of the normal."""
     if abs(normal.a - a) < SAME and _turned(normal.alpha - alpha) < SAME:
-        return "The same as of the normal."
-    free = "the sense of x is free" if normal.kind != "skew" else "a may be negative"
-    return f"The same normal with x the other way round ({free}): both change their sign."
+        return "They agree with those of the normal."
+    free = "the direction of x is free" if normal.kind != "skew" else "a may be negative"
+    return f"The same normal with x reversed ({free}): both change sign."
 
 
 def _turned(angle: float) -> float:
@@ -173,7 +173,7 @@ def _formulas() -> Inside:
             (DIRECTION, "x from the first line to the second; lines as p + v t, notes 4.8 and 4.9"),
             (LENGTH, "Notes, definition 6"),
             (TWIST, "Notes, definition 7; right in all quadrants"),
-            (FOOT, "The foot on the first line; the second one alike"),
+            (FOOT, "The foot on the first line; that on the second is found in the same way"),
         )
     ]
     return tag("h3", "How they are found"), lines

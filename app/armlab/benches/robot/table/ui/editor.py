@@ -117,7 +117,7 @@ class DhEditor:
         after = arm.n - 1 if i is None else i
         add = self._chip(after, "add", "+ joint", partial(self._add, after), "Add a revolute joint", full)
         if i is None:
-            return tag("div.bar", add, tag("span.dim", "Click a joint for its limits and its place."))
+            return tag("div.bar", add, tag("span.dim", "Click a joint to set its limits, or to move or remove it."))
         moves = (
             self._chip(i, "up", "↑", partial(self._move, i, i - 1), "Move the row up", i == 0),
             self._chip(i, "down", "↓", partial(self._move, i, i + 1), "Move the row down", i == arm.n - 1),

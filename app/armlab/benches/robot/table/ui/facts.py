@@ -51,7 +51,7 @@ def axes_section(form: Form, facts: Facts, chosen: int, units: Units, choose: Ca
     ]
     legend = "\u2002".join(f"{sign}\u00a0{kind}" for kind, sign in SIGNS.items() if sign != kind)
     told = tag("p", _told(facts, chosen, units), tag("br"), tag("small.dim", legend))
-    return tag("h3", "Neighbouring axes, and what is free"), tag("div.bar", chips), told
+    return tag("h3", "Neighbouring axes and free choices"), tag("div.bar", chips), told
 
 
 def _told(facts: Facts, chosen: int, units: Units) -> Inside:
@@ -66,10 +66,10 @@ def _told(facts: Facts, chosen: int, units: Units) -> Inside:
 
 def closed_form_card(structure: Structure) -> Markup:
     """Return the closed form of the arm and why it has one, or that none is known."""
-    kind, said = ("ok", "closed form") if structure.closed_form else ("warn", "no closed form known")
+    kind, said = ("ok", "closed form") if structure.closed_form else ("warn", "no closed form is known")
     most = structure.most_solutions
     number = "One solution" if most == 1 else f"At most {most} solutions"
-    count = "" if most is None else f" {number}, full turns not counted, away from singular poses."
+    count = "" if most is None else f" {number}, apart from full turns and away from singular configurations."
     card = verdict_box(kind, f"{structure.title}: {said}", f"{_subscripts(structure.why)}{count}")
     return joined(tag("h3", "Inverse kinematics"), card)
 

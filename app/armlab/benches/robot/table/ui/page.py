@@ -24,8 +24,8 @@ from armlab.ui.widgets import Gui, Html
 
 CONVENTIONS = {"standard": "Standard (Siciliano, notes)", "modified": "Modified (Craig)"}
 HINT = "Write the same arm in the other convention"
-BACK = "Back to the file's table"
-TASK_CHANGED = "What it controlled cannot be said in the axes of the other frame 0; it is now"
+BACK = "Restore the table of the file"
+TASK_CHANGED = "The task cannot be expressed in the axes of the new frame 0; it is now"
 
 
 class TablePanel:

@@ -18,7 +18,7 @@ from armlab.ui.units import Units
 def axes_stage(form: Form, trainer: Trainer, units: Units) -> Inside:
     """Return the whole stage."""
     rows = [_row(form, trainer, i) for i in range(trainer.exercise.n + 1)]
-    hint = "Mark the frames whose z and x are chosen"
+    hint = "Check the frames whose z and x are chosen"
     check = form.button("trainer-check", "Check axes", CheckAxes(), "main", hint)
     told = (AXES_RULE, pose_line(trainer, units), parallel_line(trainer))
     remarks = [tag("p.dim", line) for line in told if line]
@@ -40,7 +40,7 @@ def _row(form: Form, trainer: Trainer, i: int) -> Markup:
         return tag("div", row, marked)
     show = None
     if trainer.answers.axes_misses[i] >= ENOUGH_MISSES:
-        show = form.chip(f"trainer-show-{i}", "Show solution", ShowAxes(i), f"Put legal axes into frame {i}")
+        show = form.chip(f"trainer-show-{i}", "Show solution", ShowAxes(i), f"Choose correct axes for frame {i}")
     return tag("div", row, marked, tag("p.no", f"{indexed(verdict.text)}. ", show))
 
 
@@ -60,4 +60,4 @@ def _count(trainer: Trainer) -> Markup:
     whole = len(trainer.answers.axes)
     if trainer.answers.axes_checks == 0:
         return tag("span.dim", f"{chosen} of {whole} frames chosen")
-    return tag("span.dim", f"{right} of {whole} right, check {trainer.answers.axes_checks}")
+    return tag("span.dim", f"Check {trainer.answers.axes_checks}: {right} of {whole} right")

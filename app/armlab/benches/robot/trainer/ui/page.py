@@ -22,13 +22,13 @@ from armlab.ui.widgets import Gui
 
 INTRODUCTION = (
     "The arm is drawn without frames. First choose the directions of z and x of each frame, then fill the table that "
-    "follows from them. Each step is marked, and the arm of your table is drawn over the right one."
+    "follows from them. Each step is marked, and the arm of your table is drawn over the correct one."
 )
 UNUSABLE = (
-    "In no pose that is known do all of its joint axes lie along x, y or z of the world, so their directions cannot be "
-    "chosen from six. Take one of these:"
+    "No configuration of this arm is known in which all joint axes lie along x, y or z of the world frame, so their "
+    "directions cannot be chosen from six. Take one of these:"
 )
-END = "Put the arm back as it was before the exercise; the answers are forgotten"
+END = "Restore the arm as it was before the exercise; the answers are discarded"
 SIZES = (("Up to 3 joints", 1, 3), ("4 and 5 joints", 4, 5), ("6 joints", 6, 6), ("7 joints and more", 7, 99))
 
 
@@ -64,7 +64,7 @@ class TrainerPanel:
         return tag("h3", trainer.exercise.robot.name), card, self._arms(trainer)
 
     def _beginning(self, trainer: Trainer) -> Inside:
-        hint = "Put the arm into the pose of the exercise"
+        hint = "Move the arm to the configuration of the exercise"
         start = self._form.button("trainer-start", "Start", StartTrainer(), "main", hint)
         return (
             tag("h3", f"Exercise: {trainer.exercise.robot.name}"),
@@ -75,7 +75,7 @@ class TrainerPanel:
         )
 
     def _running(self, trainer: Trainer) -> Inside:
-        hint = "Forget all answers and begin anew"
+        hint = "Discard all answers and start again"
         again = self._form.button("trainer-start", "start again", StartTrainer(), "copy", hint)
         end = self._form.button("trainer-end", "end", EndTrainer(), "copy", END)
         stage = "2 Table" if trainer.answers.placed else "1 Axes"
@@ -89,8 +89,10 @@ class TrainerPanel:
     def _moved(self) -> Markup | None:
         if at_reference(self._state):
             return None
-        back = self._form.chip("trainer-pose", "Back to it", TakeTrainerPose(), "Put the arm back")
-        return tag("p.warn", "The arm has left the pose the directions are chosen in. ", back)
+        back = self._form.chip(
+            "trainer-pose", "Return to it", TakeTrainerPose(), "Move the arm back to the configuration of the exercise"
+        )
+        return tag("p.warn", "The arm has left the configuration of the exercise. ", back)
 
     def _next(self, trainer: Trainer) -> Markup | None:
         if not trainer.done:

@@ -22,7 +22,7 @@ from armlab.ui.units import NAMES, Units
 from armlab.ui.widgets import Gui
 
 TURNS = ("alpha", "theta")
-WHICH = "press the head of a row or column to choose the cell"
+WHICH = "Click a cell's mark, or the head of its row or column, to choose it."
 
 
 class TableStage:
@@ -56,7 +56,7 @@ class TableStage:
         self._checks = trainer.answers.table_checks
         self._row = min(self._row, trainer.exercise.n - 1)
         self._show_table(trainer)
-        hint = "Mark the cells that are filled"
+        hint = "Check the cells that are filled in"
         check = None if trainer.done else self._check.button("trainer-check", "Check table", CheckTable(), "main", hint)
         self._check.show(check)
         self._foot.show(self._about(trainer))
@@ -184,7 +184,7 @@ class TableStage:
         about = "The rule of this cell"
         hints = [self._foot.chip("trainer-rule", f"Hint for {name}", self._turn_rule, about, self._rule_seen)]
         if trainer.answers.cell_misses[i][FIELDS.index(field)] >= ENOUGH_MISSES and not (verdict and verdict.ok):
-            put = "Put the right value into this cell"
+            put = "Fill this cell with the correct value"
             hints.append(self._foot.chip("trainer-show", f"Show {name}", ShowCell(i, field), put))
         told = tag("p", rule(trainer, i, field, self._units)) if self._rule_seen else None
         return tag("p.dim", _count(trainer)), line, tag("div.bar", hints, tag("span.dim", WHICH)), told
@@ -204,4 +204,4 @@ def _count(trainer: Trainer) -> str:
     whole = trainer.exercise.n * len(FIELDS)
     if answers.checked_cells is None:
         return f"{whole - empty} of {whole} cells filled"
-    return f"{right} of {whole} right, {empty} empty, check {answers.table_checks}"
+    return f"Check {answers.table_checks}: {right} of {whole} right, {empty} empty"

@@ -12,9 +12,10 @@ from armlab.ui.html import Markup, tag
 from armlab.ui.units import Units
 
 AXES_RULE = (
-    "z of frame i lies along the axis of joint i+1, in either sense; x is perpendicular to this z and the one before, "
-    "along the common normal of axes that are apart. A sliding joint's axis is taken where it is drawn. The last z and "
-    "the first x are free. Directions are those of the world; several choices are right."
+    "z of frame i lies along the axis of joint i+1, in either direction; x is perpendicular to this z and the one "
+    "before, along the common normal where the axes do not meet. The axis of a prismatic joint is taken where it is "
+    "drawn. The last z and the first x are free. Directions are those of the world frame; more than one choice is "
+    "correct."
 )
 
 
@@ -29,19 +30,21 @@ def rule(trainer: Trainer, i: int, field: str, units: Units) -> str:
     z0, z1, x0, x1 = subscript("z", i), subscript("z", i + 1), subscript("x", i), subscript("x", i + 1)
     o0, o1 = subscript("O", i), subscript("O", i + 1)
     if field == "a":
-        return f"{name} is the way from the line of {z0} to {o1}, measured along {x1}: negative against it."
+        return (
+            f"{name} is the distance from the axis {z0} to {o1} along {x1}; it is negative in the opposite direction."
+        )
     if field == "alpha":
-        return f"{name} turns {z0} into {z1}, about {x1} by the right-hand rule."
+        return f"{name} is the angle from {z0} to {z1} about {x1}, by the right-hand rule."
     if field == "theta":
-        text = f"{name} turns {x0} into {x1}, about {z0} by the right-hand rule."
+        text = f"{name} is the angle from {x0} to {x1} about {z0}, by the right-hand rule."
     else:
-        text = f"{name} is the way from {o0} to {o1}, measured along {z0}: negative against it."
+        text = f"{name} is the distance from {o0} to {o1} along {z0}; it is negative in the opposite direction."
         run = next((run for run in parallel_runs(_rows(trainer)) if i in run), None)
         if run is not None:
-            text += f" Axes {run[0] + 1} to {run[-1] + 1} are parallel: any d with the right sum will do."
+            text += f" Axes {run[0] + 1} to {run[-1] + 1} are parallel: any values of d with the right sum are correct."
     row = _rows(trainer)[i]
     if field == ("theta" if row.revolute else "d"):
-        text += f" This is the variable: the cell takes what is left without {told_joint(trainer, i, units)}."
+        text += f" This is the joint variable: the cell takes what remains without {told_joint(trainer, i, units)}."
     return text
 
 
@@ -75,7 +78,10 @@ def reversed_line(trainer: Trainer, units: Units) -> str:
     senses = ", ".join(told_joint(trainer, joint - 1, units) for joint in turned)
     names = ", ".join(subscript("z", joint - 1) for joint in turned)
     verb = "points" if len(turned) == 1 else "point"
-    return f"{names} {verb} against the joint's own sense, which therefore counts the other way: here {senses}."
+    return (
+        f"{names} {verb} against the positive direction of the joint, whose variable therefore changes sign: here "
+        f"{senses}."
+    )
 
 
 def parallel_line(trainer: Trainer) -> str:
@@ -84,7 +90,8 @@ def parallel_line(trainer: Trainer) -> str:
     runs = [run for run in parallel_runs(rows) if any(rows[i].d != 0.0 for i in run)]
     return " ".join(
         f"Axes {run[0] + 1} to {run[-1] + 1} are parallel: an origin may lie anywhere on its axis. They are drawn "
-        "where d is 0 as long as it can be, so not always on the arm; any d with the right sum is right, too."
+        "so that d is 0 where possible, and so not always on the arm; any values of d with the right sum are "
+        "correct too."
         for run in runs
     )
 

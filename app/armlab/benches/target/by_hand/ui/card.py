@@ -126,7 +126,9 @@ def end_card(form: Form, state: State, found: Sheet, units: Units) -> Markup:
     there, beyond = is_there(state, found), out_of_limits(state, one.q)
     text = "The arm is here" if there else "Out of limits" if beyond else "Move the arm here"
     go = form.chip("go", text, GoByHand(), off=there or bool(beyond))
-    follow = form.chip("follow", "Branches of the arm", FollowArm(), "Choose the branches nearest to the arm again")
+    follow = form.chip(
+        "follow", "Branches of the arm", FollowArm(), "Choose the branches nearest to the present configuration again"
+    )
     return tag(
         "div.bh-end",
         tag("h3", "The joint values"),

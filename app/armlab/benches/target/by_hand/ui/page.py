@@ -61,7 +61,7 @@ def _count(found: Sheet, held: bool) -> str:
         said = "The numbers follow the target. No branch leads to joint values."
     elif free:
         said = "The numbers follow the target. Where any value will do there are infinitely many solutions."
-    return f"{said} Joints that are held are taken as free here." if held else said
+    return f"{said} Held joints are treated as free here." if held else said
 
 
 def _walk(form: Form, state: State, found: Sheet) -> Markup:

@@ -42,28 +42,28 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             {"move": "Move", "turn": "Turn"},
             state[Target].handle,
             lambda key: post(Set(Target, "handle", key)),
-            "What dragging the handle does; only what this arm controls is offered",
+            "What dragging the handle does; only what this arm's task includes is offered",
         )
     axes = gui.segments(
         "Along axes of",
         {"world": "World", "tool": "Tool"},
         state[Target].axes,
         lambda key: post(Set(Target, "axes", key)),
-        "Along and about whose axes the handle moves",
+        "The frame along and about whose axes the handle moves",
     )
     method = gui.dropdown(
         "Method",
         {method.key: capitalised(method.title) for method in ik.methods().values()},
         state[Target].method,
         lambda key: post(Set(Target, "method", key)),
-        "How the arm follows. All stay inside the joint limits and only ever come closer.",
+        "How the arm follows the target. Every method keeps to the joint limits and never increases the error.",
     )
     card = gui.html()
-    back = gui.button("Target to tool", lambda: post(TargetToTool()), "Put the target back on the tool.")
+    back = gui.button("Target to tool", lambda: post(TargetToTool()), "Move the target back to the tool.")
     gui.button(
-        "Go there another way",
+        "Next solution",
         lambda: post(GoAnotherWay()),
-        "To the nearest other solution inside the limits. All of them are on the page Solutions.",
+        "Move the arm to the nearest other solution inside the limits. The page Solutions lists them all.",
     )
 
     jog = gui.form(post)
@@ -92,12 +92,12 @@ def _wish(form: Form, state: State) -> Inside:
     if len(asks) < 2:
         return None
     hint = (
-        "What the arm has to reach: all it controls, the position, or position and approach direction; the rest follows"
+        "What the arm has to reach: its whole task, the position, or position and approach direction; the rest follows"
     )
     counts = form.chips("asks", asks, target.asks, hint, lambda key: AskFor(asks=key))
     if not can_favour(aimed):
         return row("What counts", counts, wide=True)
-    hint = f"The error that then counts {MORE:g} times as much as the other; what is in reach is reached all the same"
+    hint = f"The error that counts {MORE:g} times as much as the other when the target is out of reach"
     favoured = form.chips("favours", FAVOURS, target.favours, hint, lambda key: AskFor(favours=key))
     return row("What counts", counts, wide=True), row("Out of reach", favoured, wide=True)
 

@@ -167,8 +167,8 @@ class _MotionSlider:
 def _ends(motion: Motion) -> str:
     """Return in words where a self-motion ends."""
     if motion.closed:
-        return "It closes on itself."
-    ends = [f"the limit of joint {joint + 1}" if joint >= 0 else "a singular place" for joint in motion.stops]
+        return "It is a closed curve."
+    ends = [f"the limit of joint {joint + 1}" if joint >= 0 else "a singular configuration" for joint in motion.stops]
     return f"From {ends[0]} to {ends[1]}." if ends[0] != ends[1] else f"It ends at {ends[0]} on both sides."
 
 
@@ -186,8 +186,8 @@ class _Proof:
             self._form.show()
             return
         if proof is None or proof.done:
-            name = f"Prove it: {STARTS} random starts"
-            hint = "Does any descent end in a solution that is not listed?"
+            name = f"Cross-check: {STARTS} random starts"
+            hint = "Search for a solution that is not in the list; finding none is evidence, not a proof"
             begin = self._form.chip("prove", name, Prove(True), hint)
         else:
             begin = self._form.chip("cancel", "Cancel", Prove(False))

@@ -10,6 +10,9 @@ from armlab.ui.plugin import Layer
 from armlab.ui.switches import Switch
 
 SWITCH = Switch(
-    NAME, "All solutions", "Every way the arm can reach its target, as ghosts; click one and the arm goes there.", "Y"
+    NAME,
+    "All solutions",
+    "Every configuration that reaches the target, as ghosts; click one to move the arm there.",
+    "Y",
 )
 LAYER = Layer("solutions", 72, (Solutions, Joints), drawn_when(lambda state: True, "solutions"), switch=SWITCH)

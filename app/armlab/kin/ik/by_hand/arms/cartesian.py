@@ -26,4 +26,4 @@ def write(work: Work) -> None:
     along_slides(work, s.z.T[coordinates], s.home[:3, 3], work.T[:3, 3], "the tool", coordinates)
 
 
-WORKED = Worked("cartesian", "Slides alone: each length is read off", 10, fits, write)
+WORKED = Worked("cartesian", "Prismatic joints only: each length is read off", 10, fits, write)

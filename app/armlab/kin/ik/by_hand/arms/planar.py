@@ -119,8 +119,8 @@ def _back(work: Work, plane: Plane, goal: complex, angle: float, at: Vector) -> 
     work.add(
         "c",
         "c",
-        f"The wanted direction of the hand places {name}: go back from the tool by the length of the hand",
-        "go back along the hand",
+        f"The wanted direction of the last link places {name}: go back from the tool by its length",
+        "go back along the last link",
         values,
         (Line("c", r"<p> - <L3>\,(\cos<phi>,\, \sin<phi>)"),),
         shapes=(
@@ -149,7 +149,7 @@ def _hand(work: Work, plane: Plane, angle: float, at: Vector) -> None:
     work.add(
         f"q{n}",
         f"q_{n}",
-        "The hand is turned by the sum of the angles: the last one makes up for the others",
+        "The orientation is the sum of the angles, from which the last one follows",
         "sum of the angles",
         values,
         (Line("q", summed(terms)),),

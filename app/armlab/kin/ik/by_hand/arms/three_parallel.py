@@ -105,7 +105,7 @@ def _in_the_plane(work: Work, pillar: Pillar, turned: Turned, centre: Vector, ps
     )
     given, how = seen_from_shoulder(pillar, Quantity("r_4", r4), Quantity("z_4", z4))
     two_links(work, pillar, turned, s.o[3], fourth, given, how, "axis 4")
-    title = "The common turn of the three is known: joint 4 makes up for the other two"
+    title = "The sum of the three angles is known, and that of joint 4 follows"
     shapes = (Segment(place, centre, "", "given"), Point(place, "axis 4", "found"))
     make_up(work, pillar, Quantity(r"\psi", psi, "rad"), sense(s, pillar, 1), title, shapes)
 

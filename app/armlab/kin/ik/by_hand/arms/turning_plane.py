@@ -51,7 +51,7 @@ def write(work: Work) -> None:
     fourth = end - cmath.exp(1j * total) * hand
     given, how = _back(work, pillar, turned, end, fourth, total, hand)
     two_links(work, pillar, turned, s.o[3], fourth, given, how, "axis 4")
-    title = "The hand is turned by the sum of the angles: joint 4 makes up for the other two"
+    title = "The orientation is the sum of the angles, from which that of joint 4 follows"
     turn = Quantity(r"(\varphi - \varphi_0)", wrap(total), "rad")
     make_up(work, pillar, turn, 1.0, title, (Point(work.T[:3, 3], "", "wanted"),))
     if work.arm.n == 5:
@@ -76,15 +76,15 @@ def _direction(work: Work, pillar: Pillar, turned: Turned) -> float:
     free = abs(seen) <= ASKEW
     present = zero + sum(sense(s, pillar, i) * float(work.near[i]) for i in (1, 2, 3))
     phi = wrap(present if free else cmath.phase(seen))
-    note = "Only the place counts for this task: any direction of the hand would do. "
-    note += "The present one is kept." if free else "That of the wanted pose is taken, seen in the plane of the arm."
+    note = "Only the position counts for this task: the direction of the last link is free. "
+    note += "The present one is kept." if free else "That of the wanted pose is used, seen in the plane of the arm."
     tool = work.T[:3, 3]
     radius = MARK * s.scale
     way = math.cos(phi) * turned.ahead + math.sin(phi) * turned.up
     work.add(
         "phi",
         r"\varphi",
-        "The direction of the hand in the plane of the arm is chosen",
+        "The direction of the last link in the plane of the arm is chosen",
         "a choice",
         {"phi": Quantity(r"\varphi", phi, "rad")},
         (),
@@ -117,8 +117,8 @@ def _back(
     work.add(
         "p4",
         "p_4",
-        "Go back from the tool by the length of the hand: axis 4 lies there",
-        "go back along the hand",
+        "Go back from the tool along the last link: axis 4 lies there",
+        "go back along the last link",
         values,
         (Line("c", r"<p> - <L4>\,(\cos<phi>,\, \sin<phi>)"),),
         shapes=(
@@ -141,13 +141,13 @@ def _roll(work: Work) -> None:
     wanted = before.T @ work.H[:3, :3] @ side
     free = across(axis, wanted) <= ASKEW
     value = work.kept(4) if free else angle_about(axis, side, wanted)
-    note = "The tool point lies on axis 5, so any roll would do. "
-    note += "The present one is kept." if free else "The one nearest to the wanted pose is taken."
+    note = "The tool point lies on axis 5, so the roll is free. "
+    note += "The present one is kept." if free else "The one nearest to the wanted pose is used."
     tool, radius = work.T[:3, 3], MARK * s.scale
     work.add(
         "q5",
         "q_5",
-        "Joint 5 rolls the hand about its own direction",
+        "Joint 5 rotates the last link about its own direction",
         "atan2 of two lengths",
         {"q": Quantity("q_5", value, "rad")},
         (),

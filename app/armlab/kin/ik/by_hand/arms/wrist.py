@@ -43,7 +43,7 @@ def write(work: Work) -> None:
     home = _centre(s)
     centre = work.carried(home) if n == 6 else home
     if n == 6:
-        go_back(work, home, centre, "p_w", "the wrist centre", "The wrist centre does not move when the wrist turns")
+        go_back(work, home, centre, "p_w", "the wrist centre", "The wrist centre does not move when the wrist rotates")
         placer = placer_of(s, home)
         assert placer is not None
         placer(work, home, centre, "the wrist centre")
@@ -80,7 +80,7 @@ def go_back(work: Work, home: Vector, place: Vector, symbol: str, name: str, why
         symbol,
         symbol,
         f"{why}: go back from the tool along the hand",
-        "go back along the hand",
+        "go back along the last link",
         values,
         (Line("c", "<p> - <back>"),),
         shapes=(
@@ -91,4 +91,4 @@ def go_back(work: Work, home: Vector, place: Vector, symbol: str, name: str, why
     )
 
 
-WORKED = Worked("wrist", "Wrist centre first, then the hand", 40, fits, write)
+WORKED = Worked("wrist", "Wrist centre first, then the orientation", 40, fits, write)

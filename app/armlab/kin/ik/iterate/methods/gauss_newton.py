@@ -25,7 +25,7 @@ ITERATION = IterationMethod(
     5,
     step,
     (
-        Parameter("gamma", "γ", "part of the step taken", 1.0, 0.01, 2.0),
-        Parameter("cutoff", "ε", "singular values below this part of the largest are zero", 1e-6, 0.0, 0.5),
+        Parameter("gamma", "γ", "fraction of the step taken", 1.0, 0.01, 2.0),
+        Parameter("cutoff", "ε", "singular values below this fraction of the largest count as zero", 1e-6, 0.0, 0.5),
     ),
 )

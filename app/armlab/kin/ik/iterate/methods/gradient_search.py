@@ -43,5 +43,5 @@ ITERATION = IterationMethod(
     "gradient (Jacobian transpose), line search",
     4,
     step,
-    (Parameter("c", "c", "part of the promised decrease that is enough", 1e-4, 1e-8, 0.5),),
+    (Parameter("c", "c", "fraction of the predicted decrease that suffices", 1e-4, 1e-8, 0.5),),
 )

@@ -1,0 +1,161 @@
+"""Waits and the gripper at waypoints: the arm rests there, and times, stops, plots, files and checks know it."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from armlab.benches.motion.files.commands import ReadPlan
+from armlab.benches.motion.files.read import motion_csv, plan_json
+from armlab.benches.motion.files.script import motion_script
+from armlab.benches.motion.files.table import read_table
+from armlab.benches.motion.plan.clip import CLIP
+from armlab.benches.motion.plan.commands import AllMovesLike, SetMove
+from armlab.benches.motion.plan.job import with_planned
+from armlab.benches.motion.plan.limits import LastFor
+from armlab.benches.motion.plan.moves import LONGEST_WAIT, Waypoint
+from armlab.benches.motion.plan.points import AddWaypoint, CopyWaypoint, SelectWaypoint, SetAtWaypoint, SetWaypointJoint
+from armlab.benches.motion.plan.seen import seen_motion
+from armlab.benches.motion.plan.state import Plan, planned_now
+from armlab.benches.motion.plan.words import judged
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.session.parts.joints import Joints, RandomPose
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import State, apply
+
+
+def after(state, *commands):
+    for command in commands:
+        state = apply(state, command)
+    return state
+
+
+def opened(robot="puma560", points=3):
+    """Return a state with so many waypoints, the further ones random."""
+    state = State.initial(catalogue()[robot])
+    return after(state, *[command for _ in range(points - 2) for command in (RandomPose(), AddWaypoint())])
+
+
+def worked_out(state):
+    return planned_now(with_planned(state))
+
+
+@pytest.mark.parametrize("robot", ["puma560", "scara", "planar_2r", "cartesian_3p"])
+def test_the_arm_stands_still_for_every_wait_and_else_moves_as_before(robot):
+    state = opened(robot)
+    before = worked_out(state)
+    waiting = after(state, SetAtWaypoint(0, "wait", 0.4), SetAtWaypoint(1, "wait", 0.7), SetAtWaypoint(2, "wait", 0.2))
+    found = worked_out(waiting)
+    first, second = before.legs[0].motion.duration, before.legs[1].motion.duration
+    assert found.duration == pytest.approx(before.duration + 1.3)
+    assert found.fastest == pytest.approx(before.fastest + 1.3)
+    assert [leg.start for leg in found.legs] == pytest.approx([0.4, 0.4 + first + 0.7])
+    arrivals = 0.4 + first, 0.4 + first + 0.7 + second
+    for k, (start, end) in enumerate([(0.0, 0.4), (arrivals[0], arrivals[0] + 0.7), (arrivals[1], found.duration)]):
+        t = np.linspace(start, end, 9)
+        assert np.abs(found.motion.at(t) - waiting[Plan].waypoints[k].q).max() < 1e-9
+        assert np.abs(found.motion.at(t[1:-1], 1)).max() == 0.0
+    moving = np.linspace(0.0, second, 40)
+    assert np.allclose(found.motion.at(arrivals[0] + 0.7 + moving), before.motion.at(first + moving), atol=1e-9)
+    assert judged(found).kind == "ok"
+    assert CLIP.stops(with_planned(waiting)) == pytest.approx((0.4, arrivals[0], arrivals[0] + 0.7, arrivals[1]))
+
+
+def test_where_the_arm_rests_a_path_that_would_go_through_ends_and_the_next_begins():
+    state = after(opened(points=4), SetMove(1, path="spline"), AllMovesLike(1))
+    assert [(part.first, part.last) for part in state[Plan].parts] == [(0, 3)]
+    for command in (SetAtWaypoint(2, "wait", 0.5), SetAtWaypoint(2, "gripper", "close")):
+        rests = after(state, command)
+        assert [(part.first, part.last) for part in rests[Plan].parts] == [(0, 2), (2, 3)]
+        back = after(rests, SetAtWaypoint(2, command.name, None), SelectWaypoint(3, handled=False))
+        assert back[Plan].parts == state[Plan].parts
+        assert back[Plan].to_json() == state[Plan].to_json()
+
+
+def test_a_given_time_is_that_of_the_whole_and_waits_keep_theirs():
+    state = after(opened(), SetAtWaypoint(1, "wait", 1.5), LastFor(9.0))
+    found = worked_out(state)
+    assert found.duration == pytest.approx(9.0)
+    assert found.legs[1].start - found.legs[0].arrival == pytest.approx(1.5)
+    said = judged(worked_out(after(state, LastFor(1.5))))
+    assert said.kind == "no"
+    assert said.lines[0] == "duration: the whole is to last 1.5 s, and the waits alone take 1.5 s"
+
+
+def test_what_is_out_of_range_or_unknown_is_refused_in_words_and_nothing_changes():
+    state = opened()
+    for name, value, words in (
+        ("wait", -0.1, "wait: expected"),
+        ("wait", LONGEST_WAIT + 1.0, "wait: expected"),
+        ("wait", float("nan"), "wait: expected"),
+        ("gripper", "throw", "close, leave, open"),
+        ("colour", "red", "gripper, wait"),
+    ):
+        with pytest.raises(InputError, match=words):
+            apply(state, SetAtWaypoint(1, name, value))
+    with pytest.raises(InputError, match="expected 1 to 3, got 4"):
+        apply(state, SetAtWaypoint(3, "wait", 1.0))
+    assert apply(state, SetAtWaypoint(1, "wait", None)) is state
+
+
+def test_a_waypoint_that_is_moved_or_copied_keeps_what_is_done_there():
+    state = after(opened(), SetAtWaypoint(1, "wait", 0.5), SetAtWaypoint(1, "gripper", "close"))
+    moved = after(state, SetWaypointJoint(1, 0, 0.3))
+    assert (moved[Plan].waypoints[1].gripper, moved[Plan].waypoints[1].wait) == ("close", 0.5)
+    assert after(state, CopyWaypoint(1))[Plan].waypoints[2].does == {"gripper": "close", "wait": 0.5}
+
+
+def test_a_plan_without_them_is_written_as_before_and_one_with_them_comes_back():
+    state = opened()
+    assert all(set(point) == {"q"} for point in state[Plan].to_json()["waypoints"])
+    state = after(state, SetAtWaypoint(1, "wait", 0.5), SetAtWaypoint(2, "gripper", "open"))
+    written = json.loads(plan_json(state))["plan"]["waypoints"]
+    assert [set(point) - {"q"} for point in written] == [set(), {"wait"}, {"gripper"}]
+    assert after(opened(), ReadPlan(plan_json(state)))[Plan].waypoints == state[Plan].waypoints
+    arm, q = state[Joints].arm, list(state[Plan].waypoints[0].q)
+    with pytest.raises(InputError, match="wait"):
+        Waypoint.from_json({"q": q, "wait": 1e9}, arm)
+
+
+def test_a_table_has_the_waits_and_the_gripper_and_is_read_again():
+    state = with_planned(after(opened(), SetAtWaypoint(1, "gripper", "close"), SetAtWaypoint(1, "wait", 0.5)))
+    planned, arm = planned_now(state), state[Joints].arm
+    text = motion_csv(arm, planned.motion, 100.0, planned.grips)
+    head, *rows = text.splitlines()
+    assert head.endswith(",gripper_closed")
+    table = np.array([[float(cell) for cell in row.split(",")] for row in rows])
+    arrival = planned.legs[0].arrival
+    assert np.array_equal(table[:, -1] > 0.5, table[:, 0] >= arrival - 1e-9)
+    resting = (table[:, 0] > arrival) & (table[:, 0] < arrival + 0.5)
+    assert resting.sum() > 40
+    assert not table[resting, 1 + arm.n : -1].any()
+    assert len(read_table(arm, text).t) == len(rows)
+    assert "gripper" not in motion_csv(arm, planned.motion, 100.0)
+
+
+def test_the_script_waits_as_the_plan_does(tmp_path, monkeypatch):
+    state = after(opened(), SetAtWaypoint(0, "wait", 0.3), SetAtWaypoint(1, "gripper", "close"))
+    state = with_planned(after(state, SetAtWaypoint(1, "wait", 0.5)))
+    planned = planned_now(state)
+    text = motion_script(state[RobotPart], planned, 50.0, "motion.csv")
+    monkeypatch.chdir(tmp_path)
+    exec(compile(text, "script", "exec"), {})
+    table = np.loadtxt(tmp_path / "motion.csv", delimiter=",", skiprows=1)
+    n = state[Joints].arm.n
+    assert np.abs(table[:, 1 : 1 + n] - planned.motion.at(table[:, 0])).max() < 1e-6
+    assert "At waypoint 2 the gripper closes" in text
+
+
+def test_checks_of_lessons_see_the_whole_time_and_legs_that_cannot_be_run_take_none():
+    state = with_planned(after(opened(), SetAtWaypoint(1, "wait", 2.0)))
+    assert seen_motion(state, played=False).duration == pytest.approx(planned_now(state).duration)
+    part = state[Plan]
+    far = replace(part.waypoints[1], pose=tuple((np.eye(4) + 90.0 * np.eye(4, k=3)).reshape(16)))
+    broken = state.replace(replace(part, waypoints=(part.waypoints[0], far, part.waypoints[2])))
+    found = worked_out(broken)
+    assert found.running == ()
+    assert found.boundaries == ()
+    assert found.grips == ()
+    assert found.leg_at(0.0) is None

@@ -1,0 +1,22 @@
+"""Opening every page of the lab, one after the other, on one page of the browser."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from armlab.session.pages import pages, tab_of
+from support.page import LabPage
+
+
+def every_page(lab: LabPage) -> Iterator[str]:
+    """Open the pages in the order of their tabs; yields the key of each while it is open."""
+    known = pages()
+    for key in sorted(known, key=lambda key: list(known).index(tab_of(key))):
+        if key == tab_of(key):
+            lab.tab(known[key].title).click()
+            lab.rest()
+        page = lab.page.locator(f'.pages button[data-cell="{key}"]:visible')
+        if known[key].tab or page.count():
+            page.click()
+            lab.rest()
+        yield key
