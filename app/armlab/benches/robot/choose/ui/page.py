@@ -63,9 +63,9 @@ def _description(robot: Robot, units: Units) -> Inside:
         ("task", arm.task.title),
         ("sum of all lengths", units.length(arm.reach)),
     ]
+    table = tag("h3", "Denavit–Hartenberg table"), dh_table(arm, units)
     source = tag("h3", "Source"), tag("p.dim", robot.source)
-    table = fold("Denavit–Hartenberg table, source", dh_table(arm, units), source)
-    return tag("h3", robot.name), pairs(rows), table
+    return fold(f"{robot.name}: table, task, source", pairs(rows), table, source, key="present arm")
 
 
 PANEL = Panel((RobotPart,), build)
