@@ -14,6 +14,7 @@ def at_page(visit, page):
 
 def test_the_loop_tells_its_error_and_its_film_runs(visit):
     lab = at_page(visit, "loop")
+    lab.unfold("Frequency response")
     lab.page.locator(".loop-bode").wait_for()
     assert "0.1961 m/s, 19.6 % of v" in lab.page.locator(".al .verdict").first.inner_text()
     lab.page.locator('select[data-cell="example"]:visible').select_option("omega_20")

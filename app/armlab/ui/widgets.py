@@ -327,6 +327,6 @@ class Gui:
         """Put the controls made inside into a part of the panel that a person folds and unfolds."""
         head = self.html(markup.fold(title, opened=opened, kind="kit-holds"))
         # The page's style leaves of the folder only that it holds what is inside; see `kit.css`.
-        holder = self._keep(self._gui.add_folder(title))
+        holder = self._keep(self._gui.add_folder(""))
         with holder:
             yield Fold(head, holder)

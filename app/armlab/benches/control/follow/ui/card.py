@@ -164,11 +164,11 @@ def _cell(figures: Figures | None, text: Callable[[Figures], Inside]) -> Inside:
 def _peak(peak: Peak, revolute: bool, units: Units) -> Inside:
     """Return a largest value with its time below it."""
     text = small(peak.value, revolute, units)
-    return text if text == ZERO else (text, tag("small", f"{number(peak.time, 2)} s"))
+    return text if text == ZERO else (text, " ", tag("small", f"{number(peak.time, 2)} s"))
 
 
 def _sigma(peak: Peak) -> Inside:
-    return number(peak.value, 3), tag("small", f"{number(peak.time, 2)} s")
+    return number(peak.value, 3), " ", tag("small", f"{number(peak.time, 2)} s")
 
 
 def small(value: float, revolute: bool, units: Units) -> Inside:
