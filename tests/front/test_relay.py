@@ -30,9 +30,10 @@ class Side:
         return True
 
 
-def ended(problem):
-    """Return both sides after the lab could not take a message because of a problem."""
+def ended(problem, code=None):
+    """Return both sides after the lab could not take a message because of a problem, and ended with this code."""
     browser, lab = Side(), Side(problem)
+    lab.close_code = code
     run(relay(SimpleNamespace(transport=None), browser, lab, Meter(Limits())))
     return browser, lab
 
@@ -40,7 +41,7 @@ def ended(problem):
 def test_what_should_never_end_a_connection_is_logged_and_ends_it(caplog):
     browser, lab = ended(AssertionError("two at once"))
     assert [record.exc_info[1].args for record in caplog.records] == [("two at once",)]
-    assert browser.closed == [WSCloseCode.GOING_AWAY]
+    assert browser.closed == [WSCloseCode.SERVICE_RESTART]
     assert lab.closed == [WSCloseCode.OK]
 
 
@@ -48,4 +49,18 @@ def test_what_should_never_end_a_connection_is_logged_and_ends_it(caplog):
 def test_a_connection_that_breaks_is_no_news(problem, caplog):
     browser, _ = ended(problem)
     assert not caplog.records
-    assert browser.closed == [WSCloseCode.GOING_AWAY]
+    assert browser.closed == [WSCloseCode.SERVICE_RESTART]
+
+
+@pytest.mark.parametrize(
+    ("code", "told"),
+    [
+        (WSCloseCode.ABNORMAL_CLOSURE, WSCloseCode.SERVICE_RESTART),
+        (1005, WSCloseCode.SERVICE_RESTART),
+        (WSCloseCode.INTERNAL_ERROR, WSCloseCode.INTERNAL_ERROR),
+        (WSCloseCode.GOING_AWAY, WSCloseCode.GOING_AWAY),
+    ],
+)
+def test_a_browser_is_told_how_its_lab_ended_by_a_code_that_may_be_sent(code, told):
+    browser, _ = ended(ConnectionResetError(), code)
+    assert browser.closed == [told]

@@ -24,6 +24,9 @@ NONSENSE = frozenset(
 )
 """Codes with which a browser is let go for what it has sent."""
 
+UNSAID = (1005, 1006, 1015)
+"""Codes with which an end of a connection notes that the other one has said none."""
+
 CLOSING = 3.0
 """Time, seconds, for a regular close; a browser that no longer reads would delay it for ever."""
 
@@ -43,13 +46,22 @@ async def relay(
             # That a connection breaks is no news; anything else is a fault of the front.
             if isinstance(end, Exception) and not isinstance(end, (ClientError, ConnectionError)):
                 log.error("a connection was lost", exc_info=end)
-        code = next((end for end in ends if isinstance(end, int)), None) or lab.close_code or WSCloseCode.GOING_AWAY
+        code = next((end for end in ends if isinstance(end, int)), None) or _told(lab.close_code)
         with contextlib.suppress(TimeoutError):
             closing = asyncio.gather(lab.close(), browser.close(code=code), return_exceptions=True)
             await asyncio.wait_for(closing, CLOSING)
         if request.transport is not None:
             request.transport.abort()
     return code in NONSENSE or browser.close_code in NONSENSE
+
+
+def _told(code: int | None) -> int:
+    """Return the code with which a browser is told how its lab ended.
+
+    A lab that ended without a word leaves a code that must not be sent: a browser would take it for a fault of the
+    protocol. The lab is started again, and the browser comes back by itself.
+    """
+    return WSCloseCode.SERVICE_RESTART if code is None or code in UNSAID else code
 
 
 async def _to_lab(browser: web.WebSocketResponse, lab: ClientWebSocketResponse, meter: Meter) -> int | None:

@@ -77,7 +77,8 @@ class SolvePage:
         for key, title in FOLDS.items():
             on = key in self._unfolded
             turned = partial(self._fold, key)
-            press = self._folds.button(key, f"{'▾' if on else '▸'} {title}", turned, "so-fold", pressed=on)
+            unfolded = str(on).lower()
+            press = self._folds.button(key, f"{'▾' if on else '▸'} {title}", turned, "so-fold", aria_expanded=unfolded)
             parts.append((press, MADE[key](solved) if on else None))
         return parts
 

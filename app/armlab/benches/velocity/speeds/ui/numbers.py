@@ -44,7 +44,8 @@ def columns_of(state: State) -> tuple[Markup, ...]:
     """Return the heads of the columns of J."""
     arm, units = state[Joints].arm, units_of(state)
     return tuple(
-        tag("b", units.variable(i, bool(arm.revolute[i])), style=f"color:{css(joint_colour(i))}") for i in range(arm.n)
+        tag("b.joint", units.variable(i, bool(arm.revolute[i])), style=f"--c:{css(joint_colour(i))}")
+        for i in range(arm.n)
     )
 
 

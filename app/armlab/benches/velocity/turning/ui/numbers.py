@@ -96,7 +96,7 @@ def columns_of(state: State) -> tuple[Markup, ...]:
     """Return the heads of the columns of T: the rates."""
     part = state[Turning]
     return tuple(
-        tag("b", mathml(DOTTED % symbol), style=f"color:{css(joint_colour(k))}")
+        tag("b.joint", mathml(DOTTED % symbol), style=f"--c:{css(joint_colour(k))}")
         for k, symbol in enumerate(angle_symbols(part.axes, part.fixed))
     )
 

@@ -1,0 +1,27 @@
+"""Every page of the lab, in both looks, as axe-core sees it; and the console says nothing meanwhile."""
+
+import pytest
+
+from support.axe import findings
+from support.walk import every_page
+
+pytestmark = pytest.mark.browser
+
+
+def test_axe_finds_nothing_serious_on_any_page(visit):
+    lab = visit(size=(1400, 850))
+    found = {key: bad for key in every_page(lab) if (bad := [*findings(lab), *lab.errors])}
+    assert found == {}
+
+
+def test_axe_sees_what_is_pale_and_what_has_no_name(visit):
+    """The judge is there: a text too pale, in the dark look only, and a button without a name are found."""
+    lab = visit()
+    lab.page.evaluate(
+        """() => {
+          const shown = [...document.querySelectorAll('[data-dock-leaf] .al')].find(each => each.offsetHeight > 50);
+          shown.insertAdjacentHTML('beforeend', '<p style="color: #39424f">in the dark</p><button></button>');
+        }"""
+    )
+    found = findings(lab)
+    assert [each.split(" at ")[0] for each in found] == ["light: button-name", "dark: color-contrast"]

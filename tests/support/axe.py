@@ -1,0 +1,40 @@
+"""What axe-core finds on a page of the lab: barriers for who has no mouse, or does not see it all."""
+
+from __future__ import annotations
+
+from axe_playwright_python.base import AXE_SCRIPT
+
+from support.page import LabPage
+
+RUN = """async run => {
+  const root = document.documentElement, look = 'data-mantine-color-scheme', before = root.getAttribute(look);
+  const found = [];
+  const mark = [...document.querySelectorAll('[data-tab]')].find(each => each.parentElement.getClientRects().length);
+  const places = { document, panel: mark?.closest('[data-dock-leaf]') ?? document };
+  for (const [name, [place, rules]] of Object.entries(run)) {
+    root.setAttribute(look, name);
+    const options = { runOnly: rules, resultTypes: ['violations'], preload: false };
+    const { violations } = await axe.run(places[place], options);
+    for (const { id, impact, nodes } of violations) {
+      if (!['serious', 'critical'].includes(impact)) continue;
+      for (const node of nodes) found.push(`${name}: ${id} at ${node.target}: ${node.failureSummary} ${node.html}`);
+    }
+  }
+  root.setAttribute(look, before);
+  return found;
+}"""
+"""Runs the rules for each look, and returns what hinders people seriously."""
+
+RULES = {"light": ("document", ["wcag2a", "wcag2aa"]), "dark": ("panel", ["color-contrast"])}
+"""Where which rules are run in each look: names and roles are the same in both."""
+
+
+def findings(lab: LabPage) -> list[str]:
+    """Return what axe finds in both looks of what the page shows.
+
+    The script comes through the debugger, which the content policy of the page does not concern.
+    """
+    if not lab.page.evaluate("() => 'axe' in window"):
+        lab.page.evaluate(AXE_SCRIPT)
+    found: list[str] = lab.page.evaluate(RUN, RULES)
+    return found
