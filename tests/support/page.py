@@ -15,6 +15,7 @@ from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Locator
 
 from armlab.session.pages import pages
 from support.at_rest import Traffic, told
+from support.folds import revealed, unfold
 from support.patience import WAIT, Patience
 
 ARGUMENTS = (
@@ -106,17 +107,6 @@ FITTED = """() => {
   return Math.abs(right - innerWidth) <= 1 && Math.abs(canvas.bottom - innerHeight) <= 1;
 }"""
 """Whether picture and panels have followed the window."""
-
-FOLDED = """control => {
-  let found = null;
-  for (let at = control; at; at = at.parentElement) {
-    const holder = at.previousElementSibling?.querySelector(':scope > .al > details.kit-holds');
-    const fold = holder ?? (at.parentElement?.matches('details') && !at.matches('summary') ? at.parentElement : null);
-    if (fold && !fold.open) found = fold.firstElementChild;
-  }
-  return found;
-}"""
-"""The head of the outermost closed fold around a control."""
 
 LEAST = QUIET = 0.4
 """Seconds: after the first a page that has been the same for the second has probably had its answer."""
@@ -328,26 +318,17 @@ class LabPage:
 
     def unfold(self, title: str) -> None:
         """Open the folded part of the panel with this title, unless it is open."""
-        head = self.page.locator("details.kit-fold > summary:visible", has_text=title).first
-        if head.locator("..").get_attribute("open") is None:
-            head.click()
-            self.rest()
-
-    def _revealed(self, control: Locator) -> Locator:
-        """Return a control, after the folds around it were opened from the outside in."""
-        while head := control.evaluate_handle(FOLDED).as_element():
-            head.click()
-            self.rest()
-        return control
+        unfold(self.page, title)
+        self.rest()
 
     def press(self, cell: str) -> None:
         """Press a button of our own markup, also in a part of the panel that is folded."""
-        self._revealed(self.page.locator(f'button[data-cell="{cell}"]').first).click()
+        revealed(self.page.locator(f'button[data-cell="{cell}"]').first).click()
         self.rest()
 
     def type_into(self, cell: str, text: str) -> None:
         """Fill a field of our own markup, also in a part of the panel that is folded, and press Enter."""
-        field = self._revealed(self.page.locator(f'input[data-cell="{cell}"]'))
+        field = revealed(self.page.locator(f'input[data-cell="{cell}"]'))
         field.fill(text)
         field.press("Enter")
         self.rest()
