@@ -17,7 +17,6 @@ from weakref import WeakValueDictionary
 
 import numpy as np
 import viser
-from markupsafe import Markup
 from numpy.typing import NDArray
 from viser import _messages
 
@@ -159,7 +158,7 @@ def set_value(handle: Any, value: Any) -> None:
     _queue_gui(handle, {"value": value})
 
 
-def set_content(handle: Any, markup: Markup) -> None:
+def set_content(handle: Any, markup: str) -> None:
     """Replace the content of an HTML element."""
     content = str(markup)
     if is_removed(handle) or handle._impl.props.content == content:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 import viser
 
+from armlab.content.notes import for_reader
 from armlab.ui import adapter, markup
 from armlab.ui.html import Inside, Markup, joined, tag
 
@@ -78,10 +79,19 @@ class Fields:
         some of it takes the square of the length.
     scope : str
         Class whose style they have besides the common one.
+    has_notes : bool
+        Whether their reader has the course notes; see `armlab.content.notes`.
     """
 
-    def __init__(self, gui: viser.GuiApi, on_input: OnInput, longest: int | None = None, scope: str = "") -> None:
-        self._class = f"al {scope}".rstrip()
+    def __init__(
+        self,
+        gui: viser.GuiApi,
+        on_input: OnInput,
+        longest: int | None = None,
+        scope: str = "",
+        has_notes: bool = False,
+    ) -> None:
+        self._class, self._has_notes = f"al {scope}".rstrip(), has_notes
         self.channel = gui.add_text("channel", "", visible=False)
         self.html = gui.add_html("")
         self._on_input, self._longest = on_input, longest
@@ -188,7 +198,7 @@ class Fields:
             content += tag("p.no", f"✕ {mistake.why}", role="alert")
         # The page numbers what it sends: fields whose text is not in here yet keep it.
         marks = {"data_revision": self._revision, "data_heard": self._heard}
-        adapter.set_content(self.html, tag("div", content, class_=self._class, **marks))
+        adapter.set_content(self.html, for_reader(tag("div", content, class_=self._class, **marks), self._has_notes))
 
 
 def _cut(said: object, longest: int) -> str:

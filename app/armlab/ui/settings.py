@@ -51,5 +51,11 @@ NOTATION = {
         "Order of the columns and letters; standard or modified is chosen with the table",
         dict.fromkeys(BOOKS, ("textbook", "notation", "DH table")),
     ),
+    "notes": Setting(
+        "Course notes",
+        {"off": "Off", "on": "On"},
+        "Equation numbers and errata of the course notes beside what they are about",
+        dict.fromkeys(("off", "on"), ("equation numbers", "errata", "references")),
+    ),
 }
 """The settings, by the names of their fields."""

@@ -9,6 +9,7 @@ from typing import Any
 from armlab.page import Page
 from armlab.session.panel_commands import OpenPanel, hidden_panels
 from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
@@ -115,6 +116,7 @@ class Tab:
                 self._gui.clear(linger=same and self._built == page.key)
                 self._built = page.key
                 self._gui.scope, self._gui.page = page.scope, page.key
+                self._gui.has_notes = state[Notation].notes == "on"
                 self._show = self._try(panel.build, self._gui, state, self._post)
             if self._show is not None and (new or again or before is None or _differ(panel.watches, state, before)):
                 self._try(_done(self._show), state)
@@ -127,6 +129,8 @@ class Tab:
     def _show_again(self) -> None:
         if self._shown is not None:
             self.show(self._shown, again=True)
+            if self._gui.tray is not None:
+                self._gui.tray.follow()
 
     def _cover(self, page: Page, state: State) -> bool:
         """Show a sentence instead of a page that would show the answer to a prediction."""

@@ -11,6 +11,7 @@ from typing import Any, cast
 
 import viser
 
+from armlab.content.notes import for_reader
 from armlab.session.state import Post
 from armlab.ui import adapter, markup
 from armlab.ui.camera import Camera
@@ -99,14 +100,16 @@ class Html:
     handle : viser html handle
     scope : str
         Class whose style it has besides the common one.
+    has_notes : bool
+        Whether its reader has the course notes; see `armlab.content.notes`.
     """
 
-    def __init__(self, handle: Any, scope: str = "") -> None:
-        self.handle, self._class = handle, f"al {scope}".rstrip()
+    def __init__(self, handle: Any, scope: str = "", has_notes: bool = False) -> None:
+        self.handle, self._class, self._has_notes = handle, f"al {scope}".rstrip(), has_notes
 
     def show(self, *inside: Inside) -> None:
         """Show new content."""
-        adapter.set_content(self.handle, tag("div", *inside, class_=self._class))
+        adapter.set_content(self.handle, for_reader(tag("div", *inside, class_=self._class), self._has_notes))
 
     def visible(self, on: bool) -> None:
         """Show or hide the element."""
@@ -160,6 +163,8 @@ class Gui:
         Brings a panel to the front, by its key.
     scope : str
         Class under which the stylesheets of the bench hold.
+    has_notes : bool
+        Whether the reader has the course notes; see `armlab.content.notes`. It holds for what is made from then on.
     again : callable
         Shows once more what these controls belong to: something has changed, or was refused, that is in no state.
     page : str
@@ -172,7 +177,7 @@ class Gui:
 
     def __init__(self, client: viser.ClientHandle, camera: Camera, open_panel: Callable[[str], None]) -> None:
         self._client, self._gui, self.camera, self.open_panel = client, client.gui, camera, open_panel
-        self.scope = ""
+        self.scope, self.has_notes = "", False
         self.again: Callable[[], None] = lambda: None
         self.page, self.plots, self.tray = "", list[Enlarged](), cast(Tray | None, None)
         self._made: list[Any] = []
@@ -218,6 +223,8 @@ class Gui:
         self, label: str, options: Mapping[str, str], value: str, on_change: Callable[[str], None], hint: str
     ) -> Choice:
         """Add a drop-down; ``options`` maps keys to texts."""
+        options = {key: for_reader(text, self.has_notes) for key, text in options.items()}
+        hint = for_reader(hint, self.has_notes)
         handle = self._gui.add_dropdown(label, tuple(options.values()), initial_value=options[value], hint=hint)
         return Choice(self._keep(handle), options, on_change)
 
@@ -256,7 +263,7 @@ class Gui:
 
     def html(self, *inside: Inside) -> Html:
         """Add markup."""
-        element = Html(self._keep(self._gui.add_html("")), self.scope)
+        element = Html(self._keep(self._gui.add_html("")), self.scope, self.has_notes)
         element.show(*inside)
         return element
 
@@ -266,7 +273,7 @@ class Gui:
 
     def fields(self, on_input: Callable[[str, str], None], longest: int | None = None) -> Fields:
         """Add markup with input fields; ``on_input`` gets the cell and the text; see `Fields`."""
-        fields = Fields(self._gui, on_input, longest, self.scope)
+        fields = Fields(self._gui, on_input, longest, self.scope, self.has_notes)
         self._channels.append(fields.channel)
         self._keep(fields.html)
         return fields
@@ -323,7 +330,7 @@ class Gui:
         task.add_done_callback(self._drawing.discard)
 
     @contextmanager
-    def fold(self, title: str, opened: bool = False) -> Iterator[Fold]:
+    def fold(self, title: Inside, opened: bool = False) -> Iterator[Fold]:
         """Put the controls made inside into a part of the panel that a person folds and unfolds."""
         head = self.html(markup.fold(title, opened=opened, kind="kit-holds"))
         # The page's style leaves of the folder only that it holds what is inside; see `kit.css`.

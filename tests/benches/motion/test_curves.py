@@ -55,7 +55,7 @@ def test_the_cubic_path_with_quintic_timing_is_of_degree_15(truth, state):
     expect(q, timed, "q")
     expect(rate, timed, "qdot")
     assert law.trajectory.degree == timed["expected"]["degree"]
-    assert differences(law)[0].startswith("Notes 6.6 ")
+    assert differences(law)[0].startswith("⟦Notes 6.6 ")
     assert not any("6.6 " in line for line in differences(plain))
 
 

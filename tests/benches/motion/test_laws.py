@@ -52,7 +52,7 @@ def test_the_profile_of_1_41_comes_back_to_rest_where_it_began():
     assert gain(law) == 0.0
     assert factor(law, law.peak_speed, 1) is None
     said = corrections(part.entries[0], part.timing, phases(law))
-    assert said[0].startswith("Notes 1.41 has 3/8, 5/8, 7/8 for 3, 5, 7: corrected.")
+    assert said[0].startswith("⟦Notes 1.41 has 3/8, 5/8, 7/8 for 3, 5, 7: corrected.")
     # Another table is not the one of 1.41.
     other = bench(ChooseLawExample("plus_minus_one"), SetLawOption(0, "rows", [[0, 1, 1]]))
     assert corrections(other.entries[0], other.timing, None) == ()
@@ -101,7 +101,7 @@ def test_trapezoid_and_triangle_are_told_apart_in_words():
         "Triangle: L = 0.5 < V²/A = 1, so no constant speed: peak √(L A) = 0.7071 1/s, T_s = √(L/A) = 0.7071 s, "
         "T = 2 T_s = 1.414 s."
     )
-    assert corrections(part.entries[0], part.timing, phases(part.laws[0]))[0].startswith("Notes 6.112")
+    assert corrections(part.entries[0], part.timing, phases(part.laws[0]))[0].startswith("⟦Notes 6.112")
     just = bench(ChooseLawExample("triangle"), SetQuantity("distance", 1.0))
     assert "L = 1 = V²/A = 1" in phases_text(just, 0)
     without = bench(ChooseLawExample("triangle"), SetQuantity("speed", None))

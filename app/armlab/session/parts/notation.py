@@ -14,6 +14,7 @@ OPTIONS: dict[str, tuple[str, ...]] = {
     "length": ("mm", "m"),
     "variable": ("q", "theta"),
     "book": ("notes", "craig", "siciliano", "corke"),
+    "notes": ("off", "on"),
 }
 """Choices of each setting; the first one is the default."""
 
@@ -30,6 +31,8 @@ class Notation(FieldPart):
         One name for all joint variables, or theta and d as in the table.
     book : str
         Whose names and column order the table has.
+    notes : "off" or "on"
+        Whether errata and equation numbers of the course notes are shown.
     """
 
     key: ClassVar[str] = "notation"
@@ -39,6 +42,7 @@ class Notation(FieldPart):
     length: str = choice("lengths", "mm", OPTIONS["length"])
     variable: str = choice("joint variables", "q", OPTIONS["variable"])
     book: str = choice("book", "notes", OPTIONS["book"])
+    notes: str = choice("references to the course notes", "off", OPTIONS["notes"])
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:

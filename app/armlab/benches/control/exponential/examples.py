@@ -14,16 +14,16 @@ from armlab.session.state import Command, State
 EXAMPLES = part_examples(
     PartExample(
         "notes",
-        "Eigenvalues −1 and −2 (1.58)",
+        "Eigenvalues −1 and −2⟦ (1.58)⟧",
         Exponential(),
-        "The series needs about fifteen terms for what T e^Λt T⁻¹ gives at once; the product as it is printed in "
-        "1.58, T⁻¹ e^Λt T, is another matrix.",
+        "The series needs about fifteen terms for what T e^Λt T⁻¹ gives at once; the product in the other "
+        "order, T⁻¹ e^Λt T, is another matrix⟦, the one printed in 1.58⟧.",
     ),
     PartExample(
         "decay",
-        "Error dynamics, K = diag(2, 5) (1.46–1.49)",
+        "Error dynamics, K = diag(2, 5)⟦ (1.46–1.49)⟧",
         Exponential(((-2.0, 0.0), (0.0, -5.0)), 0.5, 2.0, (0.1, -0.2), 6),
-        "A is diagonal, so each entry of e^At is an exponential of its own (1.56): the error in y dies out faster "
+        "A is diagonal, so each entry of e^At is an exponential of its own⟦ (1.56)⟧: the error in y dies out faster "
         "than that in x, and the curve bends into the x axis.",
     ),
     PartExample(

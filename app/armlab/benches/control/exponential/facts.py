@@ -30,6 +30,8 @@ FACTS = Facts(
         "terms": Fact("the number of terms that are summed", lambda s: s[Exponential].terms, kind="count"),
         "t": Fact("the time t", lambda s: s[Exponential].t, "s"),
         "eigenvalues": Fact("the real eigenvalues of A", _eigenvalues, "1/s", "numbers"),
-        "printed_error": Fact("how far what the notes print is from exp(A t)", lambda s: s[Exponential].found.printed),
+        "printed_error": Fact(
+            "the largest difference of T⁻¹ exp(Λ t) T from exp(A t)", lambda s: s[Exponential].found.printed
+        ),
     },
 )

@@ -77,15 +77,15 @@ EXAMPLES: Registry[Example] = Registry(
     (
         Example(
             "line_170",
-            "5.2: line at 170°",
+            "⟦5.2: ⟧Line at 170°",
             "planar_2r",
             (_line(170.0, name="170°, J⁻¹"),),
             "The line passes 330 mm from the base: a small peak of q̇₁, 104.9 °/s at 3.17 s, and an error at the end "
-            'that is nothing but integration. The notes say "initial desired point"; they mean the final one.',
+            'that comes from integration alone.⟦ The notes say "initial desired point"; they mean the final one.⟧',
         ),
         Example(
             "line_178",
-            "5.2: line at 178°, nearly singular",
+            "⟦5.2: ⟧Line at 178°, nearly singular",
             "planar_2r",
             (_line(178.0, name="178°, J⁻¹"), _line(170.0, name="170°, J⁻¹")),
             "66 mm from the base the folded arm is almost singular: q̇₁ peaks at 518.6 °/s at 3.17 s. The arm does all "
@@ -93,7 +93,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "saturated",
-            "5.106: speeds limited to 300 °/s",
+            "⟦5.106: ⟧Speeds limited to 300 °/s",
             "planar_2r",
             (
                 _line(178.0, **_CLIPPED, name="each joint clipped"),
@@ -101,42 +101,43 @@ EXAMPLES: Registry[Example] = Registry(
                 _line(178.0, **_CLIPPED, law="cartesian_tracking", name="clipped, with feedback"),
             ),
             "For a quarter of a second q̇₁ stays at 300 °/s; what was lost then is still missing, 4.8 cm "
-            "(the notes: about 6). Slowed all alike they keep the tool on its line, but late; feedback makes it good.",
+            "⟦(the notes: about 6)⟧. Slowed down alike, the joints keep the tool on its line, but late; feedback "
+            "removes the error.",
         ),
         Example(
             "dls",
-            "5.2.1: damped, line at 179.6°",
+            "⟦5.2.1: ⟧Damped, line at 179.6°",
             "planar_2r",
             (_line(179.6, **_DLS, name="damped, with feedback"), _line(179.6, name="J⁻¹")),
             "J⁻¹ would need some 2600 °/s. Damped near the singularity the joints stay below 120 °/s; the tool leaves "
-            "its line by 25 mm, and feedback brings it back. λ, path and K_p are ours: the notes do not give them.",
+            "its line by 25 mm, and feedback brings it back.⟦ λ, path and K_p are ours: the notes do not give them.⟧",
         ),
         Example(
             "newton",
-            "5.100–5.105: Newton beside J⁻¹v",
+            "⟦5.100–5.105: ⟧Newton beside J⁻¹v",
             "planar_2r",
             (
                 _line(170.0, step=0.01, integrator="euler", name="J⁻¹v, Euler, 10 ms"),
                 _line(170.0, step=0.01, law="newton", name="Newton, 10 ms"),
             ),
             "Steps of 10 ms along J⁻¹v drift off the line. Newton's method, started at each sample where the arm is, "
-            "makes good what the step before left over.",
+            "corrects what the previous step left over.",
         ),
         Example(
             "joint_tracking",
-            "7.13–7.24: tracking of the joints",
+            "⟦7.13–7.24: ⟧Tracking of the joints",
             "planar_2r",
             (
                 _short(
                     law="joint_tracking", law_options={"K": (1.0, 3.0)}, offset=(0.2, -0.1), name="error of the joints"
                 ),
             ),
-            "Each joint error dies out with its own gain: e₁ with 1/s, e₂ with 3/s (7.18 prints one k for both). The "
+            "Each joint error dies out with its own gain: e₁ with 1/s, e₂ with 3/s⟦ (7.18 prints one k for both)⟧. The "
             "tool's error follows ė_p ≈ −J K J# e_p, which is no straight way back.",
         ),
         Example(
             "cartesian_tracking",
-            "7.25–7.28: error in space or of joints",
+            "⟦7.25–7.28: ⟧Error in space or of joints",
             "planar_2r",
             (
                 _short(law="cartesian_tracking", law_options={"Kp": (2.0,)}, offset=(0.2, -0.1), name="error in space"),
@@ -225,7 +226,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "redundant",
-            "5.132–5.138: self-motion of a 7R",
+            "⟦5.132–5.138: ⟧Self-motion of a 7R",
             "iiwa7",
             tuple(
                 {

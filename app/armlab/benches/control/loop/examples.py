@@ -17,7 +17,7 @@ EXAMPLES = part_examples(
         "Sine, ω = 2 rad/s, K/M = 10",
         Loop(),
         "The amplitude is nearly that of v_d, but v comes 99 ms later, and so the error does not die out: its "
-        "amplitude stays at 0.196 m/s. The notes call this perfect; it is not.",
+        "amplitude stays at 0.196 m/s.⟦ The notes call this perfect; it is not.⟧",
     ),
     PartExample(
         "omega_20",

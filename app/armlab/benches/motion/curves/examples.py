@@ -157,29 +157,29 @@ EXAMPLES: Registry[Example] = Registry(
 
 NOTES: dict[str, tuple[str, ...]] = {
     "cubic": (
-        "Notes 6.50–6.54 and 6.173 divide vectors by q_f − q_i: that holds for one joint that moves, as here.",
-        "Notes after 6.183 call the cubic continuous up to acceleration: from rest it is C1 only.",
+        "⟦Notes 6.50–6.54 and 6.173 divide vectors by q_f − q_i: that holds for one joint that moves, as here.⟧",
+        "⟦Notes after 6.183 call the cubic continuous up to acceleration: from rest it is C1 only.⟧",
     ),
     "quintic": (
-        "Notes before 6.72 say degree 6 for the quintic of 6.72–6.73: it is 5.",
-        "Notes 6.74 prints −5τ⁴: corrected to −15τ⁴.",
+        "⟦Notes before 6.72 say degree 6 for the quintic of 6.72–6.73: it is 5.⟧",
+        "⟦Notes 6.74 prints −5τ⁴: corrected to −15τ⁴.⟧",
     ),
-    "polynomial": ("Notes 6.74 prints −5τ⁴ for the quintic: corrected to −15τ⁴.",),
-    "harmonic": ("Notes 6.60 has q′(T) = 0 for normalised time: q′(1) = 0 is meant.",),
-    "lts_434": ("Notes 6.79–6.80 print one derivative too high at the end: corrected to q̇(t_f) = q̈(t_f) = 0.",),
+    "polynomial": ("⟦Notes 6.74 prints −5τ⁴ for the quintic: corrected to −15τ⁴.⟧",),
+    "harmonic": ("⟦Notes 6.60 has q′(T) = 0 for normalised time: q′(1) = 0 is meant.⟧",),
+    "lts_434": ("⟦Notes 6.79–6.80 print one derivative too high at the end: corrected to q̇(t_f) = q̈(t_f) = 0.⟧",),
     "blends": (
-        "Notes 6.86–6.88 mix s and t: one parameter, t, is used; each blend begins half its time before the knot.",
+        "⟦Notes 6.86–6.88 mix s and t: one parameter, t, is used; each blend begins half its time before the knot.⟧",
     ),
     "spline": (
-        "Notes 6.91 prints 3h_k³: corrected to 3h_k².",
-        "Notes 6.95 swaps h_k² and h_k+1² (unseen with even intervals): corrected.",
-        "Notes 6.97, list: “minimum curvature” is the least ∫q̈² dt.",
+        "⟦Notes 6.91 prints 3h_k³: corrected to 3h_k².⟧",
+        "⟦Notes 6.95 swaps h_k² and h_k+1² (unseen with even intervals): corrected.⟧",
+        "⟦Notes 6.97, list: “minimum curvature” is the least ∫q̈² dt.⟧",
     ),
 }
 """Differences between the notes and the formulas used here, by kind of path."""
 
-VIRTUAL = "Notes 6.98 has q″(h_N): q̈(t_1) = q̈(t_N) = 0 is meant."
-TIMED_CUBIC = "Notes 6.6 has s + 3(π−1)s² − 2(π−1)s³, whose q′ is 1 at both ends: corrected to 3πs² − 2πs³."
+VIRTUAL = "⟦Notes 6.98 has q″(h_N): q̈(t_1) = q̈(t_N) = 0 is meant.⟧"
+TIMED_CUBIC = "⟦Notes 6.6 has s + 3(π−1)s² − 2(π−1)s³, whose q′ is 1 at both ends: corrected to 3πs² − 2πs³.⟧"
 
 
 def differences(made: Made) -> tuple[str, ...]:

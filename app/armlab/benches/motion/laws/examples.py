@@ -73,7 +73,7 @@ EXAMPLES: Registry[Example] = Registry(
     (
         Example(
             "plus_minus_one",
-            "Accelerations ±1 on [0, 8] (1.40–1.42)",
+            "Accelerations ±1 on [0, 8]⟦ (1.40–1.42)⟧",
             (("table", {"rows": _rows(PLUS_MINUS_ONE), "as_typed": True}),),
             Timing(duration=8.0, speed=None, acceleration=None, jerk=None),
             "The areas under s̈ cancel, so ṡ(8) = 0, and those under ṡ too, so s(8) = 0: the motion comes back to where "
@@ -127,7 +127,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "cosine",
-            "Cosine (6.57–6.64)",
+            "Cosine⟦ (6.57–6.64)⟧",
             (("cosine", {}), ("cubic", {})),
             Timing(False, 2.0, 1.0, None, None, None),
             "Half a wave of a cosine is close to the cubic, and its acceleration jumps at both ends, too: π²/2 L/T² "
@@ -143,7 +143,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "slower",
-            "Time scaling: slower until V and A hold (6.163)",
+            "Time scaling: slower until V and A hold⟦ (6.163)⟧",
             (("quintic", {}),),
             Timing(False, 1.0, 2.0, 2.0, 8.0, None),
             "In 1 s the peak speed 3.75 1/s is too much for V = 2; with k = 1.875 it is met, and the acceleration "
@@ -152,7 +152,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "faster",
-            "Time scaling: faster up to the limits (6.163)",
+            "Time scaling: faster up to the limits⟦ (6.163)⟧",
             (("quintic", {}),),
             Timing(False, 4.0, 2.0, 2.0, 8.0, None),
             "In 4 s no limit is met; k = 0.46875 is less than 1 and speeds the law up until its speed meets V = 2.",
@@ -160,7 +160,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "bound",
-            "Bound of speed of the example 6.34–6.44",
+            "Bound of speed⟦ of the example 6.34–6.44⟧",
             _REST,
             Timing(True, 2.0, 1.0, 0.5, None, None),
             "Joint 2 decides: V = min(3/4, 2/4) = 1/2; both |dq/ds| are largest at s = 1, an end of the path.",
@@ -168,7 +168,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "no_bound",
-            "A bound of acceleration that cannot be met (6.33)",
+            "A bound of acceleration that cannot be met⟦ (6.33)⟧",
             _REST,
             Timing(False, 4.0, 1.0, 0.5, None, None),
             "At V = 1/2 the bends of the path alone take more than a_max = 1 of joint 2: A = −0.125; press “Lower V”.",

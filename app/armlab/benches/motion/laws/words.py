@@ -28,19 +28,20 @@ LETTERS = ("", "V", "A", "J")
 
 CORRECTIONS: Mapping[str, str] = MappingProxyType(
     {
-        "quintic": "Notes 6.74 has 5τ⁴ for 15τ⁴: corrected.",
-        "cosine": "Notes 6.60 has q′(T) = 0 in normalised time: corrected to q′(1) = 0.",
+        "quintic": "⟦Notes 6.74 has 5τ⁴ for 15τ⁴: corrected.⟧",
+        "cosine": "⟦Notes 6.60 has q′(T) = 0 in normalised time: corrected to q′(1) = 0.⟧",
     }
 )
 """Differences of the notes from the law used, by its key."""
 
 PROFILE = (
-    "Notes 1.41 has 3/8, 5/8, 7/8 for 3, 5, 7: corrected. The answer after 1.42 says ∫ṡ dt for ∫s̈ dt in its first line."
+    "⟦Notes 1.41 has 3/8, 5/8, 7/8 for 3, 5, 7: corrected. The answer after 1.42 says ∫ṡ dt for ∫s̈ dt in its "
+    "first line.⟧"
 )
-TRIANGLE = "Notes 6.112 names the triangle without its formulas, and 6.113 does not hold for it: corrected."
-SCALING = "Notes 6.160 has q̇ for q̈ on the right: corrected, accelerations fall to 1/k²."
-ENDS = "Notes 6.24 looks for the largest |dq/ds| only where d²q/ds² = 0: corrected, the ends of the path count too."
-NEGATIVE = "Notes 6.33 does not say that its bound may be 0 or less: added, V must be lowered first."
+TRIANGLE = "⟦Notes 6.112 names the triangle without its formulas, and 6.113 does not hold for it: corrected.⟧"
+SCALING = "⟦Notes 6.160 has q̇ for q̈ on the right: corrected, accelerations fall to 1/k².⟧"
+ENDS = "⟦Notes 6.24 looks for the largest |dq/ds| only where d²q/ds² = 0: corrected, the ends of the path count too.⟧"
+NEGATIVE = "⟦Notes 6.33 does not say that its bound may be 0 or less: added, V must be lowered first.⟧"
 
 
 def corrections(entry: Entry, timing: Timing, found: Phases | None) -> tuple[str, ...]:

@@ -82,7 +82,7 @@ EXAMPLES: Registry[Example] = Registry(
     (
         Example(
             "frenet",
-            "The curve of the notes (6.142)",
+            "A plane curve⟦ (6.142)⟧",
             "It bends most at its start, κ(0) = 1/10 per metre, and its binormal b = (0.8, 0, 0.6) never turns: the "
             "torsion is 0, the curve stays in a plane.",
             _typed("6s+2", "5s^2", "-8s"),
@@ -140,7 +140,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "overfly",
-            "Over-fly of B by d₁ = 0.2 m (6.114-6.133)",
+            "Over-fly of B by d₁ = 0.2 m⟦ (6.114-6.133)⟧",
             "With v₁ = 0.5 and v₂ = 1 m/s the blend lasts ΔT = 0.8 s and d₂ = 0.4 m; the acceleration jumps to "
             "(−0.625, 1.25, 0) m/s² and back, it is not zero at the ends.",
             {
@@ -151,7 +151,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "still",
-            "Straight, and not regular (6.12)",
+            "Straight, and not regular⟦ (6.12)⟧",
             "The curvature is 0 everywhere it exists, hence bounded, and yet p′ = 0 at s = 0.5: there the curve has no "
             "tangent and no parametrisation by its length.",
             _typed("-0.4+(2s-1)^3/4", "-0.1", "0.5"),
@@ -174,7 +174,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "wander",
-            "Turn: Euler angles wander (6.150)",
+            "Turn: Euler angles wander⟦ (6.150)⟧",
             "From the same A to the same B: about one axis every tip runs on an arc of a circle, by ZXZ angles they "
             "wander off, and the whole angle is larger.",
             _turn("zxz", (0.0, 60.0, 0.0), (120.0, 60.0, -120.0)),
@@ -195,8 +195,7 @@ EXAMPLES: Registry[Example] = Registry(
         Example(
             "half_turn",
             "Turn: half a turn, r or −r",
-            "θ is 180°: about r and about −r the way is as short, and the notes leave open which is taken; try “the "
-            "other way”.",
+            "θ is 180°: about r and about −r the way is as short; try “the other way”.",
             _turn("zyx", (0.0, 0.0, 0.0), (60.0, 0.0, 180.0)),
         ),
         Example(

@@ -29,7 +29,7 @@ PRESETS: dict[str, tuple[str, str, str]] = {
     "2R, centre": ("planar_2r", "folded", "infinitely many: the tool is on axis 1, and the links have equal lengths"),
     "polar": ("polar_rrp", "home", "4 solutions, most of them with a slide of negative length"),
     "elbow": ("elbow_3r", "home", "4 solutions: front and back, elbow up and down"),
-    "UR10": ("ur10_notes", "eight", "8 solutions, figure 4.8"),
+    "UR10": ("ur10_notes", "eight", "8 solutions⟦, figure 4.8⟧"),
     "Manseur–Doty": ("manseur_doty", "sixteen", "16 solutions, as many as six joints can have"),
     "PUMA, q₅ = 0": ("puma560", "zero", "infinitely many: axes 4 and 6 coincide"),
 }
@@ -212,10 +212,10 @@ class Prove(Command):
 
 @dataclass(frozen=True)
 class TakePreset(Command):
-    """Load an example of the notes."""
+    """Load an example."""
 
     name: str
-    label: ClassVar[str] = "example of the notes"
+    label: ClassVar[str] = "example"
 
     def apply(self, state: State) -> State:
         """Return the state with the arm of the example in its pose."""

@@ -45,7 +45,7 @@ EXAMPLES: Registry[Example] = Registry(
     (
         Example(
             "one",
-            "2R, regular: one answer (1.14)",
+            "2R, regular: one answer⟦ (1.14)⟧",
             "planar_2r",
             (40.0, 55.0),
             (-0.5, 0.0),
@@ -53,7 +53,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "stretched_30",
-            "2R stretched at 30°: none (5.129)",
+            "2R stretched at 30°: none⟦ (5.129)⟧",
             "planar_2r",
             (30.0, 0.0),
             (-0.5, 0.0),
@@ -61,7 +61,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "stretched_90",
-            "2R stretched at 90°: infinitely many (5.131)",
+            "2R stretched at 90°: infinitely many⟦ (5.131)⟧",
             "planar_2r",
             (90.0, 0.0),
             (-0.5, 0.0),
@@ -69,7 +69,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "redundant_3r",
-            "3R, position alone: minimum norm (5.116–5.123)",
+            "3R, position alone: minimum norm⟦ (5.116–5.123)⟧",
             "planar_3r",
             (17.188733853924695, -22.918311805232929, 51.566201561774087),
             (0.2, -0.3, 0.0),
@@ -79,7 +79,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "singular_3r",
-            "3R folded: rank 1 (5.82)",
+            "3R folded: rank 1⟦ (5.82)⟧",
             "planar_3r",
             (90.0, 0.0, 180.0),
             (0.0, 0.3, 0.0),
@@ -88,7 +88,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "on_the_axis",
-            "Elbow 3R with its tool on axis 1 (fig. 1.5)",
+            "Elbow 3R with its tool on axis 1⟦ (fig. 1.5)⟧",
             "elbow_3r",
             (20.0, 122.0053832080835, -90.0),
             (0.0, 0.0, 0.2),
@@ -104,7 +104,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "rrp_upright",
-            "RRP straight up: rank 2 (5.91)",
+            "RRP straight up: rank 2⟦ (5.91)⟧",
             "polar_rrp",
             (45.0, 90.0, 1.0),
             (0.2, 0.2, 0.1),

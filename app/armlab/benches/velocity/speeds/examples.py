@@ -50,16 +50,16 @@ EXAMPLES: Registry[Example] = Registry(
     (
         Example(
             "planar",
-            "2R: parts and sum (1.9–1.11)",
+            "2R: parts and sum⟦ (1.9–1.11)⟧",
             "planar_2r",
             _degrees(10.0, 100.0),
             _degrees(40.0, 50.0),
             "Each joint moves the tool across the line from its axis to the tool; both parts, put tip to tail, are v. "
-            "The columns of J are the j₁, j₂ of the notes, which 1.18 writes as rows.",
+            "⟦The columns of J are the j₁, j₂ of the notes, which 1.18 writes as rows.⟧",
         ),
         Example(
             "kernel",
-            "3R: tool on the axis z₀ (1.25)",
+            "3R: tool on the axis z₀⟦ (1.25)⟧",
             "elbow_3r",
             (math.radians(20.0), math.atan2(0.8, -0.5), math.radians(-90.0)),
             _degrees(60.0, 0.0, 0.0),
@@ -68,7 +68,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "sliding",
-            "RRP: a sliding joint (5.57)",
+            "RRP: a sliding joint⟦ (5.57)⟧",
             "polar_rrp",
             (math.radians(20.0), math.radians(30.0), 0.7),
             (0.0, math.radians(30.0), 0.2),
@@ -77,7 +77,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "two_points",
-            "Two points of a link (1.8, 5.9)",
+            "Two points of a link⟦ (1.8, 5.9)⟧",
             "planar_2r",
             _degrees(30.0, 70.0),
             _degrees(30.0, -60.0),
@@ -102,7 +102,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "curving",
-            "Constant speeds accelerate (5.68)",
+            "Constant speeds accelerate⟦ (5.68)⟧",
             "planar_2r",
             _degrees(20.0, 90.0),
             _degrees(60.0, 0.0),

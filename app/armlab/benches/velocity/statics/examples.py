@@ -61,7 +61,7 @@ EXAMPLES: Registry[Example] = Registry(
     (
         Example(
             "torques_2r",
-            "2R: the torques of a force (5.163)",
+            "2R: the torques of a force⟦ (5.163)⟧",
             "planar_2r_unequal",
             (0.4, 0.9),
             "τ = JᵀF with l₁ = 1 m, l₂ = 0.5 m and F = (3, −2) N: −4.723 N m and −1.713 N m; each is the force times "

@@ -16,8 +16,10 @@ from armlab.benches.control.exponential.state import (
     SumTerms,
     bounds,
 )
+from armlab.benches.control.exponential.ui.large import LargePlane
 from armlab.benches.control.exponential.ui.plane import EIGEN, plane
 from armlab.session.amounts import amount
+from armlab.session.parts.notation import Notation
 from armlab.session.state import Post, State
 from armlab.ui.colours import BLUE, GREY, css
 from armlab.ui.examples import examples
@@ -61,7 +63,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     end = state[Exponential].end
     time = gui.slider("t, s", 0.0, end, end / STEPS, 0.0, lambda t: post(MoveTime(t)), None)
     terms = gui.slider("terms", 1.0, MOST_TERMS, 1.0, 4.0, lambda count: post(SumTerms(round(count))), None)
-    drawn, results = gui.html(), gui.html()
+    drawn, results = gui.form(post), gui.html()
+    large = LargePlane(gui)
     with gui.fold("Error over the number of terms"):
         plot = _ErrorPlot(gui)
 
@@ -72,7 +75,9 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             time.handle.max, time.handle.step = part.end, part.end / STEPS
         time.show(part.t)
         terms.show(float(part.terms))
-        drawn.show(plane(part), _eigen(part.found))
+        large.show_part(part)
+        heading = tag("h3", "The curve in the plane", tag("span.copies", large.button(drawn)))
+        drawn.show(heading, plane(part), _eigen(part.found))
         results.show(results_markup(part))
         plot.show_part(part)
 
@@ -131,7 +136,7 @@ def head_markup(form: Form, part: Exponential) -> Markup:
         tag("table.mat", [line(cell(key)) for key in ("x1", "x2")]),
         tag("label", tag("span", "until"), cell("end"), tag("i", "s")),
     )
-    system = tag("div.eq.small", "\N{EM SPACE}", mathml(SYSTEM), title="Notes 1.50-1.52, 1.58 corrected")
+    system = tag("div.eq.small", "\N{EM SPACE}", mathml(SYSTEM), title="⟦Notes 1.50-1.52, 1.58 corrected⟧")
     return joined(chooser, system, typed)
 
 
@@ -140,19 +145,23 @@ def results_markup(part: Exponential) -> Markup:
     found = part.found
     count = f"{part.terms} term{'' if part.terms == 1 else 's'} of ", mathml(SERIES)
     series = float(found.errors[part.terms - 1])
-    rows = [_result(count, found.sums[part.terms - 1], f"off by {scientific(series)}")]
+    rows = [_result(count, found.sums[part.terms - 1], f"largest error {scientific(series)}")]
     if found.product is None:
         rows.append(_result(mathml(PRODUCT), None, "T has no inverse"))
     else:
         off = float(np.abs(found.product - found.whole).max())
-        rows.append(_result(mathml(PRODUCT), found.product, f"off by {scientific(off)}"))
-    rows.append(_result("SciPy", found.whole, "the others are compared with this"))
+        rows.append(_result(mathml(PRODUCT), found.product, f"largest error {scientific(off)}"))
+    rows.append(_result("SciPy", found.whole, "reference"))
     kind = KINDS[found.basis.basis]
     said = capitalised(found.basis.says)
     printed = None
     if found.printed is not None:
-        off_by = f"here off by {number(found.printed, 3)}" if found.printed >= SEEN else "the same with this T"
-        printed = tag("p", "Notes 1.58 print ", mathml(PRINTED), f": {off_by}.")
+        off_by = (
+            (f"here with a largest error of {number(found.printed, 3)}")
+            if found.printed >= SEEN
+            else "the same with this T"
+        )
+        printed = tag("p", "⟦Notes 1.58 print ", mathml(PRINTED), f": {off_by}.⟧")
     copies = tag("span.copies", copy_buttons(found.whole))
     title = tag("h3", mathml(EXPONENTIAL), f" at t = {amount(part.t, 's')}", copies)
     return joined(title, rows, verdict_box(kind, _condition(found), f"{said}.", printed))
@@ -197,4 +206,4 @@ def _eigen(found: Found) -> Markup:
     return tag("p.exp-eigen", joined(said, between=tag("br")))
 
 
-PANEL = Panel((Exponential,), build, rebuilds=())
+PANEL = Panel((Exponential,), build, rebuilds=(Notation,))

@@ -9,6 +9,7 @@ import numpy as np
 
 from armlab.benches.control.loop.examples import EXAMPLES, ChooseLoopExample
 from armlab.benches.control.loop.state import CLIP_KEY, KINDS, Loop, present_time
+from armlab.benches.control.loop.ui.large import Responses
 from armlab.benches.control.loop.ui.pictures import ERROR, REACHED, WISH, bode, diagram
 from armlab.session.amounts import amount
 from armlab.session.fields import Set
@@ -20,7 +21,7 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, number, pairs
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.markup import fold, row, verdict_box
+from armlab.ui.markup import row, verdict_box
 from armlab.ui.option_form import option_form
 from armlab.ui.playing import clock
 from armlab.ui.plot import TIME, Curve, Plot
@@ -43,7 +44,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     units = units_of(state)
     head, drawn, form, timing = gui.form(post), gui.html(), gui.form(post), gui.form(post)
     plots, verdict = _Plots(gui), gui.html()
-    response = gui.html()
+    with gui.fold(("Frequency response ", mathml(RESPONSE))):
+        heading, response, charts = gui.form(post), gui.html(), Responses(gui, units)
 
     def show(state: State) -> None:
         part = state[Loop]
@@ -53,7 +55,9 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         timing.show(clock(timing, state, CLIP_KEY, part.end))
         plots.show(state)
         verdict.show(_verdict(part, units))
-        response.show(fold(("Frequency response ", mathml(RESPONSE)), bode(part, units), _numbers(part, units)))
+        charts.show(part)
+        heading.show(tag("h3", tag("span.copies", charts.button(heading))))
+        response.show(bode(part, units), _numbers(part, units))
 
     return show
 
@@ -64,10 +68,12 @@ class _Plots:
     def __init__(self, gui: Gui) -> None:
         wish, v = Curve("v_d, m/s", WISH, dash=(6, 4)), Curve("v, m/s", REACHED)
         title = tag("span", mathml(VELOCITIES), " (dashed: wanted), m/s")
-        self._v = Plot(gui, title, "t, s", [wish, v], "velocity", legend=False)
+        self._v = Plot(gui, title, "t, s", [wish, v], "velocity", legend=False, clip=CLIP_KEY)
         lasting = [Curve(f"lasting amplitude {sign}, m/s", GREY, 1.2, dash=(3, 3)) for sign in ("above", "below")]
         name = tag("span", mathml(ERRORS), ", m/s (grey: what stays)")
-        self._e = Plot(gui, name, "t, s", [Curve("e, m/s", ERROR), *lasting], "velocity_error", legend=False)
+        self._e = Plot(
+            gui, name, "t, s", [Curve("e, m/s", ERROR), *lasting], "velocity_error", legend=False, clip=CLIP_KEY
+        )
         self._shown: Loop | None = None
 
     def show(self, state: State) -> None:
@@ -92,7 +98,7 @@ def _written(says: str) -> Markup:
 def _head(form: Form, part: Loop) -> Markup:
     chooser = examples(form, EXAMPLES, part.example, ChooseLoopExample, written=_written)
     formula = mathml(r"M\,\dot v=F,\quad F=K\,(v_d-v)")
-    title = "A mass without friction whose velocity is controlled by a force; notes 7.3-7.10"
+    title = "A mass without friction whose velocity is controlled by a force⟦; notes 7.3-7.10⟧"
     return joined(chooser, tag("div.eq.small", "\N{EM SPACE}", formula, title=title))
 
 

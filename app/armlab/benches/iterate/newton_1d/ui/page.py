@@ -8,6 +8,7 @@ from armlab.benches.iterate.runs.one_equation import Solved
 from armlab.benches.iterate.runs.ui.tangents import picture
 from armlab.kin.ik.iterate import EXAMPLES
 from armlab.session.fields import Set
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
@@ -59,7 +60,7 @@ def _problem(form: Form, state: State) -> Inside:
         "x0", f"{part.x0:.10g}".replace("-", "−"), "Start", lambda text: Set(Newton1D, "x0", plain_number(text, "x₀"))
     )
     return (
-        tag("div.eq.small", "\u2003", FORMULA, title="Notes 4.106-4.110; printed there without x_n"),
+        tag("div.eq.small", "\u2003", FORMULA, title="⟦Notes 4.106-4.110; printed there without x_n⟧"),
         tag("div.kit-head", tag("span.dim", "Equation"), chooser),
         tag("div.kit-numbers.kit-typed", tag("label", tag("span", "or f(x) ="), typed)),
         slope,
@@ -89,4 +90,4 @@ def _plain(value: float, decimals: int) -> str:
     return number(value, decimals) if 10.0 ** (1 - decimals) <= abs(value) < 1e4 else scientific(value, 3)
 
 
-PANEL = Panel((Newton1D, Timeline), build, rebuilds=())
+PANEL = Panel((Newton1D, Timeline), build, rebuilds=(Notation,))

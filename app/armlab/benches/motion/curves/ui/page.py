@@ -8,6 +8,7 @@ from armlab.benches.motion.curves.ui.facts import facts, fastest_markup, verdict
 from armlab.benches.motion.curves.ui.listed import curves_markup, knots_markup, limits_markup
 from armlab.benches.motion.curves.ui.plots import Plots
 from armlab.benches.motion.curves.ui.solved import rules_markup, solved_markup
+from armlab.session.parts.notation import Notation
 from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.plugin import Panel, Show
@@ -44,4 +45,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-PANEL = Panel((Curves,), build, rebuilds=())
+PANEL = Panel((Curves,), build, rebuilds=(Notation,))

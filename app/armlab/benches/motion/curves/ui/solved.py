@@ -71,7 +71,7 @@ def solved_markup(part: Curves) -> Markup:
     remarks = path.remarks if made.drawn.law.key == "constant" else made.trajectory.remarks
     said += [tag("p.dim", _indices(in_knots(text))) for text in remarks]
     # That of 6.74 stands beside its polynomial below.
-    notes = [text for text in differences(made) if part.degree != 5 or not text.startswith("Notes 6.74")]
+    notes = [text for text in differences(made) if part.degree != 5 or not text.startswith("⟦Notes 6.74")]
     said += [tag("p.cu-note", _indices(text)) for text in notes]
     return fold(head, said, key="solved")
 
@@ -199,7 +199,7 @@ def rules_markup(form: Form, part: Curves) -> Markup:
     rest = (
         f"Derivatives 1 to {part.degree // 2} vanish at both ends; largest velocity {figures(found.peak_speed)} Δq/T."
     )
-    wrong = f"Notes 6.74 prints {polynomial(printed, 'τ')}: sum {figures(sum(printed))}, not 1; corrected."
+    wrong = f"⟦Notes 6.74 prints {polynomial(printed, 'τ')}: sum {figures(sum(printed))}, not 1; corrected.⟧"
     return fold(
         "Rest to rest, normalised",
         tag("div.bar", tag("span.dim", "Degree"), chosen),

@@ -8,6 +8,7 @@ from armlab.benches.motion.laws.state import CLIP_KEY, Laws
 from armlab.benches.motion.laws.ui.form import form_markup, head_markup, scaling_markup
 from armlab.benches.motion.laws.ui.plots import Plots, race_markup
 from armlab.benches.motion.laws.ui.tables import bounds_markup, stretch_markup, values_markup
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Post, State
 from armlab.ui.playing import clock
@@ -42,4 +43,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-PANEL = Panel((Laws, Timeline), build, rebuilds=())
+PANEL = Panel((Laws, Timeline), build, rebuilds=(Notation,))

@@ -133,7 +133,9 @@ def _bounds(state: State, stretch: Stretch) -> Markup | None:
     bounds = leg.bounds
     speed = f"|ṡ| ≤ {bounds.V:.3g} 1/s" + (f" (joint {bounds.V_joint})" if bounds.V_joint else "")
     growth = f"|s̈| ≤ {bounds.A:.3g} 1/s²" + (f" (joint {bounds.A_joint})" if bounds.A_joint else "")
-    hint = "Safe bounds of the law from the limits of the joints (6.1.1); the motion is then scaled to meet one exactly"
+    hint = (
+        "Safe bounds of the law from the limits of the joints⟦ (6.1.1)⟧; the motion is then scaled to meet one exactly"
+    )
     return tag("p.dim", f"{speed}, {growth}", title=hint)
 
 

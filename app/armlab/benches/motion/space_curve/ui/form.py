@@ -35,8 +35,8 @@ from armlab.ui.units import Units, plain_number, units_of
 VIEWS = {"curve": "Curve", "turn": "Orientation"}
 
 OVERFLY = (
-    "Notes 6.118–6.119 want p̈ = 0 at both ends of the blend; with the constant p̈ of 6.120 it jumps there: corrected. "
-    "In 6.121 the “+ c” is the velocity at 0 and belongs to 6.122."
+    "⟦Notes 6.118–6.119 want p̈ = 0 at both ends of the blend; with the constant p̈ of 6.120 it jumps there: corrected. "
+    "In 6.121 the “+ c” is the velocity at 0 and belongs to 6.122.⟧"
 )
 
 
@@ -66,7 +66,7 @@ def curve_form(form: Form, state: State) -> Markup:
     chooser = form.select("curve", "Curve", titles, part.curve.key, ChooseCurve)
     typed = _formula(form, part) if part.curve.key == FORMULA else _points(form, part, units)
     given = option_form(form, "o-", kind.fields, part.curve.options, partial(SetOption, "curve"), scales_of(units))
-    hint = "Parametrise the curve by the distance gone along it (notes 6.13–6.17)"
+    hint = "Parametrise the curve by the distance gone along it⟦ (notes 6.13–6.17)⟧"
     cell, other = f"length {_turned(part.by_length)}", Set(SpaceCurve, "by_length", not part.by_length)
     by_length = form.chip(cell, "By arc length", other, hint, part.by_length)
     notes = corrected(OVERFLY) if part.curve.key == "overfly" else None

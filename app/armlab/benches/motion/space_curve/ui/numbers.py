@@ -32,12 +32,13 @@ from armlab.ui.units import Units, plain_number, units_of
 KAPPA = r"\kappa=\frac{|p′\times p″|}{|p′|^3}"
 TAU = r"\tau=\frac{p′\cdot(p″\times p‴)}{|p′\times p″|^2}"
 
-TANGENT = "t = p′/|p′|. Notes 6.145 multiply p by the norm instead: corrected."
-NORMAL = "κv² n is the centripetal acceleration; the text after 6.135 calls n itself “the normal acceleration”."
+TANGENT = "t = p′/|p′|.⟦ Notes 6.145 multiply p by the norm instead: corrected.⟧"
+NORMAL = "κv² n is the centripetal acceleration⟦; the text after 6.135 calls n itself “the normal acceleration”⟧."
 NOT_ACROSS = (
-    "p″ṡ² is across the way only by arc length (6.135). Here the acceleration is {along} along t and {across} along n."
+    "p″ṡ² is across the way only by arc length⟦ (6.135)⟧. Here the acceleration is {along} along t and {across} "
+    "along n."
 )
-BOUNDED = "A bounded curvature does not make a curve regular, as the text before 6.12 has it; p′ ≠ 0 does."
+BOUNDED = "A bounded curvature does not make a curve regular⟦, as the text before 6.12 has it⟧; p′ ≠ 0 does."
 
 ACROSS = 1e-6
 """Relative part of p''s-dot² along the path below which it counts as perpendicular."""
@@ -117,7 +118,7 @@ def whole(state: State) -> Markup:
         regular = joined(said("no", f"Not regular: p′ = 0 at s = {places}"), corrected(BOUNDED))
     else:
         regular = said("ok", "Regular: p′ ≠ 0 everywhere")
-    hint = "Notes 6.140–6.141; for any number of coordinates 6.11"
+    hint = "⟦Notes 6.140–6.141; for any number of coordinates 6.11⟧"
     formulas = tag("div.eq.small", "\u2003", mathml(KAPPA), "\u2003\u2003", mathml(TAU), title=hint)
     return joined(_facts(found, units), regular, fold("Formulas", formulas, corrected(TANGENT)))
 
@@ -146,5 +147,5 @@ def _blends(path: Overfly, units: Units) -> Markup:
         rows.append(line(number(float(time), 3), *cells, name=f"{k + 2}"))
     unit = units.length_unit
     heads = head_line("corner", "ΔT, s", f"d₁, {unit}", f"d₂, {unit}", f"|p̈|, {unit}/s²")
-    formulas = "ΔT = 2d₁/v₁ = 2d₂/v₂ (6.130–6.133), p̈ = (v₂k₂ − v₁k₁)/ΔT (6.120)."
+    formulas = "ΔT = 2d₁/v₁ = 2d₂/v₂⟦ (6.130–6.133)⟧, p̈ = (v₂k₂ − v₁k₁)/ΔT⟦ (6.120)⟧."
     return joined(tag("table.sc-table", heads, rows), tag("p.dim", formulas))

@@ -26,7 +26,7 @@ LETTERS = {r"\varphi": "φ", r"\theta": "θ", r"\psi": "ψ"}
 ONE_AXIS = r"R(t)=R_A\,R(r,\theta_{AB}\,s(t)),\quad R(r,\theta_{AB})=R_A^TR_B"
 THREE = r"\varphi(s)=\varphi_A+s\,(\varphi_B-\varphi_A),\ldots"
 
-CORRECTED = "Notes 6.152 write R(r, θ), 3.53 R(θ, r): the same matrix. “Starts from θ(t) = 0” means θ(0) = 0."
+CORRECTED = "⟦Notes 6.152 write R(r, θ), 3.53 R(θ, r): the same matrix. “Starts from θ(t) = 0” means θ(0) = 0.⟧"
 
 ABOUT = {"moving": "axes move", "fixed": "axes stay"}
 
@@ -121,8 +121,8 @@ def turn_numbers(form: Form, state: State) -> Markup:
 def turn_words() -> Markup:
     """Return the formulas and the legend of the drawing."""
     names = [tag("span", dot(css(colour)), f"tip of {axis}") for axis, colour in AXES.items()]
-    one_axis = tag("div", mathml(ONE_AXIS), title="Notes 6.151–6.155")
-    three = tag("div", mathml(THREE), title="Notes 6.150")
+    one_axis = tag("div", mathml(ONE_AXIS), title="⟦Notes 6.151–6.155⟧")
+    three = tag("div", mathml(THREE), title="⟦Notes 6.150⟧")
     return joined(
         tag("div.legend", names, tag("span", "— one axis"), tag("span", "- - three angles")),
         fold("Formulas", tag("div.eq.small", one_axis, three), corrected(CORRECTED)),

@@ -170,9 +170,9 @@ def _formulas() -> Inside:
     lines = [
         tag("div.eq.small", mathml(latex), title=hint)
         for latex, hint in (
-            (DIRECTION, "x from the first line to the second; lines as p + v t, notes 4.8 and 4.9"),
-            (LENGTH, "Notes, definition 6"),
-            (TWIST, "Notes, definition 7; right in all quadrants"),
+            (DIRECTION, "x from the first line to the second; lines as p + v t⟦, notes 4.8 and 4.9⟧"),
+            (LENGTH, "Distance of the lines along x⟦; notes, definition 6⟧"),
+            (TWIST, "Right in all quadrants⟦; notes, definition 7⟧"),
             (FOOT, "The foot on the first line; that on the second is found in the same way"),
         )
     ]

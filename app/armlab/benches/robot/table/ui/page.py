@@ -22,7 +22,7 @@ from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui, Html
 
-CONVENTIONS = {"standard": "Standard (Siciliano, notes)", "modified": "Modified (Craig)"}
+CONVENTIONS = {"standard": "Standard (Siciliano⟦, notes⟧)", "modified": "Modified (Craig)"}
 HINT = "Write the same arm in the other convention"
 BACK = "Restore the table of the file"
 TASK_CHANGED = "The task cannot be expressed in the axes of the new frame 0; it is now"

@@ -57,7 +57,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         motion.show(state)
         proof.show(state)
         chips = [examples.chip(name, name, TakePreset(name), hint) for name, (_, _, hint) in PRESETS.items()]
-        examples.show(tag("h3", "Examples of the notes"), tag("div.bar", chips))
+        examples.show(tag("h3", "Examples"), tag("div.bar", chips))
 
     return show
 

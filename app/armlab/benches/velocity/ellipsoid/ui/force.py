@@ -25,7 +25,7 @@ def force_axes(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
         rows.append(half_axis(f"1/{subscript('σ', i + 1)}", vector(found.axes[:, i]), force(block, half), share))
     aside = tag("small", mathml(HALF), ", the same directions")
     title = tag("h3", f"Half axes of {NAMES[block.key]}s ", aside)
-    return joined(title, tag("div.half.force", rows, title="Notes, section 5.4.1"))
+    return joined(title, tag("div.half.force", rows, title="⟦Notes, section 5.4.1⟧"))
 
 
 def force_verdict(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, str, str]:
@@ -55,7 +55,7 @@ def force_numbers(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
     drawn = f"Drawn: 1 {block.force_unit} is {trimmed(block.drawn_force, 6)} m"
     return joined(
         pairs([((mathml("1/w"), f" of {block.key}"), f"{shown} {unit}")]),
-        tag("div.eq.small", mathml(formula), title="Notes 5.164: the forces of torques of length 1"),
+        tag("div.eq.small", mathml(formula), title="The forces of torques of length 1⟦; notes 5.164⟧"),
         tag("p.dim", f"{torque_words(block)} {drawn}; what is too long or endless goes through as a line."),
     )
 

@@ -29,7 +29,7 @@ class Pictures:
     """Two pictures and the slider of the point."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
-        gui.heading("From joint speeds to velocities ", tag("small", mathml(MAP), ", 5.140-5.142"))
+        gui.heading("From joint speeds to velocities ", tag("small", mathml(MAP), "⟦, 5.140-5.142⟧"))
         self._pictures = gui.html()
         self._units = units_of(state)
         factor = self._units.factor(True)

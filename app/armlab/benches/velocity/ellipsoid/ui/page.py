@@ -64,7 +64,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         SHOWN,
         part.shown,
         lambda key: post(Set(Manipulability, "shown", key)),
-        "Both have the same axes; the half axes of one are the inverses of those of the other (5.4.1)",
+        "Both have the same axes; the half axes of one are the inverses of those of the other⟦ (5.4.1)⟧",
     )
     axes, card, numbers = gui.html(), gui.html(), gui.html()
     keep = gui.checkbox(
@@ -111,7 +111,7 @@ def _speeds(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
         share = 100.0 * value / largest
         rows.append(half_axis(subscript("σ", i + 1), vector(found.axes[:, i]), speed(block, value), share))
     title = tag("h3", "Half axes ", tag("small", "and their directions in the world, ", mathml("u_i")))
-    return joined(title, tag("div.half", rows, title="Singular values of J, notes 5.152"))
+    return joined(title, tag("div.half", rows, title="Singular values of J⟦, notes 5.152⟧"))
 
 
 def _cards(part: Manipulability, found: PlacedEllipsoid) -> Inside:
@@ -139,7 +139,7 @@ def _measures(block: VelocityBlock, found: PlacedEllipsoid, units: Units) -> Mar
         ("condition", number(shape.condition, 2) if shape.condition < 1e4 else "∞" if found.lost else "over 10⁴"),
     ]
     told = f"{scaling_words(block, units)} Drawn: 1 {block.unit} is {trimmed(block.drawn, 6)} m."
-    hint = "Notes 5.142-5.144: the ellipsoid of joint speeds of length 1"
+    hint = "The ellipsoid of joint speeds of length 1⟦; notes 5.142-5.144⟧"
     return joined(pairs(rows), tag("div.eq.small", mathml(volume(block)), title=hint), tag("p.dim", told))
 
 

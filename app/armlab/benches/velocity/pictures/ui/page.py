@@ -59,7 +59,7 @@ class PicturesPage:
             self._map.show(verdict_box("todo", "Not for this arm", why), arms_markup(self._map, state))
             return
         units, found = self._units, flat(state)
-        aside = tag("small", "(1.18–1.24); rows of J, not columns")
+        aside = tag("small", "⟦1.18–1.24; ⟧rows of J, not columns")
         title = tag("h3", "Two lines ", mathml(r"J\dot q=v"), " ", aside)
         self._lines.show(title, lines_svg(state, found, units), lines_words(state, found, units))
         place = square(state)
@@ -104,7 +104,7 @@ def head_markup(form: Form, state: State, units: Units) -> Markup | None:
 def maps_markup(form: Form, state: State, found: Square, units: Units) -> Markup:
     """Return the torus, if both joints turn, and the square."""
     said = "singular everywhere" if found.always else "red: det J = 0"
-    press = tag("small", f"{said}; drag in it to move the arm (5.44–5.46)")
+    press = tag("small", f"{said}; drag in it to move the arm⟦ (5.44–5.46)⟧")
     drawn = square_markup(form.place("square", _in_square, drag=True), state, found, units)
     if not state[Joints].arm.revolute[list(state[Solve].pair)].all():
         return joined(tag("h3", "Joint space ", press), drawn)
@@ -141,7 +141,7 @@ def norm_markup(state: State, units: Units) -> Markup:
         f"Here det J = {small(found.determinant)} m², smallest σ : largest σ = {small(ratio)}. The ratio tells how "
         "near a singularity is; det J alone does not, it changes with the unit of length."
     )
-    aside = tag("small", f"while {second} goes through its range (1.20–1.24)")
+    aside = tag("small", f"while {second} goes through its range⟦ (1.20–1.24)⟧")
     return joined(tag("h3", "‖q̇‖ against det J ", aside), norm_svg(curve, here, units), tag("p.dim", said))
 
 

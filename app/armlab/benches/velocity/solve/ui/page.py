@@ -124,7 +124,7 @@ def svd_markup(solved: Found) -> Markup:
         for name, values in (("U", spaces.U), (r"\Sigma", sigma), ("V", spaces.V))
     ]
     m, n = solved.J.shape
-    said = f"U is {m} × {m}, Σ {m} × {n}, V {n} × {n} (definition 11 has U and V exchanged)."
+    said = f"U is {m} × {m}, Σ {m} × {n}, V {n} × {n}⟦ (definition 11 has U and V exchanged)⟧."
     said += " J̄ is J with metres and joint speeds scaled as said above." if solved.is_scaled else ""
     return joined(tag("div.eq.small", written), parts, tag("p.dim", said))
 
@@ -142,7 +142,9 @@ def spaces_markup(solved: Found) -> Markup:
         inside = _scrolled(basis) if basis.shape[1] else tag("p.dim", "only zero")
         aside = tag("small", f"{what}; dimension {basis.shape[1]}")
         parts.append((tag("h3", mathml(name), " ", aside), inside))
-    said = "Columns, in m/s and rad/s (5.72–5.78). Forbidden is every v with a part in N(Jᵀ), not only what lies in it."
+    said = (
+        "Columns, in m/s and rad/s⟦ (5.72–5.78)⟧. Forbidden is every v with a part in N(Jᵀ), not only what lies in it."
+    )
     return joined(parts, tag("p.dim", said))
 
 

@@ -109,7 +109,7 @@ def speeds_markup(found: Found, units: Units) -> Markup:
         speed = tag(kind, speed_text(float(qdot[i]), bool(arm.revolute[i]), units), title=hint)
         bars.append((name, _bar(float(qdot[i] / scale[i]), i), speed))
     limits = "Bars: parts of the speed limits." if np.isfinite(arm.speed_limits).any() else ""
-    aside = tag("small", "the shortest that comes nearest (5.123, 5.128)")
+    aside = tag("small", "the shortest that comes nearest⟦ (5.123, 5.128)⟧")
     return joined(
         tag("h3", "q̇ = J", tag("sup", "#"), "v ", aside),
         tag("div.so-bars", bars),
@@ -154,7 +154,7 @@ def null_markup(found: Found, units: Units) -> Markup | None:
     return joined(
         tag("h3", "Null space N(J) ", tag("small", f"{what}; J q̇ = 0")),
         columns,
-        tag("p.dim", f"Times any factor, added to q̇: the tool moves the same (5.132–5.138).{mixed}"),
+        tag("p.dim", f"Times any factor, added to q̇: the tool moves the same⟦ (5.132–5.138)⟧.{mixed}"),
     )
 
 
@@ -206,7 +206,7 @@ def _formula(found: Found) -> Markup | None:
     first, *rest = formula.minors[0].latex.split(r"\,\left(")
     parts = [rf"\det J={first}", *(rf"\left({factor}" for factor in rest)]
     written = joined(map(mathml, parts), between=" ")
-    return tag("div.eq.small.so-det", written, title="Notes 5.84-5.91; the same in any axes")
+    return tag("div.eq.small.so-det", written, title="The same in any axes⟦; notes 5.84-5.91⟧")
 
 
 def _product(found: Found) -> tuple[Markup, str]:
@@ -277,7 +277,7 @@ def _minors(found: Found, symbolic: bool) -> Markup | None:
         name, value = ", ".join(map(str, minor.chosen)), f"{small(minor.value)}{_power(_metres(found, minor.chosen))}"
         lines.append(line(formulas.get(minor.chosen), value, name=name))
     more = f", the {MOST_LISTED} largest" if tests.count > MOST_LISTED else ""
-    aside = f"{tests.count} choices of {what}{more}; singular where all are 0 (5.92–5.98)"
+    aside = f"{tests.count} choices of {what}{more}; singular where all are 0⟦ (5.92–5.98)⟧"
     return joined(tag("h3", "Minors ", tag("small", aside)), tag("table.so-table.so-minors", lines))
 
 
@@ -322,7 +322,7 @@ def penrose_markup(found: Found) -> Markup:
         said += " J̄ is J with metres and joint speeds scaled as said above."
     residuals = [scientific(value, 1) if value > 1e-16 else "0" for value in differences]
     rows = list(zip(map(mathml, names), residuals, strict=True))
-    return joined(pairs(rows), tag("p.dim", f"Largest entries (definition 10). {said}"))
+    return joined(pairs(rows), tag("p.dim", f"Largest entries⟦ (definition 10)⟧. {said}"))
 
 
 def legend() -> Markup:

@@ -33,10 +33,10 @@ Floats = NDArray[np.float64]
 
 ROWS = tuple(with_indices(f"{letter}_{axis}") for letter in ("v", "ω") for axis in "xyz")
 
-JERK = "Notes 5.69 prints J q̈ + 2 J̇ q̇ + J̈ q, one derivative short in each term: corrected. 5.71 lacks the dot of J̇."
+JERK = "⟦Notes 5.69 prints J q̈ + 2 J̇ q̇ + J̈ q, one derivative short in each term: corrected. 5.71 lacks the dot of J̇.⟧"
 OMEGA = (
-    "All points of the link have this one ω. Notes 5.8 concludes it from two points; it takes a third one off their "
-    "line."
+    "All points of the link have this one ω.⟦ Notes 5.8 concludes it from two points; it takes a third one off their "
+    "line.⟧"
 )
 
 
@@ -132,7 +132,7 @@ def higher_markup(state: State) -> Markup:
     return joined(
         tag("table.ve-table", head_line(None, *"xyzxyz"), rows),
         tag("p.dim", _bends(found, units)),
-        tag("div.eq.small", mathml(FORMULA), title="Notes 5.67-5.69"),
+        tag("div.eq.small", mathml(FORMULA), title="⟦Notes 5.67-5.69⟧"),
         tag("p.dim", JERK),
     )
 

@@ -49,13 +49,13 @@ def _column(arm: Arm, moving: Moving, j: int, units: Units) -> str:
     if not arm.revolute[j]:
         return (
             f"Column {j + 1} is ({z}; 0): with {_speed(arm, j)} alone the tool moves along {z} at 1 m/s and does not "
-            "turn (5.57–5.58)."
+            "turn⟦ (5.57–5.58)⟧."
         )
     lever = f"({z} × p; {z}), p from the joint to the tool"
     if linear < 1e-9 * arm.length_scale:
-        return f"Column {j + 1} is {lever} (5.64–5.65). The tool is on the axis: its linear half is 0."
+        return f"Column {j + 1} is {lever}⟦ (5.64–5.65)⟧. The tool is on the axis: its linear half is 0."
     return (
-        f"Column {j + 1} is {lever} (5.64–5.65): with {_speed(arm, j)} alone the tool runs across the lever at "
+        f"Column {j + 1} is {lever}⟦ (5.64–5.65)⟧: with {_speed(arm, j)} alone the tool runs across the lever at "
         f"{units.text(linear, False)} {units.length_unit}/s, its distance from the axis times 1 rad/s."
     )
 

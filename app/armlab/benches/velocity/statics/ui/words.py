@@ -54,7 +54,7 @@ def torques_markup(state: State) -> Markup:
         left, colour = 50.0 + min(share, 0.0), css(joint_colour(i))
         bar = tag("u", style=f"--left:{left:.1f}%;--width:{abs(share):.1f}%;--c:{colour}")
         rows.append((tag("span", dot(colour), subscript("τ", i + 1)), bar, shown, tag("i", unit)))
-    title = tag("h3", "Torques ", tag("small", mathml(LAW), ", notes 5.163"))
+    title = tag("h3", "Torques ", tag("small", mathml(LAW), "⟦, notes 5.163⟧"))
     scale = f"Full bar and full arc: {trimmed(full, 6)} N m." if full else ""
     if full and not arm.revolute.all():
         scale += f" Sliding joints: {trimmed(part.full_force or full, 6)} N."
@@ -111,7 +111,7 @@ def work_markup(form: Form, state: State) -> Markup:
         ("difference", f"{'✓ ' if same else '✕ '}{scientific(MILLI * apart)} mJ"),
     ]
     again = form.button("displacement", "Another δq", DrawDisplacement(), "chip", "Draw another virtual displacement")
-    head = "Virtual work ", tag("small", "notes 5.160")
+    head = "Virtual work ", tag("small", "⟦notes 5.160⟧")
     return fold(head, tag("p.dim", f"δq = ({moved})"), pairs(rows), tag("div.bar", again))
 
 

@@ -41,12 +41,13 @@ NEAR = 0.1
 OMEGA, RDOT, DOTTED = r"\omega=T\dot{\phi}", r"\dot{R}R^T", r"\dot{%s}"
 
 T_MATRIX = (
-    "Notes 5.43 calls T “the roll pitch yaw matrix”: it is no rotation. Its columns are the axes of the three turns "
-    "where they stand at present, and φ̇ is not ω."
+    "T is not a rotation matrix⟦, although notes 5.43 call it “the roll pitch yaw matrix”⟧. Its columns are the "
+    "present "
+    "axes of the three rotations, and φ̇ is not ω."
 )
 
 ANALYTIC = r"J_\phi=T^{-1}J_A"
-RATES = joined("Notes 5.51 multiplies J", tag("sub", "r"), " by (q̇₁, q̇₂, φ̇): φ̇ = q̇₁ + q̇₂ is what comes out of it.")
+RATES = joined("⟦Notes 5.51 multiplies J", tag("sub", "r"), " by (q̇₁, q̇₂, φ̇): φ̇ = q̇₁ + q̇₂ is what comes out of it.⟧")
 
 EN_SPACE = "\N{EN SPACE}"
 """Space between the components of a vector."""
@@ -54,9 +55,7 @@ EN_SPACE = "\N{EN SPACE}"
 WIDE = 5
 """Largest number of columns with usual spacing; more are set closer."""
 
-ORDERS = (
-    "The notes (before 5.27) speak of 12 products; three turns have 3! = 6 orders, equal only to first order in dφ."
-)
+ORDERS = "Three rotations have 3! = 6 orders, equal only to first order in dφ⟦; the notes (before 5.27) speak of 12⟧."
 
 
 def form_markup(form: Form, state: State) -> Markup:
@@ -105,7 +104,7 @@ def columns_markup(state: State) -> Markup:
     """Return T in symbols."""
     part = state[Turning]
     columns = r"\;|\;".join(columns_latex(part.axes, part.fixed))
-    return tag("div.eq.small", mathml(f"T=[{columns}]"), title="Notes 5.42-5.43")
+    return tag("div.eq.small", mathml(f"T=[{columns}]"), title="⟦Notes 5.42-5.43⟧")
 
 
 def rates_markup(state: State) -> Markup:
@@ -150,7 +149,7 @@ def _verdict(part: Turning, determinant: float, lost: Floats) -> Markup:
 def tool_markup(state: State) -> Markup:
     """Return the analytic Jacobian of the tool's angles, and the rates that the chosen joint speeds cause."""
     part, units, found = state[Turning], units_of(state), state.derived(tool_angles_of)
-    head = "Analytic Jacobian of the tool ", tag("small", mathml(ANALYTIC), " 5.47–5.51")
+    head = "Analytic Jacobian of the tool ", tag("small", mathml(ANALYTIC), "⟦ 5.47–5.51⟧")
     rows: list[tuple[Inside, Inside]] = [(f"φ of the tool, {units.angle_unit}", _three(found.angles, units))]
     if found.J is None or found.rates is None:
         told = f"{capitalised(singular_sentence(part.axes))}."
@@ -181,8 +180,8 @@ def laws_markup(state: State) -> Markup:
     ]
     same = bool(np.allclose(law_integral(end, 0), law_integral(end, 1))) and apart > SEEN
     why = (
-        "The integral of ω is no orientation: the order of the turns counts (notes 5.19–5.21). "
-        "The sum of two shifts does not know their order."
+        "The integral of ω is no orientation: the order of the turns counts⟦ (notes 5.19–5.21)⟧. "
+        "The sum of two translations does not depend on their order."
     )
     verdict = verdict_box("warn", "Same integral, other orientation", why) if same else None
     title = tag("h3", f"Orientations after {number(end, 2)} s ", tag("small", "starting from I"))
@@ -197,7 +196,7 @@ def small_markup() -> Markup:
         lines.append(line(f"{each.size:g}", scientific(each.apart, 2), scientific(each.from_sum, 2), ratio))
     said = "Largest difference of an entry, of turns by dφ about x, y and z. A tenth of dφ leaves a hundredth."
     return joined(
-        tag("h3", "Small turns commute ", tag("small", "5.22–5.27")),
+        tag("h3", "Small turns commute ", tag("small", "⟦5.22–5.27⟧")),
         tag("table.kit-table", head_line("dφ, rad", "two orders", "from I + S(dφ)", "/ dφ²"), lines),
         tag("p.dim", f"{said} {ORDERS}"),
     )

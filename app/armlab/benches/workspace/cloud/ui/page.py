@@ -191,7 +191,7 @@ def told_markup(
         about = (
             "Random configurations inside the joint limits, each with the place of its tool: the reachable workspace "
         )
-        return tag("p.dim", about, "WS", tag("sub", "1"), " (4.17).")
+        return tag("p.dim", about, "WS", tag("sub", "1"), "⟦ (4.17)⟧.")
     saves = [form.chip(kind, f"Save {kind.upper()}", partial(save, kind), hint) for kind, hint in SAVED.items()]
     coloured = None if drawing(state) == "surface" and part.section is not None else scale(found)
     waits = asks_for_boundary(part, state[Joints].arm)

@@ -41,10 +41,10 @@ COLOURS: dict[str, Rgb] = {
 WAYS = {1: "→", -1: "←"}
 
 NOTES_DIFFER = {
-    3: "“Not all orientations”: the notes say so of WS₁ \\ {∂WS₁ + ∂WS₂} (after 4.40), which still holds the inside of "
-    "WS₂; it is so in WS₁ \\ (∂WS₁ ∪ WS₂).",
-    2: "“Two orientations”: the notes say so of all of WS₁ \\ ∂WS₁; with l₁ = l₂ the origin, which is inside, is the "
-    "exception.",
+    3: "⟦“Not all orientations”: the notes say so of WS₁ \\ {∂WS₁ + ∂WS₂} (after 4.40), which still holds the inside "
+    "of WS₂; it is so in WS₁ \\ (∂WS₁ ∪ WS₂).⟧",
+    2: "⟦“Two orientations”: the notes say so of all of WS₁ \\ ∂WS₁; with l₁ = l₂ the origin, which is inside, is the "
+    "exception.⟧",
 }
 
 
@@ -151,7 +151,8 @@ def planar_words(state: State, units: Units) -> Inside:
     ]
     differs = None
     if len(lengths) == 3 or space.dexterous:
-        differs = tag("details", tag("summary", "Where the notes differ"), tag("p.dim", NOTES_DIFFER[len(lengths)]))
+        text = tag("p.dim", NOTES_DIFFER[len(lengths)])
+        differs = tag("details", tag("summary", "⟦Where the notes differ⟧"), text)
     return pairs(rows), None if turns_fully(state[Joints].arm) else WITHOUT_LIMITS, differs
 
 
@@ -307,7 +308,7 @@ def definition() -> Markup:
     """Return the definition of the dexterous workspace."""
     two, one = ("WS", tag("sub", "2")), ("WS", tag("sub", "1"))
     return tag(
-        "p.dim", two, ": the points of ", one, " that the tool reaches in ", tag("b", "every"), " orientation (4.21)."
+        "p.dim", two, ": the points of ", one, " that the tool reaches in ", tag("b", "every"), " orientation⟦ (4.21)⟧."
     )
 
 

@@ -1,0 +1,72 @@
+"""What only those see who have the course notes: off at first, and nothing of it is left where it is off."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+import armlab
+from armlab.content.notes import for_reader
+from armlab.session.parts.notation import Notation
+from support.student import run, student
+
+BENCHES = Path(armlab.__file__).parent / "benches"
+REFERENCE = re.compile(r"\b[Nn]otes,? (\d|definition|section)|\(\d\.\d{2,3}[–)]|\bthe notes\b(?! are)")
+"""An equation number, or a word on what the notes say."""
+
+ELSEWHERE = ("lessons", "help")
+"""Tabs where "notes" may be meant in another way."""
+
+
+def literals(path):
+    """Yield line and text of each text of a file that is no docstring."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    alone = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in alone:
+            yield node.lineno, node.value
+
+
+@pytest.mark.parametrize(
+    ("text", "without", "whole"),
+    [
+        ("no marks", "no marks", "no marks"),
+        ("a force⟦ (5.163)⟧, b⟦ (5.1)⟧", "a force, b", "a force (5.163), b (5.1)"),
+        ('<div title="⟦Notes 5.152⟧">x</div>', "<div>x</div>", '<div title="Notes 5.152">x</div>'),
+        ('<p class="dim">⟦Notes\nsay⟧</p>y', "y", '<p class="dim">Notes\nsay</p>y'),
+        ("⟦unpaired", "⟦unpaired", "⟦unpaired"),
+    ],
+)
+def test_what_is_marked_is_left_out_or_loses_its_marks(text, without, whole):
+    assert (for_reader(text), for_reader(text, has_notes=True)) == (without, whole)
+
+
+def test_every_reference_in_a_panel_is_marked():
+    found = [
+        f"{path.relative_to(BENCHES)}:{line}: {text}"
+        for path in sorted(BENCHES.rglob("*.py"))
+        if path.relative_to(BENCHES).parts[0] not in ELSEWHERE
+        for line, text in literals(path)
+        if REFERENCE.search(re.sub("⟦.*?(⟧|$)", "", text, flags=re.DOTALL))
+    ]
+    assert not found, "\n".join(found)
+
+
+def test_the_switch_shows_and_hides_them(url):
+    async def main():
+        browser = await student(url, path="/robot/planar_2r")
+        await browser.open("statics")
+        await browser.until(lambda: "Virtual work" in browser.html())
+        assert "notes 5.160" not in browser.html()
+        assert "⟦" not in browser.html()
+        await browser.open("statics", "picture")
+        await browser.press("on")
+        await browser.until(lambda: "notes 5.160" in browser.html())
+        assert "⟦" not in browser.html()
+        await browser.press("off")
+        await browser.until(lambda: "notes 5.160" not in browser.html())
+        await browser.close()
+
+    assert Notation().notes == "off"
+    run(main())
