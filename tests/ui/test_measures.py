@@ -89,7 +89,7 @@ def test_arms_whose_joints_are_of_one_kind_are_not_scaled():
     assert ellipsoid.scaling_words(slides, METRES) == "For joint speeds with √(Σ q̇ᵢ²) ≤ 1 m/s."
     assert ellipsoid.volume_unit(slides, 3) == ""
     assert ellipsoid.scaling_words(block_of("puma560"), METRES) == "For joint speeds with √(Σ q̇ᵢ²) ≤ 1 rad/s."
-    assert "slide and turn" in ellipsoid.scaling_words(block_of("cylindrical_rpp"), METRES)
+    assert "Revolute and prismatic joints" in ellipsoid.scaling_words(block_of("cylindrical_rpp"), METRES)
 
 
 def test_the_card_names_the_directions_and_the_ratio():
