@@ -192,7 +192,7 @@ def test_a_size_and_a_damping_have_units():
 def test_where_wish_and_reached_meet_they_have_one_name():
     wish = np.array([0.8, 0.0, 0.0, 0.0, 0.6, 0.0])
     assert names_of(wish, wish) == (("wanted, reached", "ω wanted, reached"), ("", ""))
-    assert names_of(wish, 0.5 * wish) == (("wish", "ω wanted"), ("reached", "ω reached"))
+    assert names_of(wish, 0.5 * wish) == (("wanted", "ω wanted"), ("reached", "ω reached"))
     assert names_of(wish, np.array([0.8, 0, 0, 0, 0, 0])) == (("wanted, reached", "ω wanted"), ("", "ω reached"))
     still = np.zeros(6)
     assert names_of(np.array([0.01, 0, 0, 1.0, 0, 0]), still)[1] == ("reached", "ω reached")

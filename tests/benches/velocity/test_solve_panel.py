@@ -263,7 +263,7 @@ def test_the_page_solves_moves_and_refuses(url):
         await browser.press("spaces")
         await browser.until(lambda: "dimension 1" in browser.html())
         await browser.press("penrose")
-        await browser.until(lambda: "definition 10" in browser.html())
+        await browser.until(lambda: "Largest entries" in browser.html())
         await browser.press("example", "redundant_3r")
         await browser.until(lambda: "Self-motion, closed" in browser.html())
         before = [browser.nodes[name]["wxyz"] for name in arm_nodes(browser)]

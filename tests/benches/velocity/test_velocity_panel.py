@@ -264,7 +264,7 @@ def test_the_page_of_turning(url):
     async def main():
         browser = await student(url)
         await browser.open("turning")
-        await says(browser, "Notes 5.43 calls T")
+        await says(browser, "T is not a rotation matrix")
         await browser.press("axes", "zyz")
         await browser.press("about moving")
         await says(browser, "of a spherical wrist")

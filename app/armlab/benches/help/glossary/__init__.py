@@ -10,6 +10,5 @@ PAGE = Page(
     "VOCABULARY",
     91,
     tab="help",
-    about=("terms", "definitions", "meaning", *(name for term in TERMS for name in (term.name, *term.others))),
-    always=True,
+    about=("terms", "definitions", "meaning", *(f"what {name} means" for t in TERMS for name in (t.name, *t.others))),
 )
