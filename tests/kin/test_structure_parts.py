@@ -98,8 +98,8 @@ def test_a_scara_with_two_turns_more_is_not_called_general():
     rows = [(R, 0.4, 0, 0.1, 0), (R, 0.3, 0, 0.2, 0), (P, 0, 0, 0.2, 0), (R, 0, H, 0, 0)]
     structure = structure_of(Arm.from_dh([*rows, (R, 0.1, H, 0.1, 0), (R, 0.1, 0, 0.1, 0)]))
     assert structure.why == (
-        "Joints 1, 2 and 4 are a planar 3R and joint 3 slides at a right angle to its plane: the other joints separate "
-        "from it."
+        "Joints 1, 2 and 4 form a planar 3R and joint 3 slides at a right angle to its plane: the other joints "
+        "separate from it."
     )
 
 

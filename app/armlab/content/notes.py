@@ -1,4 +1,4 @@
-"""What is said only to those who have the course notes: equation numbers and errata, between ⟦ and ⟧ in a text."""
+"""Parts of a text for those who have the course notes: equation numbers and errata, between ⟦ and ⟧."""
 
 from __future__ import annotations
 
