@@ -1,6 +1,8 @@
 """From an event of the handle to the new pose, for 1 to 60 students dragging at once at 20 events a second."""
 
 import asyncio
+import html
+import json
 import time
 from collections.abc import Awaitable, Callable, Iterator
 
@@ -22,6 +24,9 @@ EVENTS = int(RATE * SECONDS)
 LAST = sized(0.5, 0.1)
 """Seconds for the last answers."""
 
+Prepare = Callable[[FakeBrowser], Awaitable[None]]
+"""What a student does before the drag."""
+
 SETTLING = sized(3.0, 0.2)
 """Seconds until every server has done what it does once, after its start and for new pages."""
 
@@ -30,17 +35,23 @@ def measure() -> Iterator[str]:
     yield "| students | server | p50 | p95 | p95 ÷ bare viser | processor time |"
     yield "| --- | --- | --- | --- | --- | --- |"
     points, angles = script()
-    kinds = {
-        "bare viser": (servers.bare, lambda _browser: by_echo(points)),
-        "Armlab, one process": (servers.lab, lambda browser: by_first_joint(browser, angles)),
-        f"Armlab, front and {LABS} labs": (lambda: servers.lab(LABS), lambda browser: by_first_joint(browser, angles)),
+    joint = lambda browser: by_first_joint(browser, angles)  # noqa: E731
+    every: dict[str, tuple[Callable, Callable, Prepare | None]] = {
+        "bare viser": (servers.bare, lambda _browser: by_echo(points), None),
+        "Armlab, one process": (servers.lab, joint, None),
+        f"Armlab, front and {LABS} labs": (lambda: servers.lab(LABS), joint, None),
+    }
+    alone = {
+        "Armlab, its page of plots open": (servers.lab, joint, open_plots),
+        "Armlab, its plots in the tray": (servers.lab, joint, open_tray),
     }
     for count in CLASSES:
+        kinds = {**every, **(alone if count == 1 else {})}
         found: dict[str, tuple[list[float], list[float]]] = {name: ([], []) for name in kinds}
         for _ in range(ROUNDS):
-            for name, (start, reader) in kinds.items():
+            for name, (start, reader, prepare) in kinds.items():
                 with start() as server:
-                    latencies, load = asyncio.run(drive(server, count, points, reader))
+                    latencies, load = asyncio.run(drive(server, count, points, reader, prepare))
                 found[name][0].extend(latencies)
                 found[name][1].append(load)
         judge = quantile(found["bare viser"][0], 0.95)
@@ -48,6 +59,27 @@ def measure() -> Iterator[str]:
             p50, p95 = quantile(latencies, 0.5), quantile(latencies, 0.95)
             times = f"{p50 * 1e3:.1f} ms | {p95 * 1e3:.1f} ms | {p95 / judge:.2f}"
             yield f"| {count} | {name} | {times} | {100 * np.median(loads):.0f} % |"
+
+
+PLOTS = "ellipsoid"
+"""A page whose plots follow the arm: their cursors at every step, their curves when the arm rests."""
+
+
+async def open_plots(browser: FakeBrowser) -> None:
+    """Open the page of plots."""
+    await browser.open(PLOTS)
+    await browser.until(lambda: "data-cursor" in browser.html())
+
+
+async def open_tray(browser: FakeBrowser) -> None:
+    """Open the page of plots and show two of them large, with the points of a screen."""
+    await open_plots(browser)
+    await browser.press("large")
+    await browser.until(lambda: "data-tray=" in browser.html())
+    head = json.loads(html.unescape(browser.html().split('data-tray="', 1)[1].split('"', 1)[0]))
+    look = {"keys": [plot["key"] for plot in head["plots"][:2]], "points": 900}
+    await browser.press_on(head["chan"], "look", json.dumps(look))
+    await browser.until(lambda: browser.html().count("data-numbers=") == 2)
 
 
 def script() -> tuple[np.ndarray, np.ndarray]:
@@ -110,7 +142,7 @@ async def drive(
     count: int,
     points: np.ndarray,
     reader: Callable,
-    prepare: Callable[[FakeBrowser], Awaitable[None]] | None = None,
+    prepare: Prepare | None = None,
 ) -> tuple[list[float], float]:
     """Return the latencies of all students' events and the share of a processor the server used."""
     browsers = [server.browser() for _ in range(count)]

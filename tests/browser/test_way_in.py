@@ -9,6 +9,7 @@ from armlab.content.lessons import lessons
 from armlab.content.robots import catalogue
 from armlab.session.parts.welcome import STOPS
 from armlab.ui.figure.drawn import Gallery
+from support.hand import Hand
 from support.patience import WAIT
 
 pytestmark = pytest.mark.browser
@@ -46,17 +47,6 @@ def focus(lab):
 
 def is_open(lab):
     return lab.page.locator(".al-dialog").count() > 0
-
-
-class Clicks:
-    """Counts what is pressed by hand; typing is no click."""
-
-    def __init__(self, lab):
-        self.lab, self.count = lab, 0
-
-    def on(self, cell):
-        self.count += 1
-        self.lab.press(cell)
 
 
 # -- choosing --------------------------------------------------------------------------------------------------------
@@ -146,7 +136,7 @@ def test_the_dialog_fits_into_the_window_and_shows_a_picture_of_each_arm(visit, 
 def test_an_arm_of_four_joints_takes_eight_clicks_at_most(visit):
     """A turning base, shoulder and elbow, and a slide, from a fresh start; what is typed is no click."""
     lab = visit()
-    hand = Clicks(lab)
+    hand = Hand(lab)
     hand.on("arms")
     hand.on("arms-new")
     hand.on("new-add")
@@ -162,7 +152,7 @@ def test_an_arm_of_four_joints_takes_eight_clicks_at_most(visit):
     hand.on("new-make")
     lab.until(lambda: arm_name(lab) == "My arm")
     lab.ready()
-    assert hand.count <= 8
+    assert hand.clicks <= 8
     assert sum("/arm/" in name and name.endswith("/body") for name in lab.nodes()) == 5
     lab.open_tab("table")
     values = lab.page.locator("table.dh.edit input.field").evaluate_all("all => all.map(e => e.value)")

@@ -14,7 +14,8 @@ from armlab.session.state import Command
 from armlab.ui.colours import VERDICT, css
 from armlab.ui.curve import Curve as Curve
 from armlab.ui.format import dot
-from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.html import Inside, tag
+from armlab.ui.large import large_button
 from armlab.ui.tray_picture import Drawn, Level, Picture
 
 if TYPE_CHECKING:
@@ -26,13 +27,6 @@ MOST_POINTS = 500
 
 NOTHING = 1e-9
 """Largest absolute value of a curve that is shown as zero, because it consists of rounding errors."""
-
-LARGE_KEY = "KeyX"
-"""The key that shows the plots of the open page large; see `armlab.js`."""
-
-_LARGE: Markup = tag(
-    "svg", tag("path", d="M7 2H2v5M9 14h5V9M2 2l4.5 4.5M14 14L9.5 9.5"), viewBox="0 0 16 16", aria_hidden="true"
-)
 
 TIME = "time"
 """Value for a cursor that follows the timeline."""
@@ -120,9 +114,7 @@ class Plot:
     def name(self, title: Inside) -> None:
         """Set the heading of the plot: the quantity and its unit."""
         self.title = title
-        large = self._head.button(
-            "large", _LARGE, self._enlarge, "copy", "Large, below the scene (X)", "Enlarge", data_key=LARGE_KEY
-        )
+        large = large_button(self._head, self._enlarge)
         save = self._head.button("csv", "CSV", self._saved, "copy", "Save the curves as a table")
         self._head.show(tag("h3", title, tag("span.copies", large, save)), self._legend)
 

@@ -65,14 +65,16 @@ class _Noted:
 class RunPlot(Plot):
     """A plot with a curve for each present run, for any number of them."""
 
-    def __init__(self, gui: Gui, title: Inside, file: str, values: Values, from_zero: bool = False) -> None:
+    def __init__(
+        self, gui: Gui, title: Inside, file: str, values: Values, from_zero: bool = False, clip: str = ""
+    ) -> None:
         self.values, self._zero = values, from_zero
         self._noted = _Noted(gui)
         self._there: tuple[int, ...] = ()
         curves = [Curve(f"run {i + 1}", colour) for i, colour in enumerate(RUN_COLOURS)]
         # The list of runs above is the legend; the plot's own would name runs that are not there.
         self._title = title
-        super().__init__(cast(Gui, self._noted), self._heading(""), "", curves, file, height=HEIGHT)
+        super().__init__(cast(Gui, self._noted), self._heading(""), "", curves, file, height=HEIGHT, clip=clip)
 
     def _heading(self, unit: str) -> Markup:
         return tag("span.kit-plot", self._title, f", {unit}" if unit else None)

@@ -129,6 +129,8 @@ class Tab:
     def _show_again(self) -> None:
         if self._shown is not None:
             self.show(self._shown, again=True)
+            if self._gui.tray is not None:
+                self._gui.tray.follow()
 
     def _cover(self, page: Page, state: State) -> bool:
         """Show a sentence instead of a page that would show the answer to a prediction."""

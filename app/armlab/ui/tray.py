@@ -98,6 +98,11 @@ class Tray:
         self._page, self._wanted = page, plot
         self._again()
 
+    def follow(self) -> None:
+        """Show what a page has changed by itself, which is in no state."""
+        if self._page:
+            self._again()
+
     def show(self, opened: Mapping[str, Sequence[Enlarged]]) -> None:
         """Show what has changed.
 

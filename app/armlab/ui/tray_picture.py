@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,7 +70,9 @@ class Picture:
     log : bool
         Whether the abscissa is logarithmic.
     square : bool
-        Whether both axes have the same scale.
+        Whether both axes have the same scale, and curves may go to and fro.
+    y : str
+        Name of the ordinate where the curves do not name it.
     """
 
     title: Inside
@@ -82,6 +84,15 @@ class Picture:
     up: Range | None = None
     log: bool = False
     square: bool = False
+    y: str = ""
+
+    def with_names(self, names: Mapping[str, str]) -> Self:
+        """Return the picture with other names of some curves, by the names they have."""
+        drawn = [
+            replace(each, curve=replace(each.curve, name=names.get(each.curve.name, each.curve.name)))
+            for each in self.drawn
+        ]
+        return replace(self, drawn=drawn)
 
     def described(self, most: int) -> tuple[dict[str, Any], str]:
         """Return the picture for the page: all but the points, and the points as base64 of 32-bit floats.
@@ -108,6 +119,7 @@ class Picture:
             "up": self.up,
             "log": self.log,
             "square": self.square,
+            "y": self.y,
         }
         return found, base64.b64encode(numbers.astype("<f4").tobytes()).decode()
 

@@ -41,6 +41,10 @@
     range.dispatchEvent(new Event('input', { bubbles: true }));
   };
   const asks = {
+    // What a hand points at is read in all plots with the same abscissa.
+    point: (plot, at) => {
+      for (const each of plots.values()) if (each === plot || each.picture?.x === plot.picture.x) each.point(at);
+    },
     canScrub: plot => clipOf(plot.key) !== '',
     scrub: (plot, at, done) => {
       scrubbed = !done;
@@ -62,7 +66,7 @@
     tray.ariaLabel = 'Plots';
     tray.innerHTML = '<div class="tray-grip" role="separator" tabindex="0" aria-orientation="horizontal" aria-label="Height of the plots"></div>'
       + '<div class="tray-bar"><div class="tray-chips" role="group" aria-label="Plots shown"></div>'
-      + '<button type="button" data-tray="full" title="The plots in place of the scene">⤢ Full view</button>'
+      + '<span class="tray-hint"></span><button type="button" data-tray="full" title="The plots in place of the scene">⤢ Full view</button>'
       + '<button type="button" data-tray="close" aria-label="Close the plots" title="Close (X or Esc)">✕</button></div>'
       + '<div class="tray-plots"></div>';
     [grip, chips, body] = ['.tray-grip', '.tray-chips', '.tray-plots'].map(each => tray.querySelector(each));
@@ -156,6 +160,8 @@
       body.replaceChildren(...boxes);
       read(); // what has come already
     }
+    const timed = shown.some(key => clipOf(key) !== '');
+    tray.querySelector('.tray-hint').textContent = timed ? 'Drag: move the arm. Shift + drag, wheel: zoom' : 'Drag, wheel: zoom';
     if (!keys.length) body.textContent = 'There is nothing to plot at present.';
     lay();
     look();

@@ -30,7 +30,7 @@
       .replace('e+', 'e').replaceAll('-', '−');
     const decimals = Math.max(0, Math.min(8, -Math.floor(Math.log10(step) + 1e-9)));
     const more = decimals < 8 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6 ? 1 : 0;
-    return value.toFixed(decimals + more).replace('-', '−');
+    return value.toFixed(decimals + more).replace(/^-(?=[0.]*$)/, '').replace('-', '−');
   };
 
   // A value under the cursor: four digits of what is seen.

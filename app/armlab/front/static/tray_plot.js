@@ -68,7 +68,7 @@
     + `d="${curve.dots ? 'M13 5h0' : 'M1 5H25'}"/></svg>`;
 
   class Plot {
-    // `asked` has: scrub(time, done), canScrub(), save(kind, plot).
+    // `asked` has: point(plot, x), canScrub(plot), scrub(plot, time, done), save(kind, plot).
     constructor(key, asked) {
       Object.assign(this, { key, asked, hidden: new Set(), zoom: null, pointer: null, mark: null, clip: `al-tray-clip-${made++}` });
       const box = this.box = document.createElement('div');
@@ -77,9 +77,9 @@
         + '<button type="button" data-act="reset" title="Whole curves again (double click)">Reset zoom</button>'
         + '<button type="button" data-act="png">PNG</button><button type="button" data-act="svg">SVG</button>'
         + '<button type="button" data-act="csv">CSV</button></span></div>'
-        + '<div class="tray-body"><div class="tray-field" role="slider" tabindex="0" aria-orientation="horizontal">'
+        + '<div class="tray-body"><div class="tray-field" role="slider" tabindex="0" aria-label="Cursor" aria-valuenow="0" aria-orientation="horizontal">'
         + '<svg class="tray-svg" role="presentation"></svg><svg class="tray-over" role="presentation"></svg></div>'
-        + '<div class="tray-legend"><output></output><ul></ul></div></div>';
+        + '<div class="tray-legend"><output aria-live="off"></output><ul></ul></div></div>';
       this.field = box.querySelector('.tray-field');
       this.svg = box.querySelector('.tray-svg');
       this.over = box.querySelector('.tray-over');
@@ -114,16 +114,18 @@
     get seen() { return this.curves.filter(each => !this.hidden.has(each.name)); }
 
     makeLegend() {
-      const names = [...new Set(this.curves.map(each => each.name))];
+      const paler = each => (each.opacity ? 1 : 0); // what others are compared with comes after them
+      const names = [...new Set(this.curves.toSorted((a, b) => paler(a) - paler(b)).map(each => each.name))];
       const drawn = JSON.stringify([names, this.curves.map(each => [each.colour, each.dash, each.width]), looks().ground]);
       if (drawn === this.listed) return;
       this.listed = drawn;
       const focused = document.activeElement?.closest?.('.tray-legend') === this.list.parentElement && document.activeElement.dataset.curve;
       this.list.innerHTML = names.map(name => {
         const curve = this.curves.findLast(each => each.name === name);
-        return `<li><button type="button" data-curve="${escape(name)}">${sample(curve, looks())}`
+        return `<li><button type="button" data-curve="${escape(name)}" title="${escape(name)}">${sample(curve, looks())}`
           + `<span>${escape(curve.label)}</span><b></b></button></li>`;
       }).join('');
+      this.box.classList.toggle('flat', names.length < 5);
       if (focused) this.list.querySelector(`[data-curve="${CSS.escape(focused)}"]`)?.focus();
     }
 
@@ -140,7 +142,7 @@
       if (!this.picture || wide < 40 || tall < 60) return;
       const colours = looks(), { picture, clip } = this;
       let { x, y } = this.ranges();
-      const rough = axis(y, tall - BOTTOM, TOP, false).marks(32);
+      const rough = axis(y, tall - BOTTOM, TOP, false).marks(26);
       const left = 14 + LETTER * Math.max(2, ...rough.map(([, text]) => text.length));
       const right = wide - RIGHT, bottom = tall - BOTTOM;
       if (picture.square && !this.zoom) [x, y] = sameScale(x, y, right - left, bottom - TOP);
@@ -148,12 +150,12 @@
       const part = [`<clipPath id="${clip}"><rect x="${left}" y="${TOP}" width="${right - left}" height="${bottom - TOP}"/></clipPath>`];
       const line = (d, colour, more = '') => part.push(`<path d="${d}" fill="none" stroke="${colour}" ${more}/>`);
       const word = (px, py, text, anchor, colour = colours.dim) => part.push(
-        `<text x="${px.toFixed(1)}" y="${py.toFixed(1)}" text-anchor="${anchor}" fill="${colour}">${escape(text)}</text>`);
-      for (const [value, text] of X.marks(70)) {
+        `<text x="${px.toFixed(1)}" y="${py.toFixed(1)}" text-anchor="${anchor}" fill="${colour}" stroke="${colours.panel}" stroke-width="3" paint-order="stroke">${escape(text)}</text>`);
+      for (const [value, text] of X.marks(54)) {
         line(`M${X.at(value).toFixed(1)} ${TOP}V${bottom}`, colours.line);
         word(X.at(value), bottom + 14, text, 'middle');
       }
-      for (const [value, text] of Y.marks(32)) {
+      for (const [value, text] of Y.marks(26)) {
         line(`M${left} ${Y.at(value).toFixed(1)}H${right}`, colours.line, value === 0 ? 'stroke-width="2"' : '');
         word(left - 5, Y.at(value) + 4, text, 'end');
       }
@@ -180,11 +182,12 @@
       this.show();
     }
 
-    // Of several units each curve says its own.
-    get unit() {
-      const units = [...new Set(this.curves.map(each => each.unit))].filter(Boolean);
-      return this.curves.length === 1 ? this.curves[0].name : units.length === 1 ? units[0] : this.title;
+    // The unit of all curves; of several units each curve says its own.
+    get common() {
+      const units = [...new Set(this.curves.map(each => each.unit))];
+      return units.length === 1 ? units[0] || this.title.split(', ').slice(1).join(', ') : '';
     }
+    get unit() { return this.picture.y || (this.curves.length === 1 && (this.curves[0].unit || !this.common) ? this.curves[0].name : this.common); }
 
     // -- the cursor ----------------------------------------------------------------------------------------------
 
@@ -192,6 +195,12 @@
     at(value) {
       if (value === this.mark) return;
       this.mark = value;
+      this.show();
+    }
+
+    // Where a hand points; null for nowhere.
+    point(value) {
+      this.pointer = value;
       this.show();
     }
 
@@ -207,11 +216,11 @@
       };
       if (this.mark !== null) upright(this.mark, colours.time);
       if (this.pointer !== null) upright(this.pointer, colours.dim);
-      const values = new Map();
-      if (at !== null) for (const curve of this.seen) {
+      const values = new Map(), { common } = this;
+      if (at !== null && !this.picture.square) for (const curve of this.seen) {
         const value = valueAt(curve, at), py = this.Y.at(value), px = this.X.at(at);
         if (!Number.isFinite(value)) continue;
-        values.set(curve.name, `${read(value, this.Y.range)}${curve.unit ? ` ${curve.unit}` : ''}`);
+        values.set(curve.name, `${read(value, this.Y.range)}${curve.unit && !common ? ` ${curve.unit}` : ''}`);
         if (px >= left && px <= right && py >= TOP && py <= bottom) {
           parts.push(`<circle cx="${px.toFixed(1)}" cy="${py.toFixed(1)}" r="3.5" fill="${legible(curve.colour, colours.ground)}" stroke="${colours.panel}"/>`);
         }
@@ -222,15 +231,16 @@
       }
       this.over.innerHTML = parts.join('');
       const [name, unit = ''] = this.picture.x.split(', ');
-      const said = at === null ? '' : `${name} = ${read(at, this.X.range)} ${unit}`.trim();
-      const output = this.box.querySelector('output');
-      if (output.textContent !== said) output.textContent = said;
+      const beside = this.picture.square && this.pointer !== null ? `, ${this.picture.y} = ${read(this.height, this.Y.range)}` : '';
+      const said = at === null ? '' : `${name} = ${read(at, this.X.range)} ${unit}`.trim() + beside;
+      const output = this.box.querySelector('output'), over = said && common ? `${said};  in ${common}` : said;
+      if (output.textContent !== over) output.textContent = over;
       for (const button of this.list.querySelectorAll('button')) {
         const place = button.lastChild, text = values.get(button.dataset.curve) ?? '';
         if (place.textContent !== text) place.textContent = text;
       }
       const [low, high] = this.X.range;
-      const told = [...values].map(([curve, text]) => `${curve.split(', ')[0]} ${text}`).join('; ');
+      const told = [...values].map(([curve, text]) => `${curve.split(', ')[0]} ${text} ${common}`.trim()).join('; ');
       Object.assign(this.field, { ariaLabel: `Cursor of ${this.title}`, ariaValueMin: low, ariaValueMax: high, ariaValueNow: at ?? low,
         ariaValueText: said ? `${said}: ${told}` : 'not in the plot' });
     }
@@ -266,7 +276,8 @@
       field.addEventListener('pointermove', event => {
         if (!this.size) return;
         const [px, py] = place(event);
-        this.pointer = px >= this.size.left && px <= this.size.right ? this.X.value(px) : null;
+        this.height = this.Y.value(py);
+        this.asked.point(this, px >= this.size.left && px <= this.size.right ? this.X.value(px) : null);
         if (from && scrubs) {
           this.mark = this.X.value(inside(px));
           this.asked.scrub(this, this.mark, false);
@@ -287,7 +298,7 @@
       };
       field.addEventListener('pointerup', end);
       field.addEventListener('pointercancel', end);
-      field.addEventListener('pointerleave', () => { this.pointer = null; this.show(); });
+      field.addEventListener('pointerleave', () => this.asked.point(this, null));
       field.addEventListener('dblclick', () => this.setZoom(null));
       field.addEventListener('wheel', event => {
         if (!this.size) return;
@@ -298,7 +309,7 @@
         this.setZoom({ x, y: beside || event.shiftKey ? this.zoomed(this.Y, this.Y.value(py), by) : this.Y.range });
       }, { passive: false });
       field.addEventListener('keydown', event => this.press(event));
-      field.addEventListener('blur', () => { this.pointer = null; this.show(); });
+      field.addEventListener('blur', () => this.asked.point(this, null));
     }
 
     press(event) {
@@ -308,9 +319,10 @@
       const to = { ArrowRight: now + step, ArrowLeft: now - step, Home: low, End: high }[event.key];
       if (to !== undefined) {
         const held = Math.min(Math.max(to, low), high);
-        if (this.asked.canScrub(this)) this.asked.scrub(this, this.mark = held, true);
-        else this.pointer = held;
-        this.show();
+        if (this.asked.canScrub(this)) {
+          this.asked.point(this, null);
+          this.asked.scrub(this, held, true);
+        } else this.asked.point(this, held);
       } else if (event.key === '+' || event.key === '-') {
         const x = this.zoomed(this.X, this.read ?? (low + high) / 2, event.key === '+' ? 0.7 : 1 / 0.7);
         this.setZoom({ x, y: this.Y.range });

@@ -16,6 +16,7 @@ from armlab.benches.control.exponential.state import (
     SumTerms,
     bounds,
 )
+from armlab.benches.control.exponential.ui.large import LargePlane
 from armlab.benches.control.exponential.ui.plane import EIGEN, plane
 from armlab.session.amounts import amount
 from armlab.session.parts.notation import Notation
@@ -62,8 +63,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     end = state[Exponential].end
     time = gui.slider("t, s", 0.0, end, end / STEPS, 0.0, lambda t: post(MoveTime(t)), None)
     terms = gui.slider("terms", 1.0, MOST_TERMS, 1.0, 4.0, lambda count: post(SumTerms(round(count))), None)
-    drawn, results = gui.html(), gui.html()
-    plot = _ErrorPlot(gui)
+    drawn, results = gui.form(post), gui.html()
+    large, plot = LargePlane(gui), _ErrorPlot(gui)
 
     def show(state: State) -> None:
         part = state[Exponential]
@@ -72,7 +73,9 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             time.handle.max, time.handle.step = part.end, part.end / STEPS
         time.show(part.t)
         terms.show(float(part.terms))
-        drawn.show(plane(part), _eigen(part.found))
+        large.show_part(part)
+        heading = tag("h3", "The curve in the plane", tag("span.copies", large.button(drawn)))
+        drawn.show(heading, plane(part), _eigen(part.found))
         results.show(results_markup(part))
         plot.show_part(part)
 

@@ -57,14 +57,20 @@ def plane(part: Exponential) -> Markup:
     )
 
 
-def _eigenvectors(part: Exponential, chart: Chart) -> list[Markup]:
-    """Return the lines on which x(t) stays, if there are any."""
+def eigenvectors(part: Exponential) -> Array:
+    """Return the real eigenvectors, one in each row, (k, 2); one of two that are the same."""
     basis = part.found.basis
     if not basis.real:
-        return []
+        return np.zeros((0, 2))
     vectors = basis.T.real
     if abs(vectors[0, 0] * vectors[1, 1] - vectors[1, 0] * vectors[0, 1]) < SAME:
         vectors = vectors[:, :1]
+    return np.asarray(vectors.T)
+
+
+def _eigenvectors(part: Exponential, chart: Chart) -> list[Markup]:
+    """Return the lines on which x(t) stays, if there are any."""
+    vectors = eigenvectors(part)
     reach = 2.0 * (abs(chart.x[0]) + abs(chart.x[1]) + abs(chart.y[0]) + abs(chart.y[1]))
     return [
         chart.line(
@@ -73,7 +79,7 @@ def _eigenvectors(part: Exponential, chart: Chart) -> list[Markup]:
             stroke_width="1.4",
             stroke_dasharray="5 3",
         )
-        for i, (dx, dy) in enumerate(vectors.T.tolist())
+        for i, (dx, dy) in enumerate(vectors.tolist())
     ]
 
 

@@ -46,7 +46,7 @@ class JointPlot(Plot):
         mixed = bool(arm.revolute.any()) and not bool(arm.revolute.all())
         kind = (" of turning joints" if turns else " of sliding joints") if mixed else ""
         title = tag("span", name, f"{kind}, {unit}")
-        super().__init__(gui, title, "t, s", curves, file, limits=2, height=HEIGHT)
+        super().__init__(gui, title, "t, s", curves, file, limits=2, height=HEIGHT, clip=CLIP_KEY)
 
     def show_joints(self, run: Run, values: Array, limit: float | None = None) -> None:
         """Show values (k, n) of a run, between plus and minus a limit if there is one."""
@@ -77,14 +77,21 @@ class Plots:
             self._each["speed"].append(JointPlot(gui, arm, units, turns, (("Speeds ", mathml(DOT)), "/s", "speeds")))
         which = "joint" if len(kinds) == 1 else "turning joint"
         fastest = f"Fastest {which} of all runs, {units.unit(kinds[0])}/s"
-        self._across["speed"].append(RunPlot(gui, fastest, "fastest", self._fastest(kinds[0]), True))
+        self._across["speed"].append(RunPlot(gui, fastest, "fastest", self._fastest(kinds[0]), True, clip=CLIP_KEY))
         for turns in kinds:
             self._each["joint"].append(JointPlot(gui, arm, units, turns, ("Joint values", "", "joints")))
         sigma = sigma_unit(arm)
         smallest = "Smallest singular value ", mathml(SIGMA), f", {sigma}" if sigma else None
         self._across["sigma"] = [
-            RunPlot(gui, smallest, "sigma_min", _of(lambda run: run.sigma_min), True),
-            RunPlot(gui, f"Damping λ{f', {sigma}²' if sigma else ''}", "damping", _of(lambda run: run.damping), True),
+            RunPlot(gui, smallest, "sigma_min", _of(lambda run: run.sigma_min), True, clip=CLIP_KEY),
+            RunPlot(
+                gui,
+                f"Damping λ{f', {sigma}²' if sigma else ''}",
+                "damping",
+                _of(lambda run: run.damping),
+                True,
+                clip=CLIP_KEY,
+            ),
         ]
 
     def _make_errors(self, gui: Gui, kinds: Sequence[bool]) -> None:
@@ -93,13 +100,13 @@ class Plots:
             metre = units.factor(False)
             title = f"Error of the position, {units.length_unit}"
             self._across["error"].append(
-                RunPlot(gui, title, "position_error", _of(lambda r: r.error_position / metre), True)
+                RunPlot(gui, title, "position_error", _of(lambda r: r.error_position / metre), True, clip=CLIP_KEY)
             )
         if arm.task.rotation != "none":
             radian = units.factor(True)
             title = f"Error of the orientation, {units.angle_unit}"
             self._across["error"].append(
-                RunPlot(gui, title, "orientation_error", _of(lambda r: r.error_rotation / radian), True)
+                RunPlot(gui, title, "orientation_error", _of(lambda r: r.error_rotation / radian), True, clip=CLIP_KEY)
             )
         for turns in kinds:
             quantity = ("Errors ", mathml(GAP)), "", "joint_errors"
@@ -107,7 +114,7 @@ class Plots:
         unit = units.length_unit
         curves = [Curve(f"the run, {unit}", RUN_COLOURS[0]), Curve(f"predicted, {unit}", RUN_COLOURS[1], dash=(5, 4))]
         both = "Error of the position, and ", mathml(PREDICTED), f", {unit}"
-        self._prediction = Plot(gui, both, "t, s", curves, "prediction", height=HEIGHT)
+        self._prediction = Plot(gui, both, "t, s", curves, "prediction", height=HEIGHT, clip=CLIP_KEY)
 
     def _fastest(self, turns: bool) -> Callable[[Any], Array]:
         joints, factor = self._arm.revolute == turns, self._units.factor(turns)

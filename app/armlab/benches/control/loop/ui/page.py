@@ -9,6 +9,7 @@ import numpy as np
 
 from armlab.benches.control.loop.examples import EXAMPLES, ChooseLoopExample
 from armlab.benches.control.loop.state import CLIP_KEY, KINDS, Loop, present_time
+from armlab.benches.control.loop.ui.large import Responses
 from armlab.benches.control.loop.ui.pictures import ERROR, REACHED, WISH, bode, diagram
 from armlab.session.amounts import amount
 from armlab.session.fields import Set
@@ -43,8 +44,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     units = units_of(state)
     head, drawn, form, timing = gui.form(post), gui.html(), gui.form(post), gui.form(post)
     plots, verdict = _Plots(gui), gui.html()
-    gui.heading("Frequency response ", mathml(RESPONSE))
-    response = gui.html()
+    heading, response, charts = gui.form(post), gui.html(), Responses(gui, units)
 
     def show(state: State) -> None:
         part = state[Loop]
@@ -54,6 +54,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         timing.show(clock(timing, state, CLIP_KEY, part.end))
         plots.show(state)
         verdict.show(_verdict(part, units))
+        charts.show(part)
+        heading.show(tag("h3", "Frequency response ", mathml(RESPONSE), tag("span.copies", charts.button(heading))))
         response.show(bode(part, units), _numbers(part, units))
 
     return show
@@ -65,10 +67,12 @@ class _Plots:
     def __init__(self, gui: Gui) -> None:
         wish, v = Curve("v_d, m/s", WISH, dash=(6, 4)), Curve("v, m/s", REACHED)
         title = tag("span", mathml(VELOCITIES), " (dashed: wanted), m/s")
-        self._v = Plot(gui, title, "t, s", [wish, v], "velocity", legend=False)
+        self._v = Plot(gui, title, "t, s", [wish, v], "velocity", legend=False, clip=CLIP_KEY)
         lasting = [Curve(f"lasting amplitude {sign}, m/s", GREY, 1.2, dash=(3, 3)) for sign in ("above", "below")]
         name = tag("span", mathml(ERRORS), ", m/s (grey: what stays)")
-        self._e = Plot(gui, name, "t, s", [Curve("e, m/s", ERROR), *lasting], "velocity_error", legend=False)
+        self._e = Plot(
+            gui, name, "t, s", [Curve("e, m/s", ERROR), *lasting], "velocity_error", legend=False, clip=CLIP_KEY
+        )
         self._shown: Loop | None = None
 
     def show(self, state: State) -> None:

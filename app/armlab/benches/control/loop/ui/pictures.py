@@ -84,12 +84,17 @@ def _arrow(start: int, end: int) -> Inside:
     return svg.path("wire", f"M{start} {LINE}H{end - 4}"), svg.path("tip", f"M{end} {LINE}l-7 -3.5v7z")
 
 
+def frequencies(part: Loop) -> tuple[float, float]:
+    """Return the least and the largest frequency that are drawn, rad/s."""
+    seen = [math.log10(part.loop.cutoff), math.log10(part.omega if part.kind == "sine" else part.loop.cutoff)]
+    low, high = math.floor(min(seen) - AROUND + 1e-9), math.ceil(max(seen) + AROUND - 1e-9)
+    return 10.0**low, 10.0**high
+
+
 def bode(part: Loop, units: Units) -> Markup:
     """Return gain and phase over the frequency, with the cutoff and the frequency of a sine marked."""
-    loop, factor = part.loop, units.factor(True)
-    seen = [math.log10(loop.cutoff), math.log10(part.omega if part.kind == "sine" else loop.cutoff)]
-    low, high = math.floor(min(seen) - AROUND + 1e-9), math.ceil(max(seen) + AROUND - 1e-9)
-    across, fall = (10.0**low, 10.0**high), 20.0 * (high - seen[0])
+    loop, factor, across = part.loop, units.factor(True), frequencies(part)
+    fall = 20.0 * math.log10(across[1] / loop.cutoff)
     deepest, step = 20.0 * math.ceil(fall / 20.0 - 1e-9), 0.25 * math.pi / factor
 
     def chart(key: str, names: tuple[str, str], deep: float, step: float, tall: float) -> Chart:

@@ -16,6 +16,7 @@ from armlab.kin.motion.peaks import Violation
 from armlab.session.state import State
 from armlab.ui.colours import GREY, VERDICT
 from armlab.ui.plot import NOTHING, Curve, Plot
+from armlab.ui.tray_picture import Picture
 from armlab.ui.widgets import Gui
 
 HEIGHT = 124
@@ -94,6 +95,13 @@ class CurvePlot(Plot):
         scales = {"x": {"time": False, "range": (float(t[0]), float(t[-1]))}, "y": {"range": (low - room, high + room)}}
         if self._handle.scales != scales:
             self._handle.scales = scales
+
+    def picture(self) -> Picture | None:
+        """Return the plot with the names of the curves."""
+        found = super().picture()
+        titles = (f"{i}: {title}" for i, title in enumerate(self._titles, 1))  # two curves may be of one kind
+        names = dict(zip((self._curves[i].name for i in self._columns), titles, strict=True))
+        return found and found.with_names(names)
 
     def csv(self) -> str:
         """Return the computed curves, with their names."""

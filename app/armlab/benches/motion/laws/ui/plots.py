@@ -62,7 +62,9 @@ class LawPlot(Plot):
         heading = tag("span", title, f", {self._unit}" if self._unit else None)
         # The page wants a curve from the start; the laws take its place.
         first = [Curve(self._name, LAW_COLOURS[0])]
-        super().__init__(gui, heading, "t, s", first, f"law_{self._name}", 2 if order else 0, legend=False)
+        super().__init__(
+            gui, heading, "t, s", first, f"law_{self._name}", 2 if order else 0, legend=False, clip=CLIP_KEY
+        )
 
     def show_laws(self, part: Laws, t: Array) -> None:
         """Show all laws of the bench on a grid of times."""

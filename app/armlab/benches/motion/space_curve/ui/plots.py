@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.motion.space_curve.laid import Laid
-from armlab.benches.motion.space_curve.state import SpaceCurve, curve_of, moment_of, turn_of
+from armlab.benches.motion.space_curve.state import CLIP_KEY, SpaceCurve, curve_of, moment_of, turn_of
 from armlab.benches.motion.space_curve.turn import Turned
 from armlab.session.state import State
 from armlab.ui.colours import BLUE, GREEN, ORANGE, PURPLE, Rgb
@@ -110,10 +110,20 @@ class TurnPlots:
         self._units, unit = units, units.angle_unit
         both = (f"one axis, {unit}/s", f"three angles, {unit}/s")
         self._apart = Plot(
-            gui, f"Angle between both, {unit}", "t, s", [Curve(f"apart, {unit}", PURPLE)], "apart", 0, HEIGHT, True
+            gui,
+            f"Angle between both, {unit}",
+            "t, s",
+            [Curve(f"apart, {unit}", PURPLE)],
+            "apart",
+            0,
+            HEIGHT,
+            True,
+            clip=CLIP_KEY,
         )
         curves = [Curve(name, colour) for name, colour in zip(both, (BLUE, ORANGE), strict=True)]
-        self._rates = Plot(gui, f"Speed of turning |ω|, {unit}/s", "t, s", curves, "turning", 0, HEIGHT, True)
+        self._rates = Plot(
+            gui, f"Speed of turning |ω|, {unit}/s", "t, s", curves, "turning", 0, HEIGHT, True, clip=CLIP_KEY
+        )
         self._drawn: tuple[Turned, Laid] | None = None
 
     def show(self, state: State) -> None:

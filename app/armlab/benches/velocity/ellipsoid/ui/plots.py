@@ -203,8 +203,8 @@ class Along:
         w, sigma = Curve(_with("w", unit), BLUE), Curve(_with("sigma_min", block.unit), GREEN)
         gui.heading("Along the planned motion")
         return (
-            Plot(gui, title, "t, s", [w], "w over t", height=HEIGHT, from_zero=True),
-            Plot(gui, least, "t, s", [sigma], "sigma_min over t", height=HEIGHT, from_zero=True),
+            Plot(gui, title, "t, s", [w], "w over t", height=HEIGHT, from_zero=True, clip=MOTION),
+            Plot(gui, least, "t, s", [sigma], "sigma_min over t", height=HEIGHT, from_zero=True, clip=MOTION),
         )
 
 
