@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from axe_playwright_python.base import AXE_SCRIPT
 
 from support.page import LabPage
 
-RUN = """async run => {
+RUN = """async ([run, whole]) => {
   const root = document.documentElement, look = 'data-mantine-color-scheme', before = root.getAttribute(look);
-  const found = [];
   const mark = [...document.querySelectorAll('[data-tab]')].find(each => each.parentElement.getClientRects().length);
-  const places = { document, panel: mark?.closest('[data-dock-leaf]') ?? document };
-  for (const [name, [place, rules]] of Object.entries(run)) {
+  const place = whole ? document : mark.closest('[data-dock-leaf]');
+  const found = [];
+  for (const [name, rules] of Object.entries(run)) {
     root.setAttribute(look, name);
     const options = { runOnly: rules, resultTypes: ['violations'], preload: false };
-    const { violations } = await axe.run(places[place], options);
+    const { violations } = await axe.run(place, options);
     for (const { id, impact, nodes } of violations) {
       if (!['serious', 'critical'].includes(impact)) continue;
       for (const node of nodes) found.push(`${name}: ${id} at ${node.target}: ${node.failureSummary} ${node.html}`);
@@ -25,16 +27,16 @@ RUN = """async run => {
 }"""
 """Runs the rules for each look, and returns what hinders people seriously."""
 
-RULES = {"light": ("document", ["wcag2a", "wcag2aa"]), "dark": ("panel", ["color-contrast"])}
-"""Where which rules are run in each look: names and roles are the same in both."""
+RULES = {"light": ["wcag2a", "wcag2aa"], "dark": ["color-contrast"]}
+"""Groups of rules, or rules, by the look in which they are run: names and roles are the same in both."""
 
 
-def findings(lab: LabPage) -> list[str]:
-    """Return what axe finds in both looks of what the page shows.
+def findings(lab: LabPage, looks: Sequence[str] = tuple(RULES), whole: bool = True) -> list[str]:
+    """Return what axe finds in these looks of all that the page shows, or of the open panel only.
 
     The script comes through the debugger, which the content policy of the page does not concern.
     """
     if not lab.page.evaluate("() => 'axe' in window"):
         lab.page.evaluate(AXE_SCRIPT)
-    found: list[str] = lab.page.evaluate(RUN, RULES)
+    found: list[str] = lab.page.evaluate(RUN, [{look: RULES[look] for look in looks}, whole])
     return found

@@ -55,16 +55,18 @@
   if (document.body) watch();
   else addEventListener('DOMContentLoaded', watch);
 
-  // viser knows the keys of a lying strip, and opens with them also a tab that the lesson has taken away.
+  // viser knows the keys of a lying strip, and opens with them also a tab that the lesson has taken away. The pages of a
+  // tab are gone along by the same keys.
   const along = { ArrowUp: -1, ArrowLeft: -1, ArrowDown: 1, ArrowRight: 1 };
   document.addEventListener('keydown', event => {
-    const tab = event.target.closest?.('[data-dock-strip] > [data-dock-tab]');
+    const tab = event.target.closest?.('[data-dock-strip] > [data-dock-tab], .pages > .page');
     if (!tab || !(event.code in along || ['Home', 'End'].includes(event.code)) || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     event.stopPropagation();
     const tabs = [...tab.parentElement.children].filter(each => !each.hasAttribute('data-off'));
     const next = event.code in along ? tabs[tabs.indexOf(tab) + along[event.code]] : tabs.at(event.code === 'Home' ? 0 : -1);
     next?.focus();
-    next?.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }));
+    if (next?.matches('.page')) next.click();
+    else next?.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }));
   }, true);
 })();

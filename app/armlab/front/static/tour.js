@@ -55,16 +55,36 @@
     return sides.find(side => side[2]) ?? [clamp((innerWidth - w) / 2, right), below];
   };
 
+  // Who goes with the keyboard goes on with it: the focus comes along to each stop, and back to where the tour began.
+  let keys = false;
+  let from = '';
+  let stop = '';
+  addEventListener('keydown', () => { keys = true; }, true);
+  addEventListener('pointerdown', () => { keys = false; }, true);
+  addEventListener('click', event => {
+    from = event.target.closest?.('[data-cell$="-tour"]')?.dataset.cell ?? from;
+  }, true);
+  const goOn = (...places) => {
+    if (!keys || document.activeElement !== document.body) return;
+    places.flatMap(each => [...document.querySelectorAll(each)]).find(shown)?.focus({ preventScroll: true });
+  };
+
   let running = false;
   let written = '';
   const place = () => {
     const card = document.querySelector('.al-tour');
     if (!card) {
       running = false;
+      stop = '';
       ring.remove();
+      goOn(`[data-cell="${from}"]`, '.al-top .arm-name');
       return;
     }
     requestAnimationFrame(place);
+    if (card.dataset.at !== stop) {
+      stop = card.dataset.at;
+      goOn('.al-tour [data-cell=tour-on]');
+    }
     const box = places[card.dataset.at]?.(card);
     const [x, y] = box ? beside(box, card) : [(innerWidth - card.offsetWidth) / 2, innerHeight - card.offsetHeight - 80];
     const text = [x, y, box && [box.left, box.top, box.width, box.height]].join();

@@ -1,0 +1,113 @@
+"""The lab by keyboard alone: the focus is seen, dialogs keep it and give it back, tabs and sliders take arrows."""
+
+import pytest
+
+from support.axe import findings
+
+pytestmark = pytest.mark.browser
+
+RINGLESS = """() => {
+  const found = document.activeElement, style = getComputedStyle(found);
+  const seen = found === document.body || (style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 2);
+  return [found.outerHTML.slice(0, 200), seen];
+}"""
+"""What has the focus, and whether that is seen."""
+
+CELL = (
+    "() => document.activeElement.dataset.cell ?? document.activeElement.dataset.name ?? document.activeElement.tagName"
+)
+
+INSIDE = "place => document.querySelector(place).contains(document.activeElement)"
+
+
+def focused(lab):
+    """Return the cell of what has the focus, the name of a tab, or the kind of element."""
+    return lab.page.evaluate(CELL)
+
+
+def press(lab, *keys):
+    """Press keys one after the other, each after the answer to the one before."""
+    for key in keys:
+        lab.page.keyboard.press(key)
+        lab.rest()
+
+
+def test_the_focus_is_seen_wherever_the_tab_key_leads(visit):
+    lab = visit(size=(1400, 850))
+    lab.open_tab("Joints")
+    lab.page.evaluate("() => document.activeElement.blur()")
+    stops = []
+    for _ in range(60):
+        lab.page.keyboard.press("Tab")
+        stops.append(lab.page.evaluate(RINGLESS))
+    assert [name for name, seen in stops if not seen] == []
+    assert len({name for name, _ in stops}) > 35
+
+
+def test_arrows_move_a_slider_and_not_the_camera_and_go_along_tabs_and_pages(visit):
+    lab = visit(size=(1400, 850))
+    camera, before = lab.camera(), lab.slider_value(1)
+    lab.page.locator(f"{lab.slider_track(1)} [role=slider]").focus()
+    press(lab, "ArrowRight", "ArrowUp")
+    assert lab.slider_value(1) == pytest.approx(before + 0.2)
+    assert lab.camera() == camera
+
+    lab.tab("Pose").focus()
+    press(lab, "ArrowDown")
+    assert focused(lab) == "Target"
+    page = lab.page.locator(".pages .page[data-cell=target]")
+    page.focus()
+    press(lab, "ArrowRight")
+    assert focused(lab) == "solutions"
+    assert lab.page.locator(".pages .page[data-cell=solutions]").get_attribute("aria-selected") == "true"
+    press(lab, "Home")
+    assert focused(lab) == "target"
+
+
+@pytest.mark.parametrize(
+    ("opener", "keys", "dialog"),
+    [
+        ("button[data-cell=arms]", "Enter", ".al-dialog"),
+        (".pages:visible .page[data-cell=robot]", "Control+k", "dialog"),
+    ],
+)
+def test_a_dialog_keeps_the_focus_and_gives_it_back(visit, opener, keys, dialog):
+    lab = visit(size=(1400, 850))
+    lab.open_tab("Robot")
+    lab.page.locator(opener).focus()
+    before = focused(lab)
+    press(lab, keys)
+    assert lab.page.evaluate(INSIDE, dialog)
+    assert findings(lab) == []
+    for _ in range(50):
+        lab.page.keyboard.press("Shift+Tab")
+        assert focused(lab) == "BODY" or lab.page.evaluate(
+            INSIDE, dialog
+        )  # the body is on the way to the browser's own bar
+    press(lab, "Escape")
+    assert not lab.page.locator(dialog).is_visible()
+    assert focused(lab) == before
+
+
+def test_the_tour_is_gone_through_by_keyboard_and_gives_the_focus_back(visit):
+    lab = visit(size=(1400, 850))
+    lab.page.locator(".al-card button[data-cell=start-tour]").focus()
+    press(lab, "Enter")
+    assert findings(lab) == []
+    for _ in range(3):
+        lab.until(lambda: focused(lab) == "tour-on")
+        press(lab, "Enter")
+    press(lab, "Escape")
+    lab.until(lambda: focused(lab) == "arms")
+    assert lab.page.locator(".al-tour").count() == 0
+
+
+def test_the_projector_is_switched_on_and_off_by_its_key(visit):
+    lab = visit()
+    on = "() => document.documentElement.hasAttribute('data-projector')"
+    press(lab, "v")
+    assert lab.page.evaluate(on)
+    lab.page.locator(".al-back").focus()
+    assert findings(lab) == []
+    press(lab, "Enter")
+    assert not lab.page.evaluate(on)
