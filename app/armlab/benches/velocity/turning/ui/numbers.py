@@ -65,7 +65,7 @@ def form_markup(form: Form, state: State) -> Markup:
     chooser = form.select("axes", "Sequence of axes", titles, part.axes, WriteAngles)
     about = form.chips(
         "about",
-        {"moving": "moving axes", "fixed": "fixed axes"},
+        {"moving": "current axes", "fixed": "fixed axes"},
         "fixed" if part.fixed else "moving",
         "The same orientation and ω, written in other angles",
         lambda key: WriteAngles(fixed=key == "fixed"),
