@@ -55,7 +55,7 @@ def reference_markup(form: Form, state: State) -> Markup:
     if run.reference == "target":
         found.append(_target(form, state, units))
     if run.reference != "planned":
-        hint = "Let the reference begin where the arm stands"
+        hint = "Start the reference from the present configuration"
         here = form.button("here", "Present configuration", SetStart(), "chip", hint)
         found.append(_joints(form, state, "start", run.start, SetStart, "Start", here))
     return joined(found, _joints(form, state, "offset", run.offset, SetOffset, "Initial error"))
@@ -170,7 +170,7 @@ def _joints(
 
 def _target(form: Form, state: State, units: Units) -> Markup:
     place = ", ".join(units.text(float(value), False) for value in state[Control].target[:3, 3])
-    hint = "Take the target of the lab; dragged, it is taken by itself"
+    hint = "Use the target of the lab; dragging it updates this one as well"
     take = form.button("aim", "Use the lab's target", AimAt(), "chip", hint)
     return tag("div.bar", tag("span", f"Target ({place}) {units.length_unit}"), take)
 

@@ -93,7 +93,7 @@ def _play(form: Form, state: State) -> Markup:
 
 def _push(form: Form, part: Control, units: Units) -> Inside:
     """Return the button that pushes, the field for the distance, and the button that removes all pushes."""
-    hint = "Push the tool aside at the present time, and run it again"
+    hint = "Push the tool aside at the present time, and compute the run again"
     push = form.button("push", "Push", PushNow(), "chip", hint, off=part.outcome is None)
 
     def sized(text: str) -> SizePush:
@@ -101,7 +101,7 @@ def _push(form: Form, part: Control, units: Units) -> Inside:
 
     shown = trimmed(part.push / units.factor(False), 3)
     size = form.field("push-size", shown, "How far the tool is pushed", sized)
-    count, away = len(part.run.pushes), "Take the pushes away"
+    count, away = len(part.run.pushes), "Remove the pushes"
     drop = form.button("drop", f"✕ {count}", DropPushes(), "chip", away, away) if count else None
     return push, tag("label", size, tag("i", units.length_unit)), drop
 

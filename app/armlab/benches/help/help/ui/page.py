@@ -16,7 +16,7 @@ from armlab.ui.welcome import tour_from
 from armlab.ui.widgets import Gui
 
 PAGE_KEYS = (
-    ("V", "projector: large text, no benches (Esc ends)"),
+    ("V", "projector: large text, panels hidden (Esc ends)"),
     ("Page ↑ ↓", "the step before or after, in a lesson"),
     ("space , .", "play what the open page shows, step back, step on"),
     ("X", "the plots of the open page, large; again: close them"),

@@ -28,7 +28,7 @@ THREE = r"\varphi(s)=\varphi_A+s\,(\varphi_B-\varphi_A),\ldots"
 
 CORRECTED = "⟦Notes 6.152 write R(r, θ), 3.53 R(θ, r): the same matrix. “Starts from θ(t) = 0” means θ(0) = 0.⟧"
 
-ABOUT = {"moving": "axes move", "fixed": "axes stay"}
+ABOUT = {"moving": "current axes", "fixed": "fixed axes"}
 
 ENDS: tuple[End, ...] = ("A", "B")
 

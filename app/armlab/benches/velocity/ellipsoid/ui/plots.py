@@ -45,7 +45,7 @@ REST = 0.3
 """Time without a motion of the other joints after which the curves are drawn again, seconds."""
 
 HEIGHT = 104
-HINT = "Move this joint through its range and back; stops at limits, middle and singularities"
+HINT = "Move this joint through its range and back, stopping at limits, middle and singularities"
 SMALLEST, INVERSE = r"\sigma_{min}", r"\sigma_{min}/\sigma_1"
 
 
@@ -97,7 +97,7 @@ class Sweeping:
             self._draw(state)
         elif wanted != self._wanted:
             self._wait()
-            self._note.show(tag("p.dim", "The curves are drawn again when the arm rests."))
+            self._note.show(tag("p.dim", "The curves are updated when the arm is at rest."))
             self._later = asyncio.get_running_loop().call_later(REST, self._draw, state)
         self._wanted = wanted
         for plot in self._plots:

@@ -36,7 +36,7 @@ from armlab.ui.widgets import Gui
 
 AIMS = {
     "lost": ("lost direction", "The direction in which the tool is slowest; drawn dashed"),
-    "across": ("across it", "The direction in which the tool is fastest"),
+    "across": ("perpendicular", "The direction in which the tool is fastest"),
 }
 
 
@@ -79,7 +79,7 @@ def head_markup(form: Form, state: State, units: Units) -> Markup:
         at = units.angle(value) if revolute else units.length(value)
         text = f"{place.name}: {units.variable(j, revolute)} = {at}"
         chips.append(form.chip(f"place {i}", text, BringNear(i), place.says))
-    found = chips or tag("span.dim", "No joint meets one from the home pose.")
+    found = chips or tag("span.dim", "No joint meets one when it moves by itself from the home pose.")
     away = form.field(
         "distance",
         readable(part.distance / units.factor(True), 2),

@@ -97,7 +97,7 @@ def head_markup(form: Form, state: State, units: Units) -> Markup | None:
 
         return form.select(which, f"{which.capitalize()} joint", names, str(pair[side]), chosen)
 
-    both = choice(0, "first"), tag("i", "and"), choice(1, "second"), tag("i", "the others stand still")
+    both = choice(0, "first"), tag("i", "and"), choice(1, "second"), tag("i", "the others are at rest")
     return row("Joints", both)
 
 
@@ -138,7 +138,7 @@ def norm_markup(state: State, units: Units) -> Markup:
     here = found.determinant, float(np.linalg.norm(found.answer.qdot)) if found.answer.verdict == "one" else math.inf
     second = units.variable(state[Solve].pair[1], bool(state[Joints].arm.revolute[state[Solve].pair[1]]))
     said = (
-        f"Here det J = {small(found.determinant)} m², smallest σ : largest σ = {small(ratio)}. The ratio tells how "
+        f"Here det J = {small(found.determinant)} m², σ_min/σ_max = {small(ratio)}. The ratio tells how "
         "near a singularity is; det J alone does not, it changes with the unit of length."
     )
     aside = tag("small", f"while {second} goes through its range⟦ (1.20–1.24)⟧")

@@ -135,7 +135,7 @@ def spaces_markup(solved: Found) -> Markup:
     parts = []
     for name, what, basis in (
         ("R(J)", "velocities that are reached", spaces.range),
-        ("N(J^T)", "lost: no joint speed has a part along these", spaces.lost),
+        ("N(J^T)", "lost: no joint speed gives a component along these", spaces.lost),
         ("R(J^T)", "joint speeds that count", spaces.row),
         ("N(J)", "joint speeds that leave the tool where it is", spaces.null),
     ):
@@ -143,7 +143,8 @@ def spaces_markup(solved: Found) -> Markup:
         aside = tag("small", f"{what}; dimension {basis.shape[1]}")
         parts.append((tag("h3", mathml(name), " ", aside), inside))
     said = (
-        "Columns, in m/s and rad/s⟦ (5.72–5.78)⟧. Forbidden is every v with a part in N(Jᵀ), not only what lies in it."
+        "Columns, in m/s and rad/s⟦ (5.72–5.78)⟧. Every v with a component in N(Jᵀ) is infeasible, not only those "
+        "that lie in it."
     )
     return joined(parts, tag("p.dim", said))
 

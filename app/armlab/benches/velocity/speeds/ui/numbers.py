@@ -146,7 +146,7 @@ def _bends(found: ToolMotion, units: Units) -> str:
     units_text = f"Tool point in {units.length_unit}, turning in {units.angle_unit}, per s, s² and s³; q̈ = 0."
     speed = float(np.linalg.norm(v))
     if speed < 1e-9:
-        return f"{units_text} The tool point stands still, but not for long unless r̈ is 0, too."
+        return f"{units_text} The tool point is at rest, but only for an instant unless r̈ is also 0."
     along = float(a @ v) / speed
     across = float(np.linalg.norm(a - along * v / speed))
     return (
@@ -175,7 +175,7 @@ def matrix_words(state: State, moving: Moving) -> Inside:
         if float(np.linalg.norm(moving.J[:3, j])) < 1e-9 * arm.length_scale and arm.revolute[j]
     ]
     if not still:
-        return "Press an entry, a row or a column: it is drawn in the scene as the vector it is."
+        return "Select an entry, a row or a column to draw it as a vector in the scene."
     if len(still) == 1:
         axis = f"The tool point is on the axis of joint {still[0]}: J"
         return axis, tag("sub", f"L{still[0]}"), " = 0, it does not move it."

@@ -97,7 +97,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 def clock_markup(form: Form, state: State) -> Markup:
     """Return the button that plays, and the time of the film."""
-    play = play_button(form, state, CLIP_KEY, "turning", "Turn", hint="The body beside the arm turns")
+    play = play_button(form, state, CLIP_KEY, "turning", "Turn", hint="Rotate the body beside the arm")
     time = laws_time(state) if state[Turning].shown == "laws" else film_time(state)
     return tag("div.bar", play, tag("span.dim", f"t = {number(time, 2)} s"))
 
