@@ -22,6 +22,7 @@ def test_curves_are_chosen_typed_and_measured(visit):
     assert "knot 2: its time 0 s must be later than the 0 s of knot 1" in lab.page.locator("[role=alert]").inner_text()
     assert lab.page.locator('input[data-cell="t 1"]').input_value() == "0"
     lab.type_into("t 1", "4")
+    lab.unfold("Classes, peaks and overshoot")
     lab.page.locator(".cu-facts td", has_text="1.406").first.wait_for()
     assert lab.page.locator("[role=alert]").count() == 0
     assert lab.errors == []

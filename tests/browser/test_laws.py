@@ -19,6 +19,7 @@ def test_an_example_is_played_and_a_wrong_table_is_marked(visit):
     lab.page.locator(".law p", has_text="T = (L A + V²)/(A V) = 3 s").wait_for()
     lab.type_into("time", "1.5")
     lab.until(lambda: lab.page.locator(".law-race .now").first.get_attribute("cx") == "160.0")
+    lab.unfold("Values, peaks and classes")
     values = lab.page.locator(".law-table").first.locator("tr").nth(1).locator("td").all_inner_texts()
     assert values == ["s", "1", "1"]
     lab.page.locator('.al-time button[data-cell="forward"]').click()

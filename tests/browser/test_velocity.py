@@ -33,6 +33,7 @@ def test_the_sum_is_what_the_positions_say_and_a_column_is_drawn(visit):
     lab = at_speeds(visit, "planar")
     arm, example = catalogue()["planar_2r"].arm, EXAMPLES["planar"]
     v = arm.jacobian(example.q)[:3] @ example.qdot
+    lab.unfold("Parts and their sum")
     cells = numbers(lab.page.locator(".ve-sum").inner_text().split("\t", 1)[1])
     np.testing.assert_allclose(cells[:3], 1000 * v, rtol=0, atol=0.1)
     (told,) = numbers(lab.page.locator(".ve-size b").first.inner_text())
@@ -76,6 +77,7 @@ def test_turning_says_what_a_singular_angle_loses(visit):
 def test_nothing_is_cut(visit):
     lab = visit("robot/panda", size=(1400, 850))
     lab.open_tab("Velocity")
+    lab.unfold("Parts and their sum")
     lab.page.locator(".ve-sum").wait_for()
     for fold in ("points", "higher"):
         lab.press(f"fold {fold} on")

@@ -15,6 +15,7 @@ from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Locator
 
 from armlab.session.pages import pages
 from support.at_rest import Traffic, told
+from support.folds import revealed, unfold
 from support.patience import WAIT, Patience
 
 ARGUMENTS = (
@@ -315,14 +316,19 @@ class LabPage:
         self.page.mouse.up()
         self.rest()
 
+    def unfold(self, title: str) -> None:
+        """Open the folded part of the panel with this title, unless it is open."""
+        unfold(self.page, title)
+        self.rest()
+
     def press(self, cell: str) -> None:
-        """Press a button of our own markup."""
-        self.page.locator(f'button[data-cell="{cell}"]').first.click()
+        """Press a button of our own markup, also in a part of the panel that is folded."""
+        revealed(self.page.locator(f'button[data-cell="{cell}"]').first).click()
         self.rest()
 
     def type_into(self, cell: str, text: str) -> None:
-        """Fill a field of our own markup and press Enter."""
-        field = self.page.locator(f'input[data-cell="{cell}"]')
+        """Fill a field of our own markup, also in a part of the panel that is folded, and press Enter."""
+        field = revealed(self.page.locator(f'input[data-cell="{cell}"]'))
         field.fill(text)
         field.press("Enter")
         self.rest()

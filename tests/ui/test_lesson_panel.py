@@ -1,5 +1,7 @@
 """The page of the lessons: the list, and the way to the search."""
 
+import re
+
 from support.own_lessons import piece
 from support.student import run, student
 
@@ -15,7 +17,9 @@ def test_lessons_stand_by_chapter_with_their_arm_and_how_far_one_is(url):
     async def main():
         browser = await at_lessons(url)
         found = piece(browser, 'data-cell="lesson:first_arm"')
-        assert "<h3>1 Introduction</h3>" in found
+        chapters = re.findall(r"<details[^>]*>", found)
+        assert 'data-fold="1 Introduction"' in chapters[0]
+        assert [" open" in chapter for chapter in chapters] == [True] + [False] * (len(chapters) - 1)
         assert "Planar 2R, 3 steps" in found
         await browser.press("lesson:first_arm")
         await browser.until(lambda: "lesson-foot" in browser.html())

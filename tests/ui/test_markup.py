@@ -82,6 +82,15 @@ def test_what_lies_over_the_scene_steps_back_and_forth_where_there_is_something(
     assert posted == ["Pose", LeaveWelcome(), Undo(), Redo()]
 
 
+def test_a_fold_has_a_head_and_is_closed_unless_it_is_said():
+    (details, summary), words = tags_of(markup.fold("Peaks", BAD, key="peaks"))
+    assert details == ("details", {"class": "kit-fold", "data-fold": "peaks"})
+    assert summary == ("summary", {})
+    assert words == f"Peaks{BAD}"
+    (details, _), _ = tags_of(markup.fold("Peaks", opened=True, kind="kit-holds"))
+    assert details == ("details", {"class": "kit-fold kit-holds", "open": None})
+
+
 def test_a_style_sheet_stands_as_it_is_and_holds_no_element():
     assert styles(["[id='a'] > p { left: 5% }"]) == "<style>[id='a'] > p { left: 5% }</style>"
     with pytest.raises(ValueError, match="expected rules of a style sheet"):

@@ -89,7 +89,7 @@ def test_arms_whose_joints_are_of_one_kind_are_not_scaled():
     assert ellipsoid.scaling_words(slides, METRES) == "For joint speeds with √(Σ q̇ᵢ²) ≤ 1 m/s."
     assert ellipsoid.volume_unit(slides, 3) == ""
     assert ellipsoid.scaling_words(block_of("puma560"), METRES) == "For joint speeds with √(Σ q̇ᵢ²) ≤ 1 rad/s."
-    assert "slide and turn" in ellipsoid.scaling_words(block_of("cylindrical_rpp"), METRES)
+    assert "Revolute and prismatic joints" in ellipsoid.scaling_words(block_of("cylindrical_rpp"), METRES)
 
 
 def test_the_card_names_the_directions_and_the_ratio():
@@ -116,7 +116,7 @@ def test_lines_that_snapped_say_within_what_in_the_students_units():
 def test_lines_without_a_cross_product_say_how_x_is_taken():
     state = State.initial(catalogue()["puma560"])
     said = {kind: joined(normal._products(apply(state, PlaceLines(kind))[Lines])) for kind in normal.CASES}
-    assert "straight across" in said["parallel"]
+    assert "perpendicular to both lines" in said["parallel"]
     assert "perpendicular to the line" in said["coincident"]
     assert "n=0" not in said["skew"]
     assert "straight across" not in said["coincident"]
@@ -155,7 +155,7 @@ def test_curves_of_a_moving_arm_are_drawn_when_it_rests(url):
         await browser.open("ellipsoid")
         await browser.until(lambda: "singular at" in browser.html())
         await browser.set_value(browser.slider(3), 30.0)
-        await browser.until(lambda: "drawn again when the arm rests" in browser.html())
+        await browser.until(lambda: "updated when the arm is at rest" in browser.html())
         await browser.until(lambda: "singular at" in browser.html())
         await asyncio.sleep(0.05)
         await browser.close()

@@ -119,6 +119,27 @@ def verdict_box(kind: str, head: Inside, *inside: Inside, sign: str | None = Non
     return tag(f"div.verdict.{kind}", tag("b", f"{sign} ".lstrip(), head), inside, role=role)
 
 
+def fold(title: Inside, *inside: Inside, opened: bool = False, kind: str = "", key: str = "") -> Markup:
+    """Return a part of a panel that a person folds and unfolds.
+
+    The page's script remembers what was done with it when the markup is replaced, and opens it when the search leads to
+    something inside.
+
+    Parameters
+    ----------
+    title : str, Markup or several
+    *inside : str, Markup or several
+    opened : bool
+        Whether it is open at first.
+    kind : str
+        A further class.
+    key : str
+        What it is remembered by, for a title that changes; the text of the title if empty.
+    """
+    head = tag("summary", title)
+    return tag(f"details.kit-fold{'.' if kind else ''}{kind}", head, inside, open=opened, data_fold=key or None)
+
+
 def _said(**values: str) -> dict[str, str]:
     """Return the attributes that have a value."""
     return {name: value for name, value in values.items() if value}

@@ -117,6 +117,19 @@ class Html:
             self.handle.visible = on
 
 
+class Fold:
+    """A part of a panel that a person folds and unfolds; whether it is open only the page knows."""
+
+    def __init__(self, head: Html, holder: Any) -> None:
+        self._head, self._holder = head, holder
+
+    def visible(self, on: bool) -> None:
+        """Show or hide all of it, with its head."""
+        self._head.visible(on)
+        if self._holder.visible != on:
+            self._holder.visible = on
+
+
 def _remove(handles: Sequence[Any]) -> None:
     for handle in reversed(handles):
         if not adapter.is_removed(handle):
@@ -317,8 +330,10 @@ class Gui:
         task.add_done_callback(self._drawing.discard)
 
     @contextmanager
-    def folder(self, label: str, expanded: bool = False) -> Iterator[None]:
-        """Put the controls made inside into a folder."""
-        handle = self._keep(self._gui.add_folder(label, expand_by_default=expanded))
-        with handle:
-            yield
+    def fold(self, title: Inside, opened: bool = False) -> Iterator[Fold]:
+        """Put the controls made inside into a part of the panel that a person folds and unfolds."""
+        head = self.html(markup.fold(title, opened=opened, kind="kit-holds"))
+        # The page's style leaves of the folder only that it holds what is inside; see `kit.css`.
+        holder = self._keep(self._gui.add_folder(""))
+        with holder:
+            yield Fold(head, holder)

@@ -165,7 +165,7 @@ def test_runs_are_kept_up_to_four_and_removed(short):
     assert sorted(run.colour for run in state[Control].runs) == [0, 1, 2, 3]
     for _ in range(3):
         state = apply(state, RemoveRun(0))
-    with pytest.raises(InputError, match="the last run stays"):
+    with pytest.raises(InputError, match="at least one run is needed"):
         apply(state, RemoveRun(0))
     assert apply(state, SelectRun(0)) is state
 
@@ -187,7 +187,7 @@ def test_runs_are_kept_up_to_four_and_removed(short):
         (SetOption("plant", "Kp", 1.0), "expected that of its law"),
         (SetOption("law", "Kp", [-1.0]), "Kp: expected"),
         (SetStart((0.0,)), "start: expected 2 finite"),
-        (SetOffset((0.0, 1e9)), "initial error: a joint cannot stand there"),
+        (SetOffset((0.0, 1e9)), "initial error: a joint cannot take this value"),
         (SizePush(0.0), "push: expected more than 0"),
         (SizePush("far"), "push: expected metres"),
         (NameRun(None), "name of a run: expected text"),

@@ -124,7 +124,7 @@ def test_the_page_of_the_exponential(url):
     async def main():
         browser = await student(url)
         await browser.open("exponential")
-        await says(browser, "here off by 0.895.")
+        await says(browser, "largest error")
         await browser.press("example", "defective")
         await says(browser, "A is not diagonalisable")
         await says(browser, "cond(T) = ∞")

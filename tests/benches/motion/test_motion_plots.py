@@ -361,7 +361,7 @@ def test_a_student_chooses_plots_and_compares(url):
         await browser.open("motion_plots")
         await browser.until(lambda: "✓ All limits are kept." in browser.html())
         await browser.until(lambda: len(charts(browser)) == 6)
-        assert "<h3>Peaks</h3>" in browser.html()
+        assert "<summary>Peaks</summary>" in browser.html()
         await browser.press("load")
         await browser.until(lambda: len(charts(browser)) == 8)
         await browser.press("q")

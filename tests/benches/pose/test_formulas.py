@@ -2,6 +2,7 @@
 
 import math
 import re
+from contextlib import contextmanager
 
 import pytest
 
@@ -34,6 +35,11 @@ class FakePage:
 
     def heading(self, *inside):
         self.show(*inside)
+
+    @contextmanager
+    def fold(self, title):
+        self.show(title)
+        yield
 
 
 SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉−ϑ", "0123456789-θ")

@@ -5,6 +5,8 @@ import re
 import numpy as np
 import pytest
 
+from armlab.benches.velocity.ellipsoid.state import VelocityBlock, placed
+from armlab.benches.velocity.ellipsoid.ui.words import verdict_of
 from armlab.benches.velocity.microscope.commands import AimAlong, BringNear, SetComponent, SetDamping
 from armlab.benches.velocity.microscope.examples import ChooseMicroscopeExample
 from armlab.benches.velocity.microscope.looked import known_places, looked, near
@@ -13,6 +15,8 @@ from armlab.benches.velocity.microscope.ui.bars import bars, scale_of
 from armlab.benches.velocity.microscope.ui.page import damping_markup, head_markup, speed_unit, wish_markup
 from armlab.benches.velocity.microscope.ui.scene import names_of
 from armlab.benches.velocity.microscope.ui.words import NAMES, components, condition_card, sigma_bars, table
+from armlab.benches.velocity.solve.found import found as solved
+from armlab.benches.velocity.solve.ui.words import singular_card
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.rotations import rotation_from_quaternion
@@ -187,9 +191,9 @@ def test_a_size_and_a_damping_have_units():
 
 def test_where_wish_and_reached_meet_they_have_one_name():
     wish = np.array([0.8, 0.0, 0.0, 0.0, 0.6, 0.0])
-    assert names_of(wish, wish) == (("wish, reached", "ω wish, reached"), ("", ""))
-    assert names_of(wish, 0.5 * wish) == (("wish", "ω wish"), ("reached", "ω reached"))
-    assert names_of(wish, np.array([0.8, 0, 0, 0, 0, 0])) == (("wish, reached", "ω wish"), ("", "ω reached"))
+    assert names_of(wish, wish) == (("wanted, reached", "ω wanted, reached"), ("", ""))
+    assert names_of(wish, 0.5 * wish) == (("wanted", "ω wanted"), ("reached", "ω reached"))
+    assert names_of(wish, np.array([0.8, 0, 0, 0, 0, 0])) == (("wanted, reached", "ω wanted"), ("", "ω reached"))
     still = np.zeros(6)
     assert names_of(np.array([0.01, 0, 0, 1.0, 0, 0]), still)[1] == ("reached", "ω reached")
 
@@ -220,3 +224,15 @@ def test_the_name_of_the_lost_direction_is_away_from_that_of_the_wish(url):
         await browser.close()
 
     run(main())
+
+
+@pytest.mark.parametrize(
+    ("q2", "verdict"), [(0.0, "Singular"), (0.05, "Poorly conditioned"), (1.5, "Well conditioned")]
+)
+def test_one_configuration_has_one_verdict_on_every_page(q2, verdict):
+    state = opened("planar_2r", MoveJoint(0, 0.2), MoveJoint(1, q2))
+    units = units_of(state)
+    block = VelocityBlock(state[Joints].arm, "translation")
+    assert verdict in condition_card(state.derived(looked), state.derived(near), units)
+    assert verdict in singular_card(solved(state))
+    assert verdict_of(block, placed(block, state[Joints].q))[1] == verdict

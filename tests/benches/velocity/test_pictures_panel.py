@@ -26,6 +26,7 @@ from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
+from armlab.session.parts.robot import ChooseRobot
 from armlab.session.state import State, apply
 from armlab.ui.colours import css
 from armlab.ui.form import Marks
@@ -46,6 +47,17 @@ def picked(state, cell, text):
         return joined(pictures.head_markup(form, state, UNITS), pictures.maps_markup(form, state, square(state), UNITS))
 
     return asked(made, cell, text)
+
+
+def test_an_arm_without_pictures_leads_on_to_one_with_them():
+    puma = State.initial(catalogue()["puma560"])
+
+    def offered(form):
+        return pictures.arms_markup(form, puma)
+
+    assert asked(offered, "arm scara") == (ChooseRobot("scara"),)
+    assert asked(offered, "arm ur10") == ()
+    assert pictures.arms_markup(None, State.initial(catalogue()["scara"])) is None
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from armlab.benches.velocity.solve.clip import SECONDS
 from armlab.benches.velocity.solve.examples import EXAMPLES, ChooseSolveExample
 from armlab.benches.velocity.solve.found import found
 from armlab.benches.velocity.solve.motion import BeginAlong, SlideAlong, begun, looked_for, part_of
-from armlab.benches.velocity.solve.pictures import DragTo, StandAt, contour, flat, norm_curve, refusal, square
+from armlab.benches.velocity.solve.pictures import DragTo, StandAt, contour, flat, norm_curve, refusal, square, suited
 from armlab.benches.velocity.solve.state import CLIP_KEY, Aim, AskFor, SetComponent, Solve
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -298,6 +298,8 @@ def test_one_drag_in_the_square_is_one_step_of_undo():
 def test_other_arms_are_refused_in_a_sentence():
     assert "axes are parallel" in refusal(opened("puma560"))
     assert refusal(opened("scara")) == ""
+    assert next(iter(suited())) == "planar_2r"
+    assert [refusal(opened(key)) for key in suited()] == [""] * len(suited())
     assert "slides across the plane" in refusal(apply(opened("scara"), Set(Solve, "pair", (0, 2))))
     with pytest.raises(InputError, match="axes are parallel"):
         apply(opened("puma560"), StandAt(0.5, 0.5))

@@ -166,7 +166,7 @@ def test_the_analytic_jacobian_of_the_tool_is_there_or_says_why_not():
     state = opened("planar_2r", WriteAngles("zyx", False), SetSpeed(0, np.radians(10)), SetSpeed(1, np.radians(25)))
     assert "35.0\N{EN SPACE}0.0\N{EN SPACE}0.0" in tool_markup(state)
     singular = tool_markup(apply(state, WriteAngles("zxz")))
-    assert "There is none here" in singular
+    assert "It does not exist here" in singular
     assert "first and the third axis are one line" in singular
 
 
@@ -247,7 +247,7 @@ def test_the_page_of_speeds(url):
         await browser.press("point 0 0", "far")
         await says(browser, "point 1, x: expected a number in mm")
         await browser.press("none")
-        await says(browser, "All joints stand still.")
+        await says(browser, "All joints are at rest.")
         await browser.press("alone 1")
         await says(browser, "|ω| <b>30.0 °/s</b>")
         slider = next(c for c in browser.controls.values() if c["props"].get("label", "").startswith("q\u0307₂"))
@@ -264,7 +264,7 @@ def test_the_page_of_turning(url):
     async def main():
         browser = await student(url)
         await browser.open("turning")
-        await says(browser, "Notes 5.43 calls T")
+        await says(browser, "T is not a rotation matrix")
         await browser.press("axes", "zyz")
         await browser.press("about moving")
         await says(browser, "of a spherical wrist")

@@ -213,7 +213,7 @@ def test_a_tool_that_never_turns_has_one_orientation_and_no_share():
     said = joined(proven(state, found, units_of(state))) + joined(tool_line(state, found)) + joined(scale(state, found))
     assert "The tool never turns: one orientation" in said
     assert "64" not in said
-    assert "none met" not in said
+    assert "none found" not in said
     assert "Approach directions" not in said
 
 
@@ -224,7 +224,7 @@ def test_what_a_short_arm_cannot_have_is_said_as_known_and_not_as_sampled(key, k
     state = studied(state_of(key, method="sampled"))
     said = joined(proven(state, study_of(state), units_of(state)))
     assert known in said
-    assert "none met" not in said
+    assert "none found" not in said
     full = studied(state_of("scara", method="sampled"))
     assert "singular points" not in joined(proven(full, study_of(full), units_of(full)))
 

@@ -87,7 +87,7 @@ def test_taking_over_is_one_step_of_undo_and_the_page_follows():
 
 
 def test_nothing_is_taken_over_where_nothing_was_changed():
-    with pytest.raises(InputError, match="nothing has been changed"):
+    with pytest.raises(InputError, match="there are no changes to apply"):
         apply(opened("planar_2r"), TakeOver())
 
 

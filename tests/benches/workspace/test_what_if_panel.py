@@ -106,10 +106,10 @@ def test_quantities_have_the_names_of_the_table():
 def test_changes_are_listed_in_the_units_on_screen():
     state = opened("puma560", Suppose(1, "a", 0.5), Suppose(1, "high", 1.0))
     words = plain(joined(changes_markup(BareForm(), state[WhatIf], units_of(state))))
-    assert words == "Changes in thought a₂ 431.8 mm → 500.0 mm × q₂ to 225.0° → 57.3° ×"
+    assert words == "Proposed changes a₂ 431.8 mm → 500.0 mm × q₂ to 225.0° → 57.3° ×"
     state = apply(apply(state, Set(Notation, "length", "m")), Set(Notation, "angle", "rad"))
     words = plain(joined(changes_markup(BareForm(), state[WhatIf], units_of(state))))
-    assert words == "Changes in thought a₂ 0.4318 m → 0.5000 m × q₂ to 3.927 rad → 1.000 rad ×"
+    assert words == "Proposed changes a₂ 0.4318 m → 0.5000 m × q₂ to 3.927 rad → 1.000 rad ×"
 
 
 def test_the_verdict_says_how_much_larger_or_that_it_cannot_be_told():
@@ -122,7 +122,9 @@ def test_the_verdict_says_how_much_larger_or_that_it_cannot_be_told():
     smaller = known("planar_2r", Suppose(1, "a", 0.8))
     assert plain(joined(verdict_markup(smaller))).startswith("▼ The area is smaller, −20.0 %")
     same = known("planar_2r", Suppose(0, "a", 1.000001))
-    assert plain(joined(verdict_markup(same))).startswith("≈ The same area The difference is within the errors, ±0.00")
+    assert plain(joined(verdict_markup(same))).startswith(
+        "≈ The same area The difference is within the uncertainty, ±0.00"
+    )
     assert joined(verdict_markup(known("planar_2r"))) == ""
     bent = known("planar_2r", Suppose(0, "alpha", 0.5))
     assert plain(joined(verdict_markup(bent))) == "The area becomes a volume m² and m³ cannot be compared."
@@ -243,7 +245,7 @@ def test_a_student_changes_a_number_sees_what_it_does_and_takes_it_over(url):
         await browser.press("field a")
         await browser.press("take")
         await browser.until(lambda: "now 1200.0 mm" in browser.html())
-        assert "Changes in thought" not in browser.html()
+        assert "Proposed changes" not in browser.html()
         await browser.close()
 
     run(story())

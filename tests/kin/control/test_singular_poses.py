@@ -8,8 +8,9 @@ import pytest
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.conditioning import SINGULAR
 from armlab.kin.control.scaled_task import ScaledTask
-from armlab.kin.control.singular_poses import FAR, SINGULAR, nearest_singular_pose, singular_poses
+from armlab.kin.control.singular_poses import FAR, nearest_singular_pose, singular_poses
 
 
 def inverse_condition(task, q):

@@ -144,7 +144,8 @@
   // What was opened and how far was read stays when a value in the text changes, as long as it is the same step.
   const opened = new Map();
   const met = new WeakSet();
-  const nameOf = details => details.querySelector('summary')?.textContent;
+  const isOfText = details => details.closest('.lesson-text') !== null;
+  const nameOf = details => `${isOfText(details)} ${details.dataset.fold ?? details.querySelector('summary')?.textContent}`;
   let read = { title: '', top: 0 };
   let text = null;
   document.addEventListener('toggle', event => {
@@ -157,7 +158,7 @@
     for (const details of document.querySelectorAll('.al details')) {
       if (met.has(details)) continue;
       met.add(details);
-      if (opened.get(nameOf(details))) details.open = true;
+      details.open = opened.get(nameOf(details)) ?? details.open;
     }
     const found = document.querySelector('.lesson-text');
     if (!found || found === text) return;
@@ -166,7 +167,7 @@
     if (title === read.title) text.scrollTop = read.top;
     else {
       read = { title, top: 0 };
-      opened.clear();
+      for (const name of [...opened.keys()]) if (name.startsWith('true ')) opened.delete(name); // folds of panels stay
       const dock = text.closest('.mantine-ScrollArea-viewport'); // in a small window all of it scrolls
       if (dock) dock.scrollTop = 0;
     }

@@ -147,7 +147,17 @@
       if (ready || late) clearInterval(bringing);
     }, 60);
   };
-  const shownIn = element => (element.closest('label') ?? element).getClientRects().length > 0;
+  const shownIn = element => (element.closest('label') ?? element).getClientRects().length > 0 || folds(element).some(fold => !fold.open);
+  // Those around an element: a fold holds what is inside, or the folder beside it.
+  const folds = element => {
+    const found = [];
+    for (let at = element; at; at = at.parentElement) {
+      if (at.matches('details')) found.push(at);
+      const head = at.previousElementSibling?.querySelector(':scope > .al > details.kit-holds');
+      if (head) found.push(head);
+    }
+    return found.filter(fold => fold.getClientRects().length || folds(fold.parentElement).length);
+  };
   const control = ({ tab, at }) => {
     const mark = document.querySelector(`[data-tab="${CSS.escape(tab)}"]`);
     if (mark && !mark.parentElement.getClientRects().length) return null; // the tab is still being opened
@@ -155,7 +165,7 @@
   };
   const show = element => {
     const shown = element.closest('label') ?? element;
-    for (let fold = shown.closest('details'); fold; fold = fold.parentElement.closest('details')) fold.open = true;
+    for (const fold of folds(shown)) fold.open = true;
     shown.scrollIntoView({ block: 'center' });
     element.focus({ preventScroll: true });
     shown.dataset.brought = '1';

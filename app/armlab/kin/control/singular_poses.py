@@ -10,12 +10,10 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.kin.checks import finite_floats
+from armlab.kin.conditioning import SINGULAR
 from armlab.kin.control.scaled_task import ScaledTask
 
 Floats = NDArray[np.float64]
-
-SINGULAR = 1e-9
-"""Inverse condition at or below which a singular configuration counts as found."""
 
 STEPS = 12
 """Largest number of steps of Newton's method on one singular value; each step doubles the correct digits."""

@@ -51,5 +51,12 @@ class Notation(FieldPart):
             data = {name: data[name] for name, options in OPTIONS.items() if data.get(name) in options}
         return super().from_json(data, robot)
 
+    def to_json(self) -> Json:
+        """Return the choices; the notes only where they are shown, so that older labs read what is saved here."""
+        data = super().to_json()
+        if isinstance(data, dict) and self.notes == OPTIONS["notes"][0]:
+            del data["notes"]
+        return data
+
 
 PART = PartType(Notation, order=35)

@@ -57,7 +57,7 @@ EXAMPLES = part_examples(
         "almost_defective",
         "Almost not: eigenvalues −1 and −1.0001",
         Exponential(((-1.0, 1.0), (0.0, -1.0001)), 1.0, 5.0, (0.0, 1.0), 6),
-        "The eigenvectors are almost parallel: T has an inverse, but some four of sixteen digits are lost on the way.",
+        "The eigenvectors are almost parallel: T has an inverse, but some four of sixteen digits are lost.",
     ),
     PartExample(
         "hump",

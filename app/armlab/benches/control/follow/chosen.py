@@ -63,11 +63,11 @@ CLOCK = (
 )
 
 MOTORS = (
-    Field("saturation", "", "joint speeds limited", "choice", "none", choices=tuple(SATURATIONS.items())),
+    Field("saturation", "", "limits on joint speeds", "choice", "none", choices=tuple(SATURATIONS.items())),
     Field(
         "limit",
         "q̇_max",
-        "of joints that turn; left out: those of the arm",
+        "of revolute joints; if omitted, those of the arm",
         "number",
         None,
         1e-4,
@@ -78,7 +78,7 @@ MOTORS = (
     Field(
         "slide_limit",
         "ḋ_max",
-        "of joints that slide; left out: those of the arm",
+        "of prismatic joints; if omitted, those of the arm",
         "number",
         None,
         1e-4,
@@ -92,7 +92,7 @@ KNOWLEDGE = (
     Field("counts", "", "encoder counts a turn, 0: exact", "whole", 0, 0, 1e8),
     Field("shaft", "", "encoder on the", "choice", "motor", choices=tuple(SHAFTS.items())),
     Field("ratio", "", "gear ratio", "number", 100.0, 1e-2, 1e4, only=(("shaft", ("motor",)),)),
-    Field("wrong", "", "links longer than believed", "number", 0.0, -MOST_WRONG, MOST_WRONG, unit="q"),
+    Field("wrong", "", "links longer than the controller assumes", "number", 0.0, -MOST_WRONG, MOST_WRONG, unit="q"),
     Field("link", "", "which link, 0: all", "whole", 0, 0),
 )
 
@@ -311,7 +311,7 @@ def joint_values(arm: Arm, q: ArrayLike, where: str) -> tuple[float, ...]:
     """Return joint values; `InputError` unless they are one number for each joint, inside its possible values."""
     values = finite_floats(q, where, (arm.n,), f"{arm.n} finite joint values")
     if np.any(np.abs(values) > np.where(arm.revolute, MOST_TURNED, FARTHEST * arm.length_scale)):
-        raise InputError(f"{where}: a joint cannot stand there; expected at most ten turns")
+        raise InputError(f"{where}: a joint cannot take this value; expected at most ten turns")
     return tuple(values.tolist())
 
 

@@ -54,7 +54,7 @@ class RemoveRun(Command):
         part = state[Control]
         gone = _checked_run(part, self.run)
         if len(part.runs) == 1:
-            raise InputError("the last run stays: change it instead")
+            raise InputError("at least one run is needed: change this one instead")
         runs = tuple(run for i, run in enumerate(part.runs) if i != gone)
         selected = part.selected - (part.selected > gone)
         return ARM.shown(_changed(state, runs=runs, selected=min(selected, len(runs) - 1)))

@@ -151,14 +151,14 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "wrong_link",
-            "7.1: a link 2 % longer than believed",
+            "7.1: a link 2 % longer than assumed",
             "planar_2r",
             (
                 _short(wrong=0.02, link=2, name="2 % wrong, feedback"),
                 _short(wrong=0.02, link=2, law="open_loop", name="2 % wrong, none"),
                 _short(name="known exactly"),
             ),
-            "The controller brings to zero the error it computes, with the links it believes in: some 20 mm of the "
+            "The controller brings to zero the error it computes, with the link lengths it assumes: some 20 mm of the "
             "true error stay, with any gain.",
         ),
         Example(
@@ -221,7 +221,7 @@ EXAMPLES: Registry[Example] = Registry(
                 },
             ),
             "With q̇ = J# K e the tool goes straight to the target, with q̇ = K (q_d − q) on a bow; both as fast as "
-            "exp(−2t). Drag the handle: the runs are done anew.",
+            "exp(−2t). Drag the handle: the runs are computed again.",
             target=(-0.6, 1.2, 0.0),
         ),
         Example(

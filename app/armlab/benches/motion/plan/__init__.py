@@ -19,6 +19,7 @@ PAGE = Page(
         "6",
         "6.3",
         "trajectory planning",
+        "waypoint",
         "waypoints",
         "play a motion",
         "joint move",

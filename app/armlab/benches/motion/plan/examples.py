@@ -163,11 +163,11 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "cartesian_arm",
-            "The same line with three slides",
+            "The same line with three prismatic joints",
             "cartesian_3p",
             ((0.2, 0.1, 0.2), (0.6, 0.5, 0.4)),
             (SPACE_LINE,),
-            "With three slides the line in space is also one in joint space: both ways take the same time.",
+            "With three prismatic joints a line in space is also one in joint space: both moves take the same time.",
             compared=True,
         ),
         Example(

@@ -193,7 +193,7 @@ def _lasting(question: Question, leg: Leg, within: float, waits: float) -> Leg:
         return leg
     if question.duration - waits < SHORTEST:
         raise InputError(
-            f"duration: the whole is to last {question.duration:g} s, and the waits alone take {waits:g} s"
+            f"duration: the motion is to last {question.duration:g} s, and the waits alone take {waits:g} s"
         )
     share = (question.duration - waits) * _motion(leg).duration / within
     return replace(leg, motion=lasting(leg.stretch, leg.path, _motion(leg), share))

@@ -103,7 +103,7 @@ class RemoveWaypoint(PlanCommand):
         part = state[Plan]
         k = checked_index(part, self.k)
         if len(part.waypoints) == 1:
-            raise InputError("waypoints: the last one stays; add another first")
+            raise InputError("waypoints: at least one is needed; add another first")
         gone = max(k - 1, 0)
         changed = edited(
             part,

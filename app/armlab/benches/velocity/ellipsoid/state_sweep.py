@@ -141,7 +141,7 @@ def free_start(joints: Joints, joint: int) -> float:
         It is held.
     """
     if joints.locked[joint]:
-        raise InputError(f"joint {joint + 1} is held: let it go in Joints, or sweep another")
+        raise InputError(f"joint {joint + 1} is held: release it on the page Joints, or sweep another")
     return float(joints.q[joint])
 
 

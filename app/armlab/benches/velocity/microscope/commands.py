@@ -100,6 +100,6 @@ class BringNear(Command):
         q[k] += step if pose.away <= 0.0 else -step
         held = np.flatnonzero(np.array(joints.locked) & ~np.isclose(q, joints.q, rtol=0.0, atol=ROUNDING))
         if len(held):
-            raise InputError(f"joint {held[0] + 1} is held and would have to move: let it go in Joints")
+            raise InputError(f"joint {held[0] + 1} is held and would have to move: release it on the page Joints")
         moved = joints.moved_to(q)
         return state if moved is joints else state.replace(moved)

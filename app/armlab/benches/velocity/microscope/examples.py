@@ -52,7 +52,7 @@ EXAMPLES: Registry[Example] = Registry(
             {1: 60.0, 2: 3.0},
             "lost",
             "dls_variable",
-            "J⁻¹ moves the tool exactly as wished, with joint speeds many times those of the others; damping trades "
+            "J⁻¹ moves the tool exactly as wanted, with joint speeds many times those of the others; damping trades "
             "them for an error along the arm.",
         ),
         Example(
@@ -72,7 +72,8 @@ EXAMPLES: Registry[Example] = Registry(
             {1: 60.0, 2: 0.0},
             "across",
             "pinv",
-            "Across the arm nothing is lost: pseudo-inverse and transpose meet the wish, damping falls a little "
+            "Across the arm nothing is lost: pseudo-inverse and transpose reach the wanted velocity, damping falls "
+            "a little "
             "short of it, and J⁻¹ still does not exist.",
         ),
         Example(
@@ -82,7 +83,8 @@ EXAMPLES: Registry[Example] = Registry(
             {5: 2.0},
             "lost",
             "dls_variable",
-            "Joints 4 and 6 turn against each other at high speed for a slow turn of the hand; the arm itself stands "
+            "Joints 4 and 6 turn against each other at high speed for a slow rotation of the tool; the arm itself "
+            "stands "
             "well, which is why wrist singularities surprise.",
         ),
         Example(

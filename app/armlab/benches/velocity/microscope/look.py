@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 
 from armlab.benches.velocity.microscope.state import Microscope
 from armlab.kin.arm import Arm
+from armlab.kin.conditioning import SINGULAR
 from armlab.kin.control.rate_inverse import RateStep, rate_step
 from armlab.kin.control.scaled_task import ScaledTask
 from armlab.kin.control.side_by_side import Compared, side_by_side
-from armlab.kin.control.singular_poses import SINGULAR, SingularPose, nearest_singular_pose, singular_poses
+from armlab.kin.control.singular_poses import SingularPose, nearest_singular_pose, singular_poses
 from armlab.kin.velocity.singular import Singularity, singularities
 
 Array = NDArray[np.float64]

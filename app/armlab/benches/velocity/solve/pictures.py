@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.velocity.solve.state import Solve
+from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.velocity.answer import Answer, answer
@@ -59,16 +60,24 @@ def refusal(state: State) -> str:
     arm = state[Joints].arm
     if arm.n < 2:
         return "The pictures need two joints; this arm has one."
-    if not (arm.description.axes_parallel and len(arm.task.position) >= 2):
-        return (
-            "The pictures are of two joints of an arm whose axes are parallel, such as the Planar 2R, a planar 3R or "
-            "the SCARA."
-        )
+    if not suits(arm):
+        return "The pictures are of two joints of an arm whose axes are parallel."
     first, second = state[Solve].pair
     for k in (first, second):
         if not arm.revolute[k] and not _moves_in_plane(arm, k):
             return f"Joint {k + 1} slides across the plane of the others: choose another."
     return ""
+
+
+def suits(arm: Arm) -> bool:
+    """Return whether some two joints of an arm can be in the pictures: its axes are parallel, its tool in a plane."""
+    return arm.n >= 2 and arm.description.axes_parallel and len(arm.task.position) >= 2
+
+
+def suited() -> dict[str, str]:
+    """Return key and name of the arms of the lab that can be in the pictures, those with the fewest joints first."""
+    robots = catalogue().robots.values()
+    return {each.key: each.name for each in sorted(robots, key=lambda each: each.arm.n) if suits(each.arm)}
 
 
 def _moves_in_plane(arm: Arm, k: int) -> bool:

@@ -102,7 +102,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "curving",
-            "Constant speeds accelerate⟦ (5.68)⟧",
+            "Constant joint speeds, accelerated tool⟦ (5.68)⟧",
             "planar_2r",
             _degrees(20.0, 90.0),
             _degrees(60.0, 0.0),

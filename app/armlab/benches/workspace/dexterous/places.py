@@ -98,10 +98,10 @@ class GoToRegion(Command):
         psi = _nearest_angle(lengths, r, now.psi) if len(lengths) == 3 else now.psi
         inside = [q for q in configurations(arm, Place(r, now.theta, psi)) if arm.within_limits(q)]
         if not inside:
-            raise InputError("the joint limits keep the tool out of there along this line")
+            raise InputError("the joint limits keep the tool from that region along this line")
         inside = [q for q in inside if not _held_off(state, q)]
         if not inside:
-            raise InputError("the held joints keep the tool out of there along this line: free them first")
+            raise InputError("the held joints keep the tool from that region along this line: release them first")
         return state.replace(state[Joints].moved_to(min(inside, key=lambda q: _way(arm, q, state[Joints].q))))
 
 
@@ -126,11 +126,11 @@ class StandStretched(Command):
         arm, found = state[Joints].arm, regions(_lengths(state))
         ways = found[self.index].ways if 0 <= self.index < len(found) else ()
         if not 0 <= self.way < len(ways):
-            raise InputError("there is no such singular configuration")
+            raise InputError("there is no singular configuration of that number")
         theta = place_of(arm, state[Joints].q).theta
         q = stretched(arm, ways[self.way], theta)
         if held := _held_off(state, q):
-            raise InputError(f"joint {held[0]} is held and would have to move: free it first")
+            raise InputError(f"joint {held[0]} is held and would have to move: release it first")
         return state.replace(state[Joints].moved_to(q))
 
 

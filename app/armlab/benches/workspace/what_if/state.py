@@ -157,7 +157,7 @@ class TakeOver(Command):
         """Return the state with the edited arm; `InputError` if nothing was changed."""
         part = state[WhatIf]
         if not part.changes:
-            raise InputError("nothing has been changed: move the slider first")
+            raise InputError("there are no changes to apply: move the slider first")
         for command in edits_of(part):
             state = command.apply(state)
         return state.replace(replace(state[WhatIf], taken=(part.arm, part.changes)))

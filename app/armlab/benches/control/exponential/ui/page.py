@@ -64,7 +64,9 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     time = gui.slider("t, s", 0.0, end, end / STEPS, 0.0, lambda t: post(MoveTime(t)), None)
     terms = gui.slider("terms", 1.0, MOST_TERMS, 1.0, 4.0, lambda count: post(SumTerms(round(count))), None)
     drawn, results = gui.form(post), gui.html()
-    large, plot = LargePlane(gui), _ErrorPlot(gui)
+    large = LargePlane(gui)
+    with gui.fold("Error over the number of terms"):
+        plot = _ErrorPlot(gui)
 
     def show(state: State) -> None:
         part = state[Exponential]

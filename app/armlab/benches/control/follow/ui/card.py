@@ -54,13 +54,27 @@ def _run(form: Form, part: Control, i: int, run: Setup) -> Markup:
 
 def card_markup(state: State) -> Markup:
     """Return the results side by side, and the reasons of runs that stopped early."""
-    part, units = state[Control], units_of(state)
-    found = [_current(state, i) for i in range(len(part.runs))]
-    heads = [(dot(css(RUN_COLOURS[run.colour])), str(i + 1)) for i, run in enumerate(part.runs)]
-    rows = _rows(state, [None if each is None else each.figures for each in found], units)
-    body = [line(name, *values) for name, values in rows]
+    units, found = units_of(state), _all_current(state)
     said = [_said(i, each, units) for i, each in enumerate(found)]
-    return joined(tag("table.ct-card", head_line(None, *heads), body), said)
+    return joined(_table(state, _rows(state, _figures(found), units)), said)
+
+
+def speeds_markup(state: State) -> Markup:
+    """Return the largest speed of each joint, side by side."""
+    return _table(state, _speeds(state, _figures(_all_current(state)), units_of(state)))
+
+
+def _table(state: State, rows: list[Row]) -> Markup:
+    heads = [(dot(css(RUN_COLOURS[run.colour])), str(i + 1)) for i, run in enumerate(state[Control].runs)]
+    return tag("table.ct-card", head_line(None, *heads), [line(name, *values) for name, values in rows])
+
+
+def _all_current(state: State) -> list[Outcome | None]:
+    return [_current(state, i) for i in range(len(state[Control].runs))]
+
+
+def _figures(found: list[Outcome | None]) -> list[Figures | None]:
+    return [None if each is None else each.figures for each in found]
 
 
 def _current(state: State, i: int) -> Outcome | None:
@@ -94,7 +108,7 @@ def _left(i: int, outcome: Outcome, joint: int, time: float, units: Units) -> Ma
     return verdict_box("warn", head, f"A real arm would stop there: {where}.", sign="!")
 
 
-def _rows(state: State, figures: list[Figures | None], units: Units) -> list[Row]:
+def _speeds(state: State, figures: list[Figures | None], units: Units) -> list[Row]:
     arm = state[Joints].arm
     rows: list[Row] = []
     for i in range(arm.n):
@@ -102,6 +116,12 @@ def _rows(state: State, figures: list[Figures | None], units: Units) -> list[Row
         name = "peak q̇", tag("sub", str(i + 1)), f", {units.unit(revolute)}/s"
         fastest = [None if each is None else each.speeds[i] for each in figures]
         rows.append((name, ["…" if peak is None else _peak(peak, revolute, units) for peak in fastest]))
+    return rows
+
+
+def _rows(state: State, figures: list[Figures | None], units: Units) -> list[Row]:
+    arm = state[Joints].arm
+    rows: list[Row] = []
     if arm.task.position:
         unit = units.length_unit
         rows.append(
@@ -144,11 +164,11 @@ def _cell(figures: Figures | None, text: Callable[[Figures], Inside]) -> Inside:
 def _peak(peak: Peak, revolute: bool, units: Units) -> Inside:
     """Return a largest value with its time below it."""
     text = small(peak.value, revolute, units)
-    return text if text == ZERO else (text, tag("small", f"{number(peak.time, 2)} s"))
+    return text if text == ZERO else (text, " ", tag("small", f"{number(peak.time, 2)} s"))
 
 
 def _sigma(peak: Peak) -> Inside:
-    return number(peak.value, 3), tag("small", f"{number(peak.time, 2)} s")
+    return number(peak.value, 3), " ", tag("small", f"{number(peak.time, 2)} s")
 
 
 def small(value: float, revolute: bool, units: Units) -> Inside:

@@ -28,7 +28,7 @@ from armlab.kin.field import Field
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
 from armlab.ui.form import Form
-from armlab.ui.format import mathml, trimmed
+from armlab.ui.format import lowered, mathml, trimmed
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.option_form import PLAIN, Scale, option_form
 from armlab.ui.units import Units, units_of
@@ -51,11 +51,11 @@ def reference_markup(form: Form, state: State) -> Markup:
     chooser = form.select("ref", "Reference", REFERENCES, run.reference, ChooseReference, "What the tool is to follow")
     level = "z" not in state[Joints].arm.task.position
     way = _values(form, run, [each for each in WAY if not (level and each.key == "elevation")], units)
-    found = [tag("h3", "Reference"), tag("div.kit-head", chooser), _group(way)]
+    found: list[Inside] = [tag("div.kit-head", chooser), _group(way)]
     if run.reference == "target":
         found.append(_target(form, state, units))
     if run.reference != "planned":
-        hint = "Let the reference begin where the arm stands"
+        hint = "Start the reference from the present configuration"
         here = form.button("here", "Present configuration", SetStart(), "chip", hint)
         found.append(_joints(form, state, "start", run.start, SetStart, "Start", here))
     return joined(found, _joints(form, state, "offset", run.offset, SetOffset, "Initial error"))
@@ -71,7 +71,6 @@ def law_markup(form: Form, state: State) -> Markup:
     sigma = sigma_unit(arm)
     laws = {key: law.title for key, law in control_laws().items()}
     found: list[Inside] = [
-        tag("h3", "Control law"),
         tag("div.kit-head", form.select("law", "Control law", laws, run.law, ChooseLaw)),
         tag("p.ct-formula", mathml(run.kind.formula)),
         _options(form, "law", _gains(run.kind.fields, arm), dict(run.law_options), sigma),
@@ -87,6 +86,12 @@ def law_markup(form: Form, state: State) -> Markup:
         if arm.n > arm.task.m:
             found.append(tag("div.options", _values(form, run, NULL, units)))
     return joined(found)
+
+
+def law_words(run: Setup) -> str:
+    """Return the names of the control law and, where it has one, of the inverse."""
+    inverse = f", {lowered(run.method.title)}" if run.kind.inverts else ""
+    return f"{lowered(run.kind.title)}{inverse}"
 
 
 def plant_markup(form: Form, state: State) -> Markup:
@@ -165,7 +170,7 @@ def _joints(
 
 def _target(form: Form, state: State, units: Units) -> Markup:
     place = ", ".join(units.text(float(value), False) for value in state[Control].target[:3, 3])
-    hint = "Take the target of the lab; dragged, it is taken by itself"
+    hint = "Use the target of the lab; dragging it updates this one as well"
     take = form.button("aim", "Use the lab's target", AimAt(), "chip", hint)
     return tag("div.bar", tag("span", f"Target ({place}) {units.length_unit}"), take)
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from armlab.benches.control.follow.chosen import REFERENCES
 from armlab.benches.control.follow.clip import duration, time_of
 from armlab.benches.control.follow.commands import DropPushes, NameRun, PushNow, SizePush
 from armlab.benches.control.follow.examples import EXAMPLES, ChooseControlExample
 from armlab.benches.control.follow.runs import reference_points
 from armlab.benches.control.follow.state import CLIP_KEY, Control, fresh, questions
-from armlab.benches.control.follow.ui.card import card_markup, runs_markup
-from armlab.benches.control.follow.ui.form import law_markup, plant_markup, plant_words, reference_markup
+from armlab.benches.control.follow.ui.card import card_markup, runs_markup, speeds_markup
+from armlab.benches.control.follow.ui.form import law_markup, law_words, plant_markup, plant_words, reference_markup
 from armlab.benches.control.follow.ui.plots import VIEWS, Plots
 from armlab.benches.motion.api import Plan
 from armlab.session.parts.joints import Joints
@@ -23,6 +24,7 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import number, trimmed
 from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import fold
 from armlab.ui.playing import SPACE, by_space
 from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.symbols import with_symbol
@@ -32,9 +34,10 @@ from armlab.ui.widgets import Gui
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the example, the runs, the form, the results and the plots."""
-    head, clock, runs, card = gui.form(post), gui.form(post), gui.form(post), gui.html()
-    chooser, plots = gui.form(post), Plots(gui, state)
+    head, runs = gui.form(post), gui.form(post)
     form, law, plant = gui.form(post), gui.form(post), gui.form(post)
+    clock, card, chooser = gui.form(post), gui.html(), gui.form(post)
+    plots, speeds = Plots(gui, state), gui.html()
     view, written = "error", object()
 
     def look(at: str) -> None:
@@ -55,12 +58,19 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         head.show(examples(head, EXAMPLES, state[Control].example, ChooseControlExample, "Experiments"))
         runs.show(runs_markup(runs, state))
         card.show(card_markup(state))
-        form.show(_named(form, state), reference_markup(form, state))
-        law.show(law_markup(law, state))
-        words = with_symbol(plant_words(state[Control].run), "T_s")
-        plant.show(tag("h3", "Plant ", tag("small", words)), plant_markup(plant, state))
+        speeds.show(fold("Peak speeds of the joints", speeds_markup(state)))
+        run = state[Control].run
+        named = _named(form, state)
+        form.show(_fold("Reference", REFERENCES[run.reference], named, reference_markup(form, state)))
+        law.show(_fold("Control law", law_words(run), law_markup(law, state)))
+        plant.show(_fold("Plant", with_symbol(plant_words(run), "T_s"), plant_markup(plant, state)))
 
     return show
+
+
+def _fold(title: str, words: Inside, *inside: Inside) -> Markup:
+    """Return a fold whose head says what is set inside."""
+    return fold((title, " ", tag("small", words)), *inside, key=title)
 
 
 def clock_markup(form: Form, state: State) -> Markup:
@@ -83,7 +93,7 @@ def _play(form: Form, state: State) -> Markup:
 
 def _push(form: Form, part: Control, units: Units) -> Inside:
     """Return the button that pushes, the field for the distance, and the button that removes all pushes."""
-    hint = "Push the tool aside at the present time, and run it again"
+    hint = "Push the tool aside at the present time, and compute the run again"
     push = form.button("push", "Push", PushNow(), "chip", hint, off=part.outcome is None)
 
     def sized(text: str) -> SizePush:
@@ -91,7 +101,7 @@ def _push(form: Form, part: Control, units: Units) -> Inside:
 
     shown = trimmed(part.push / units.factor(False), 3)
     size = form.field("push-size", shown, "How far the tool is pushed", sized)
-    count, away = len(part.run.pushes), "Take the pushes away"
+    count, away = len(part.run.pushes), "Remove the pushes"
     drop = form.button("drop", f"✕ {count}", DropPushes(), "chip", away, away) if count else None
     return push, tag("label", size, tag("i", units.length_unit)), drop
 

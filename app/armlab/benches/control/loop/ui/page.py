@@ -44,7 +44,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     units = units_of(state)
     head, drawn, form, timing = gui.form(post), gui.html(), gui.form(post), gui.form(post)
     plots, verdict = _Plots(gui), gui.html()
-    heading, response, charts = gui.form(post), gui.html(), Responses(gui, units)
+    with gui.fold(("Frequency response ", mathml(RESPONSE))):
+        heading, response, charts = gui.form(post), gui.html(), Responses(gui, units)
 
     def show(state: State) -> None:
         part = state[Loop]
@@ -55,7 +56,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         plots.show(state)
         verdict.show(_verdict(part, units))
         charts.show(part)
-        heading.show(tag("h3", "Frequency response ", mathml(RESPONSE), tag("span.copies", charts.button(heading))))
+        heading.show(tag("h3", tag("span.copies", charts.button(heading))))
         response.show(bode(part, units), _numbers(part, units))
 
     return show

@@ -10,12 +10,13 @@ from armlab.session.state import Post, State
 from armlab.ui.commands import shortcuts
 from armlab.ui.html import Markup, tag
 from armlab.ui.jog import KEYS as JOG
+from armlab.ui.markup import fold
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.welcome import tour_from
 from armlab.ui.widgets import Gui
 
 PAGE_KEYS = (
-    ("V", "projector: large text, no benches (Esc ends)"),
+    ("V", "projector: large text, panels hidden (Esc ends)"),
     ("Page ↑ ↓", "the step before or after, in a lesson"),
     ("space , .", "play what the open page shows, step back, step on"),
     ("X", "the plots of the open page, large; again: close them"),
@@ -53,12 +54,12 @@ WORDS = (
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the text."""
     start = gui.form(post)
-    gui.html(tag("h3", "Keys"), _table([*((s.shown, s.label) for s in shortcuts() if s.key), *PAGE_KEYS]))
-    gui.html(tag("h3", "While Jog is chosen on Joints or Target"), _table(JOG))
-    gui.html(tag("p.dim", UNDO))
-    gui.html(tag("h3", "Mouse and touch"), _table(MOUSE))
-    gui.html(tag("h3", "What the verdict says"), _table(WORDS))
-    gui.html(tag("h3", "Units"), tag("p", UNITS))
+    keys = _table([*((s.shown, s.label) for s in shortcuts() if s.key), *PAGE_KEYS])
+    gui.html(fold("Mouse and touch", _table(MOUSE), opened=True))
+    gui.html(fold("What the verdict says", _table(WORDS), opened=True))
+    gui.html(fold("Keys", keys, tag("p.dim", UNDO)))
+    gui.html(fold("Keys while Jog is chosen on Joints or Target", _table(JOG)))
+    gui.html(fold("Units and hints", tag("p", UNITS)))
 
     def show(state: State) -> None:
         del state

@@ -22,6 +22,7 @@ from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import fold
 from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import plain_number, units_of
@@ -75,7 +76,6 @@ def problem_markup(form: Form, state: State) -> Markup:
         _start_markup(form, state),
         _target_markup(form, state),
         _task_markup(form, state),
-        _bounds(form, part),
     )
 
 
@@ -132,24 +132,29 @@ def _target_markup(form: Form, state: State) -> Markup:
     return tag("h3", "Target ", tag("small", f"({place}) {units.length_unit}"), tag("span.copies", take))
 
 
-def _task_markup(form: Form, state: State) -> Inside:
-    arm, part, units = state[Joints].arm, state[Iterations], units_of(state)
+def _task_markup(form: Form, state: State) -> Markup:
+    """Return the task vector and the limits of the steps, which are open where the vector is not the arm's own."""
+    arm, part = state[Joints].arm, state[Iterations]
     vector, found = vector_of(state), choices(arm)
-    head = tag("h3", "Task vector ", tag("small", vector_text(vector)))
-    if len(found) == 1:
-        return head
-    chooser = form.select("task", "Task vector", found, chosen(arm, part.task), partial(_task, state))
-    choice = tag("div.kit-head", chooser)
-    if not vector.joints:
-        return head, choice
-    joint, value = vector.joints[0]
+    head, choice = ("Task vector and limits ", tag("small", vector_text(vector))), None
+    if len(found) > 1:
+        choice = form.select("task", "Task vector", found, chosen(arm, part.task), partial(_task, state))
+    wanted = _wanted_markup(form, state) if vector.joints else None
+    inside = tag("div.kit-head", choice) if choice else None, wanted, _bounds(form, part)
+    return fold(head, *inside, opened=bool(vector.joints), key="Task vector")
+
+
+def _wanted_markup(form: Form, state: State) -> Inside:
+    """Return the field of the joint value that is a part of the task vector, and how many arms were found for it."""
+    arm, units = state[Joints].arm, units_of(state)
+    joint, value = vector_of(state).joints[0]
     revolute = bool(arm.revolute[joint - 1])
     name = units.variable(joint - 1, revolute)
     field = form.field("wanted", units.text(value, revolute), f"Wanted value of {name}", partial(_wanted, state))
     many = len(arms_found(state))
     arms = f"{many} arm{'s' if many != 1 else ''} found, drawn pale" if many else ""
     wanted = tag("label", tag("span", f"{name} wanted"), field, tag("i", units.unit(revolute)))
-    return head, choice, tag("div.kit-numbers", wanted), tag("p.dim", arms)
+    return tag("div.kit-numbers", wanted), tag("p.dim", arms)
 
 
 def _in_the_way(state: State) -> tuple[str, ...]:

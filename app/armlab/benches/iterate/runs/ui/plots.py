@@ -16,7 +16,7 @@ from armlab.session.state import State
 from armlab.ui.format import mathml
 from armlab.ui.run_plot import Array, RunPlot, Values
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Gui
+from armlab.ui.widgets import Fold, Gui
 
 FLOOR = 1e-16
 """Smallest error that is drawn as it is, because 0 has no logarithm."""
@@ -29,7 +29,7 @@ class Plots:
     """All plots, of which those with curves are visible."""
 
     def __init__(self, gui: Gui, state: State) -> None:
-        self._plots = _plots(gui, state)
+        self._plots, self._more = _plots(gui, state)
         self._shown: object = None
 
     def show(self, state: State) -> None:
@@ -66,6 +66,7 @@ class Plots:
             "V": flow,
             "V_dot": flow,
         }
+        self._more.visible(not flow or vector.task.rotation != "none")
         grid, metres = _grid(alike, flow), sigma_unit(state) == "m"
         for key, unit in UNITS.items():
             self._plots[key].name_unit(unit if metres else "")
@@ -114,23 +115,25 @@ UNITS = {"sigma": "m", "damping": "m²"}
 """Units of plots if the task vector is a position in metres; for others it is without unit."""
 
 
-def _plots(gui: Gui, state: State) -> dict[str, RunPlot]:
+def _plots(gui: Gui, state: State) -> tuple[dict[str, RunPlot], Fold]:
+    """Return the plots by their keys, and the fold that holds most of them."""
     arm, units = state[Joints].arm, units_of(state)
     plots = {
         "position": RunPlot(gui, "log₁₀ of the position error in m", "position_error", lambda f: _log(f.position_error))
     }
-    if arm.task.rotation != "none":
-        plots["rotation"] = RunPlot(
-            gui, "log₁₀ of the orientation error in rad", "orientation_error", lambda f: _log(f.rotation_error)
-        )
     plots["V"] = RunPlot(gui, ("Lyapunov function ", mathml(LYAPUNOV), ", 1/s"), "V", lambda f: f.V, True)
     plots["V_dot"] = RunPlot(gui, ("Its derivative ", mathml(ITS_RATE), ", 1/s²"), "V_dot", lambda f: f.V_dot)
-    for turns in (True, False):
-        if bool(np.any(arm.revolute == turns)):
-            plots["turn" if turns else "slide"] = _steps_plot(gui, turns, units)
-    plots["sigma"] = RunPlot(gui, ("Smallest singular value ", mathml(SIGMA)), "sigma_min", _sigma, True)
-    plots["damping"] = RunPlot(gui, "Damping added to J Jᵀ", "damping", lambda f: f.damping, True)
-    return plots
+    with gui.fold("Orientation, steps, singular values, damping") as more:
+        if arm.task.rotation != "none":
+            plots["rotation"] = RunPlot(
+                gui, "log₁₀ of the orientation error in rad", "orientation_error", lambda f: _log(f.rotation_error)
+            )
+        for turns in (True, False):
+            if bool(np.any(arm.revolute == turns)):
+                plots["turn" if turns else "slide"] = _steps_plot(gui, turns, units)
+        plots["sigma"] = RunPlot(gui, ("Smallest singular value ", mathml(SIGMA)), "sigma_min", _sigma, True)
+        plots["damping"] = RunPlot(gui, "Damping added to J Jᵀ", "damping", lambda f: f.damping, True)
+    return plots, more
 
 
 def _steps_plot(gui: Gui, turns: bool, units: Units) -> RunPlot:

@@ -20,7 +20,7 @@ ROWS = 7
 """Number of rows shown at once, with the present one in the middle if possible."""
 
 IN_LINE = 2
-"""Largest number of joints with their values in the row itself; others have them in a line below."""
+"""Largest number of joints with their values in the row itself; others have them in a line below the present one."""
 
 
 class Numbers(NamedTuple):
@@ -70,7 +70,7 @@ class Table:
         row, here = classes("tr", now=present), "true" if present else None
         line = tag(row, tag("td", head), [tag("td", cell) for cell in cells], aria_current=here)
         joints = tag("td.it-q", f"q = {below}", colspan=len(cells) + 1)
-        return line, tag(row, joints, aria_current=here) if below else None
+        return line, tag(row, joints, aria_current=here) if below and present else None
 
 
 def _columns(film: Film, units: Units) -> list[str]:

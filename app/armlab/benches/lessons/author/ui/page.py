@@ -24,7 +24,7 @@ from armlab.ui.widgets import Gui
 HOW = (
     tag(
         "p",
-        "Bring the arm to where the students shall bring it, give the lesson a title, and save. The file has one step "
+        "Bring the arm to where the students are to bring it, give the lesson a title, and save. The file has one step "
         "with a check, a hint and a solution, and begins with the benches as you have set them; write the text in any "
         "editor.",
     ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import groupby
 
 from armlab.content.lesson import Lesson
@@ -13,6 +14,7 @@ from armlab.session.state import Post, State
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.lesson.load import load_work
+from armlab.ui.markup import fold
 from armlab.ui.picks import broken_files, pick
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.search.markup import search_button
@@ -34,17 +36,38 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 def _all(form: Form, state: State) -> Inside:
     """Return the lessons by chapter, each with its arm and the student's progress."""
     part = state[LessonPart]
-    chapters = groupby(lessons().lessons.values(), lambda lesson: lesson.chapter)
-    listed = [(tag("h3", chapter), [_lesson(form, lesson, part) for lesson in found]) for chapter, found in chapters]
+    chapters = [
+        (chapter, list(found)) for chapter, found in groupby(lessons().lessons.values(), lambda lesson: lesson.chapter)
+    ]
+    here = part.open.partition("/")[0]
+    present = next((chapter for chapter, found in chapters if any(each.key == here for each in found)), None)
+    listed = [
+        _chapter(form, chapter, found, part, chapter == present if present else i == 0)
+        for i, (chapter, found) in enumerate(chapters)
+    ]
     return listed, broken_files("lesson", lessons().problems)
+
+
+def _chapter(form: Form, chapter: str, found: Sequence[Lesson], part: LessonPart, opened: bool) -> Markup:
+    """Return a chapter, which is open where it holds the open lesson, or is the first when none is open."""
+    done = sum(_passed(lesson, part) == len(lesson.steps) for lesson in found)
+    count = f"{done} of {len(found)} done" if done else f"{len(found)} lesson{'s' if len(found) > 1 else ''}"
+    inside = [_lesson(form, lesson, part) for lesson in found]
+    return fold((chapter, " ", tag("small", count)), inside, opened=opened, key=chapter)
+
+
+def _passed(lesson: Lesson, part: LessonPart) -> int:
+    """Return the number of steps passed, in the variant in which most were."""
+    progress = [each for place, each in part.progress_of.items() if place.partition("/")[0] == lesson.key]
+    return max((len(each.passed(lesson)) for each in progress), default=0)
 
 
 def _lesson(form: Form, lesson: Lesson, part: LessonPart) -> Markup:
     count = len(lesson.steps)
     steps = f"{count} step{'s' if count > 1 else ''}"
-    progress = [each for place, each in part.progress_of.items() if place.partition("/")[0] == lesson.key]
-    passed = max((len(each.passed(lesson)) for each in progress), default=0)
-    come = "✓ done" if passed == count else f"{passed} of {count}" if progress else ""
+    passed = _passed(lesson, part)
+    begun = any(place.partition("/")[0] == lesson.key for place in part.progress_of)
+    come = "✓ done" if passed == count else f"{passed} of {count}" if begun else ""
     about = f"{lesson.robot_used.name}, {steps}"
     here = lesson.key == part.open.partition("/")[0]
     return pick(form, f"lesson:{lesson.key}", OpenLesson(lesson.key), lesson.title, come, about, here)

@@ -15,6 +15,7 @@ from armlab.ui.colours import css
 from armlab.ui.form import Form
 from armlab.ui.format import dot, number, subscript
 from armlab.ui.html import Markup, joined, tag
+from armlab.ui.markup import fold
 from armlab.ui.symbols import with_indices
 from armlab.ui.tables import head_line, line
 
@@ -46,7 +47,7 @@ def facts(part: Curves) -> Markup | None:
         tag("tr", tag("th", name, title=hint), [tag("td", _short(value(made))) for _, made in every])
         for name, hint, value in rows
     ]
-    return joined(tag("h3", "In numbers"), tag("table.cu-facts", head_line("", *heads), lines))
+    return fold("Classes, peaks and overshoot", tag("table.cu-facts", head_line("", *heads), lines))
 
 
 def _peak(made: Made, order: int) -> str:

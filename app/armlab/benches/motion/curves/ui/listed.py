@@ -43,9 +43,8 @@ def knots_markup(form: Form, part: Curves, as_text: bool, turn: Callable[[], Non
     hint = "Unit of the coordinate; the numbers stay"
     units = form.chips("unit", names, part.unit, hint, partial(Set, Curves, "unit"))
     switch = form.button("as-text", "As table" if as_text else "As text", turn, "copy", "Another way to type the knots")
-    head = tag("h3", "Knots", tag("span.copies", switch))
-    knots = _text(form, part) if as_text else _table(form, part)
-    return joined(head, tag("div.cu-units", tag("span", "q in"), units), knots)
+    head = tag("h3", "Knots", tag("span.copies", units, switch))
+    return joined(head, _text(form, part) if as_text else _table(form, part))
 
 
 def _table(form: Form, part: Curves) -> Markup:
@@ -177,7 +176,7 @@ def limits_markup(form: Form, part: Curves) -> Markup:
     """Return the fields of both limits."""
     v = _limit(form, part, "v_max", 1, "Largest rate")
     a = _limit(form, part, "a_max", 2, "Largest acceleration")
-    return joined(tag("h3", "Limits"), tag("div.options", v, a))
+    return tag("div.options", tag("span.dim", "Limits"), v, a)
 
 
 def _limit(form: Form, part: Curves, key: Limit, order: int, words: str) -> Markup:

@@ -23,16 +23,19 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         nonlocal as_text
         as_text = not as_text
 
-    problem, knots, curves, limits = gui.form(post), gui.form(post), gui.form(post), gui.form(post)
-    plots, numbers = Plots(gui, state), gui.html()
-    fast, solved, rules = gui.form(post), gui.html(), gui.form(post)
+    problem, knots, curves = gui.form(post), gui.form(post), gui.form(post)
+    judged, plots, numbers = gui.html(), Plots(gui, state), gui.html()
+    with gui.fold("Limits and minimum time"):
+        limits, fast = gui.form(post), gui.form(post)
+    solved, rules = gui.html(), gui.form(post)
 
     def show(state: State) -> None:
         part = state[Curves]
         problem.show(examples(problem, EXAMPLES, part.example, ChooseExample))
         knots.show(knots_markup(knots, part, as_text, turn))
         curves.show(curves_markup(curves, part))
-        limits.show(limits_markup(limits, part), verdicts(part))
+        limits.show(limits_markup(limits, part))
+        judged.show(verdicts(part))
         plots.show(part)
         numbers.show(facts(part))
         fast.show(fastest_markup(fast, part))

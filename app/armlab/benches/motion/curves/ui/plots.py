@@ -119,7 +119,10 @@ class Plots:
     """All four plots."""
 
     def __init__(self, gui: Gui, state: State) -> None:
-        self._plots = [CurvePlot(gui, order, state[Curves].unit) for order in range(4)]
+        of = state[Curves].unit
+        self._plots = [CurvePlot(gui, 0, of)]
+        with gui.fold("Rate, acceleration and jerk"):
+            self._plots += [CurvePlot(gui, order, of) for order in (1, 2, 3)]
         self._shown: object = None
 
     def show(self, part: Curves) -> None:

@@ -28,6 +28,7 @@ from armlab.ui.colours import css
 from armlab.ui.form import Form
 from armlab.ui.format import dot, matrix, number, subscript
 from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import fold
 from armlab.ui.matrices import copy_buttons
 from armlab.ui.tables import head_line, line
 
@@ -44,9 +45,9 @@ _INDEX = re.compile(r"_(\([^)]*\)|\w(?:[−+]\d)?)")
 def solved_markup(part: Curves) -> Markup:
     """Return the equations and coefficients of the selected curve."""
     made, drawn = part.outcomes[part.selected], part.curves[part.selected]
-    head = tag("h2", dot(css(COLOURS[drawn.colour])), f"What is solved: curve {part.selected + 1}")
+    head = f"What is solved: curve {part.selected + 1} ", dot(css(COLOURS[drawn.colour]))
     if not isinstance(made, Made):
-        return joined(head, tag("p.dim", "There is no curve to look at."))
+        return fold(head, tag("p.dim", "There is no curve to look at."), key="solved")
     path, of = made.trajectory.path, part.unit
     said: list[Inside] = [tag("p", f"{made.title}.")]
     spline, lts, one, several = spline_solved(path), lts_solved(path), one_polynomial(made), pieces(made)
@@ -72,7 +73,7 @@ def solved_markup(part: Curves) -> Markup:
     # That of 6.74 stands beside its polynomial below.
     notes = [text for text in differences(made) if part.degree != 5 or not text.startswith("⟦Notes 6.74")]
     said += [tag("p.cu-note", _indices(text)) for text in notes]
-    return joined(head, said)
+    return fold(head, said, key="solved")
 
 
 def _indices(text: str) -> Markup:
@@ -199,8 +200,9 @@ def rules_markup(form: Form, part: Curves) -> Markup:
         f"Derivatives 1 to {part.degree // 2} vanish at both ends; largest velocity {figures(found.peak_speed)} Δq/T."
     )
     wrong = f"⟦Notes 6.74 prints {polynomial(printed, 'τ')}: sum {figures(sum(printed))}, not 1; corrected.⟧"
-    return joined(
-        tag("h3", "Rest to rest, normalised ", tag("small", "degree"), " ", chosen),
+    return fold(
+        "Rest to rest, normalised",
+        tag("div.bar", tag("span.dim", "Degree"), chosen),
         tag("p", _indices("(q − q_i)/Δq = "), polynomial(coefficients, "τ")),
         _rules(found.rules, coefficients, part.degree),
         tag("p.dim", rest),

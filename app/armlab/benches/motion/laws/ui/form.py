@@ -107,7 +107,7 @@ def _said(part: Laws, i: int) -> Markup:
 
 
 def scaling_markup(form: Form, part: Laws) -> Markup:
-    """Return the head of time scaling: the choice of the law, and the optimal k."""
+    """Return the choice of the law that is stretched, and of the optimal k."""
     which = [
         form.button(
             f"scale {i}",
@@ -121,4 +121,4 @@ def scaling_markup(form: Form, part: Laws) -> Markup:
     ]
     best = form.chip("optimal", "Optimal k", StretchOptimally(), "Slower, or faster, until one limit is met")
     back = form.chip("unscaled", "k = 1", Stretch(1.0), "Leave the law alone", off=part.k == 1.0)
-    return joined(tag("h3", "Uniform time scaling ", tag("small", "r = k t")), tag("div.bar", which, best, back))
+    return tag("div.bar", which, best, back)

@@ -23,9 +23,10 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the form, the plots, the tables, the slider of k and the calculator."""
     head, bounds, form, timing = gui.form(post), gui.form(post), gui.form(post), gui.form(post)
     plots, values = Plots(gui), gui.html()
-    scaling = gui.form(post)
-    slider = gui.slider("k", FASTEST, SLOWEST, STEP, 1.0, lambda k: post(Stretch(k)), "New time over old time")
-    after = gui.html()
+    with gui.fold("Uniform time scaling r = k t"):
+        scaling = gui.form(post)
+        slider = gui.slider("k", FASTEST, SLOWEST, STEP, 1.0, lambda k: post(Stretch(k)), "New time over old time")
+        after = gui.html()
 
     def show(state: State) -> None:
         part = state[Laws]

@@ -109,7 +109,9 @@ class Plots:
     """All plots over time, with the cursor of the timeline."""
 
     def __init__(self, gui: Gui) -> None:
-        self._plots = [LawPlot(gui, order) for order in range(len(TITLES))]
+        self._plots = [LawPlot(gui, order) for order in (0, 1)]
+        with gui.fold("Acceleration and jerk"):
+            self._plots += [LawPlot(gui, order) for order in range(2, len(TITLES))]
         self._shown: object = None
 
     def show(self, state: State) -> None:

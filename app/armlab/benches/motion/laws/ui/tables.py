@@ -25,7 +25,7 @@ from armlab.kin.motion.breaks import ORDERS
 from armlab.session.amounts import amount
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.markup import SIGNS
+from armlab.ui.markup import SIGNS, fold
 from armlab.ui.option_form import PLAIN, option_form
 from armlab.ui.symbols import with_indices
 from armlab.ui.tables import head_line, line
@@ -63,7 +63,7 @@ def values_markup(part: Laws, t: float) -> Markup:
     peaks = [_row(name, unit, [value(law) for law in part.every]) for name, unit, value in PEAKS]
     heads = head_line(f"at t = {amount(t, 's')}", *(marked(name, colour) for name, colour in names(part)))
     below = tag("tr", tag("th", "on [0, T]", colspan=1 + len(part.every)))
-    return tag("table.law-table", heads, rows, below, peaks)
+    return fold("Values, peaks and classes", tag("table.law-table", heads, rows, below, peaks))
 
 
 def _row(name: str, unit: str, cells: list[str]) -> Markup:

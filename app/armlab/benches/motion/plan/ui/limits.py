@@ -12,6 +12,7 @@ from armlab.session.state import State
 from armlab.ui.form import Form, Typed
 from armlab.ui.format import readable
 from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import fold
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, plain_number, units_of
 
@@ -43,8 +44,8 @@ def time_markup(form: Form, state: State) -> Markup:
         _field(form, "speed", "tool speed", speed, speeds, "Largest speed of the tool; empty: any", tool),
         _field(form, "jerk", "jerk time", jerk, "s", built, build_up),
     )
-    heads = tag("h3", "Time"), _duration(form, state), tag("h3", "Limits")
-    return joined(heads, tag("div.options", limits), _joints(form, state))
+    within = fold("Limits", tag("div.options", limits), _joints(form, state))
+    return joined(tag("h3", "Time"), _duration(form, state), within)
 
 
 def _duration(form: Form, state: State) -> Markup:

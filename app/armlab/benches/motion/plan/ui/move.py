@@ -56,7 +56,7 @@ def move_markup(form: Form, state: State) -> Markup | None:
     stretch, k = part.stretch, part.selected
     move = stretch.move
     hint = "Make all moves of this kind"
-    like = form.chip("all-like", "All like this", AllMovesLike(k), hint, off=len(part.moves) == 1)
+    like = form.chip("all-like", "Apply to all moves", AllMovesLike(k), hint, off=len(part.moves) == 1)
     spaces = [
         form.chip(f"space-{key}", text, SetMove(k, space=key), "What runs", key == move.space)
         for key, text in SPACES.items()

@@ -117,7 +117,9 @@ def _selected(form: Form, state: State) -> Markup:
     handle, hint = SelectWaypoint(k, not part.handled), "A handle at this waypoint instead of at the arm"
     take = (
         form.button("go", "Go there", GoToWaypoint(k), "chip", "Move the arm to this waypoint"),
-        form.button("take", "Take present", TakePresent(k), "chip", "Put this waypoint where the arm stands"),
+        form.button(
+            "take", "Set to current pose", TakePresent(k), "chip", "Move this waypoint to the arm's current pose"
+        ),
         form.chip("drag", "Drag it", handle, hint, part.handled),
     )
     short = shortfall(arm, point)

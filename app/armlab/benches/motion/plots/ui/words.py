@@ -10,7 +10,7 @@ from armlab.benches.motion.plots.drawn import Kind, kind_of, same_time
 from armlab.benches.motion.plots.ui.lines import DOTS, TIMES
 from armlab.ui.format import capitalised, number, trimmed
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.markup import SIGNS, verdict_box
+from armlab.ui.markup import SIGNS, fold, verdict_box
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units
 
@@ -159,7 +159,7 @@ def peaks_table(planned: Planned, figures: Figures, units: Units) -> Markup:
         name = tag("td", joint_mark(i), units.variable(i, turns))
         rows.append(tag("tr", name, [_peak(units, turns, *cell) for cell in cells]))
     heads = head_line("", *(head for order in (1, 2) for head in (f"max |q{DOTS[order]}|", "of limit")))
-    return joined(tag("h3", "Peaks"), tag("table.dh.mp-table", heads, rows))
+    return fold("Peaks", tag("table.dh.mp-table", heads, rows))
 
 
 def _peak(units: Units, turns: bool, value: float, share: float, at: float, order: int) -> Inside:

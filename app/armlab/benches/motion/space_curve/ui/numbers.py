@@ -25,6 +25,7 @@ from armlab.session.state import State
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, number, pairs
 from armlab.ui.html import Markup, joined, tag
+from armlab.ui.markup import fold
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, plain_number, units_of
 
@@ -119,7 +120,7 @@ def whole(state: State) -> Markup:
         regular = said("ok", "Regular: p′ ≠ 0 everywhere")
     hint = "⟦Notes 6.140–6.141; for any number of coordinates 6.11⟧"
     formulas = tag("div.eq.small", "\u2003", mathml(KAPPA), "\u2003\u2003", mathml(TAU), title=hint)
-    return joined(_facts(found, units), regular, formulas, corrected(TANGENT))
+    return joined(_facts(found, units), regular, fold("Formulas", formulas, corrected(TANGENT)))
 
 
 def _facts(found: Laid, units: Units) -> Markup | None:

@@ -64,17 +64,21 @@ class CurvePlots:
 
     def __init__(self, gui: Gui, units: Units) -> None:
         self._units, unit = units, units.length_unit
-        self._plots = {
-            "kappa": Plot(gui, "Curvature κ, 1/m", "s", [Curve("kappa, 1/m", PURPLE)], "curvature", 0, HEIGHT, True),
-            "tau": SignedPlot(gui, "Torsion τ, 1/m", "s", [Curve("tau, 1/m", BLUE)], "torsion", 0, HEIGHT),
-            "sigma": LengthPlot(gui, f"Distance gone σ, {unit}", f"sigma, {unit}", GREEN, "distance"),
-            "speed": LengthPlot(gui, f"|p′|, {unit}", "|p'|", ORANGE, "derivative"),
-        }
+        with gui.fold("Curvature, torsion, distance, |p′|") as self._fold:
+            self._plots = {
+                "kappa": Plot(
+                    gui, "Curvature κ, 1/m", "s", [Curve("kappa, 1/m", PURPLE)], "curvature", 0, HEIGHT, True
+                ),
+                "tau": SignedPlot(gui, "Torsion τ, 1/m", "s", [Curve("tau, 1/m", BLUE)], "torsion", 0, HEIGHT),
+                "sigma": LengthPlot(gui, f"Distance gone σ, {unit}", f"sigma, {unit}", GREEN, "distance"),
+                "speed": LengthPlot(gui, f"|p′|, {unit}", "|p'|", ORANGE, "derivative"),
+            }
         self._drawn: Laid | None = None
 
     def show(self, state: State) -> None:
         """Show the curves if they have changed, and the place of the film."""
         on = state[SpaceCurve].shown == "curve"
+        self._fold.visible(on)
         for plot in self._plots.values():
             plot.visible(on)
         if not on:

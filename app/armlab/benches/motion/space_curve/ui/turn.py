@@ -16,6 +16,7 @@ from armlab.ui.colours import AXES, css
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, dot, mathml, number, pairs
 from armlab.ui.html import Markup, joined, tag
+from armlab.ui.markup import fold
 from armlab.ui.symbols import with_indices
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
@@ -27,7 +28,7 @@ THREE = r"\varphi(s)=\varphi_A+s\,(\varphi_B-\varphi_A),\ldots"
 
 CORRECTED = "⟦Notes 6.152 write R(r, θ), 3.53 R(θ, r): the same matrix. “Starts from θ(t) = 0” means θ(0) = 0.⟧"
 
-ABOUT = {"moving": "axes move", "fixed": "axes stay"}
+ABOUT = {"moving": "current axes", "fixed": "fixed axes"}
 
 ENDS: tuple[End, ...] = ("A", "B")
 
@@ -124,6 +125,5 @@ def turn_words() -> Markup:
     three = tag("div", mathml(THREE), title="⟦Notes 6.150⟧")
     return joined(
         tag("div.legend", names, tag("span", "— one axis"), tag("span", "- - three angles")),
-        tag("div.eq.small", one_axis, three),
-        corrected(CORRECTED),
+        fold("Formulas", tag("div.eq.small", one_axis, three), corrected(CORRECTED)),
     )

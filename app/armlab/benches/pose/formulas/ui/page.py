@@ -41,8 +41,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     formulas = {name: written(arm, units, latex[name]) for name in latex}
     gui.html(_head(python, formulas, len(pose.terms)))
     values: dict[str, Html] = {}
-    for title, letter in (("Position p", "p"), ("Rotation R: row, column", "r")):
-        gui.heading(title)
+
+    def write(letter: str) -> None:
         fixed = {name: formula.latex for name, formula in formulas.items() if name[0] == letter and formula.constant}
         if fixed:
             gui.html(_constant(fixed))
@@ -51,6 +51,11 @@ def build(gui: Gui, state: State, post: Post) -> Show:
                 values[name] = gui.html()
                 formula = formulas.get(name)
                 gui.html(_formula(formula, python[name]) if formula else _too_long(terms))
+
+    gui.heading("Position p")
+    write("p")
+    with gui.fold("Rotation R: row, column"):
+        write("r")
     gui.html(_symbols(arm, units, python, formulas))
 
     def show(state: State) -> None:

@@ -8,6 +8,7 @@ from armlab.session.state import Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import pairs
 from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import fold
 from armlab.ui.picks import broken_files, pick
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.tables import dh_table
@@ -64,7 +65,7 @@ def _description(robot: Robot, units: Units) -> Inside:
     ]
     table = tag("h3", "Denavit–Hartenberg table"), dh_table(arm, units)
     source = tag("h3", "Source"), tag("p.dim", robot.source)
-    return tag("h3", robot.name), pairs(rows), table, source
+    return fold(f"{robot.name}: table, task, source", pairs(rows), table, source, key="present arm")
 
 
 PANEL = Panel((RobotPart,), build)

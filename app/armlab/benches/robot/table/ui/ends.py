@@ -16,8 +16,8 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State
 from armlab.ui.form import Form, Wish
 from armlab.ui.format import MINUS, mathml, pairs
-from armlab.ui.html import Markup, tag
-from armlab.ui.markup import row
+from armlab.ui.html import Markup
+from armlab.ui.markup import fold, row
 from armlab.ui.tables import cell_text
 from armlab.ui.units import Units
 
@@ -26,8 +26,8 @@ ENDS = {"base": "frame 0 in the world", "tool": "frame n to the tool {E}"}
 PRODUCT = "R = Rz(yaw) Ry(pitch) Rx(roll)"
 
 
-def ends_markup(form: Form, state: State, units: Units) -> list[Markup]:
-    """Return all fields, after their heading."""
+def ends_markup(form: Form, state: State, units: Units) -> Markup:
+    """Return all fields, folded."""
     arm = state[RobotPart].robot.arm
 
     def line(which: str, label: str, axes: tuple[str, ...], title: str) -> Markup:
@@ -38,14 +38,14 @@ def ends_markup(form: Form, state: State, units: Units) -> list[Markup]:
         ]
         return row(label, cells, wide=True, cells=True, hint=title)
 
-    parts = [tag("h3", "Base, tool and tool point")]
+    parts = []
     for end, title in ENDS.items():
         told = title.replace("n to the", f"{arm.n} to the")
         parts.append(line(end, f"{end} x y z, {units.length_unit}", tuple("xyz"), told))
         parts.append(line(end, f"yaw pitch roll, {units.angle_unit}", ANGLES, f"{told}: {PRODUCT}"))
     told = "fixed to the tool, in the axes of its frame {E}"
     parts.append(line("point", f"point x y z, {units.length_unit}", tuple("xyz"), told))
-    return parts
+    return fold("Base, tool and tool point", parts)
 
 
 def _typed(state: State, which: str, axis: str, units: Units, text: str) -> Wish:

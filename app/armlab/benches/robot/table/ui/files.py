@@ -12,7 +12,7 @@ from armlab.session.state import Command
 from armlab.ui.file_names import file_name
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, tag
-from armlab.ui.markup import copy_button, row
+from armlab.ui.markup import copy_button, fold, row
 from armlab.ui.units import Units
 from armlab.ui.widgets import Gui
 
@@ -32,7 +32,7 @@ def files_markup(form: Form, robot: Robot, units: Units, save: Callable[[], None
     chosen = tag("input", type="file", accept=".toml,.csv,.tsv,.txt,.md,.tex", **form.bound("load", PasteTable))
     load = tag("label.chip", "Load file", chosen, title=hint)
     saves = form.chip("save", "Save TOML", save, "As a robot file")
-    return tag("h3", "Files"), row("File", (saves, load)), row("Copy as", copies)
+    return fold("Files", row("File", (saves, load)), row("Copy as", copies))
 
 
 def save(gui: Gui, robot: Robot) -> None:

@@ -43,7 +43,7 @@ class TablePanel:
         self._ends = gui.form(post)
         self._point: Html = gui.html()
         self._files = gui.form(post, MOST_TEXT)
-        with gui.folder("Paste a table"):
+        with gui.fold("Paste a table"):
             self._pasted = gui.form(post, MOST_TEXT)
             self._box = PasteBox(self._pasted)
 

@@ -56,7 +56,7 @@ def sheet_markup(form: Form, state: State, found: Sheet, units: Units) -> Markup
 def _count(found: Sheet, held: bool) -> str:
     free = any(step.case == "any" for step in found.derivation.steps)
     many = "1 set" if found.count == 1 else f"{found.count} sets"
-    said = f"The numbers follow the target. Its branches lead to {many} of joint values."
+    said = f"The numbers follow the target; {many} of joint values."
     if not found.count:
         said = "The numbers follow the target. No branch leads to joint values."
     elif free:

@@ -34,7 +34,11 @@ def force_verdict(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, st
     halves = found.half_forces[: block.m]
     if found.lost:
         free = " and ".join(direction(found.axes[:, i]) for i in found.lost)
-        return "warn", "No torque needed", f"A {name} {word} {free} is carried by the structure: no joint can give way."
+        return (
+            "warn",
+            "No torque needed",
+            (f"A {name} {word} {free} is carried by the structure: no joint moves under it."),
+        )
     weakest, strongest = force(block, float(halves[0])), force(block, float(halves[-1]))
     weak = direction(found.axes[:, 0])
     if block.m == 1:
@@ -56,14 +60,14 @@ def force_numbers(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
     return joined(
         pairs([((mathml("1/w"), f" of {block.key}"), f"{shown} {unit}")]),
         tag("div.eq.small", mathml(formula), title="The forces of torques of length 1⟦; notes 5.164⟧"),
-        tag("p.dim", f"{torque_words(block)} {drawn}; what is too long or endless goes through as a line."),
+        tag("p.dim", f"{torque_words(block)} {drawn}; half axes that are too long or infinite are drawn as lines."),
     )
 
 
 def torque_words(block: VelocityBlock) -> str:
     """Return in words the joint torques that count as 1."""
     if block.speeds is not None:
-        return "Joints slide and turn: each counts by its power at its limit of speed, √(Σ (τᵢ q̇ᵢ,max)²) ≤ 1 W."
+        return "Revolute and prismatic joints: each counts by its power at its speed limit, √(Σ (τᵢ q̇ᵢ,max)²) ≤ 1 W."
     return f"For joint {'torques' if block.arm.revolute.all() else 'forces'} with √(Σ τᵢ²) ≤ 1 " + (
         "N m." if block.arm.revolute.all() else "N."
     )

@@ -45,7 +45,7 @@ REST = 0.3
 """Time without a motion of the other joints after which the curves are drawn again, seconds."""
 
 HEIGHT = 104
-HINT = "Move this joint through its range and back; stops at limits, middle and singularities"
+HINT = "Move this joint through its range and back, stopping at limits, middle and singularities"
 SMALLEST, INVERSE = r"\sigma_{min}", r"\sigma_{min}/\sigma_1"
 
 
@@ -73,10 +73,14 @@ class Sweeping:
             (("Smallest half axis ", mathml(SMALLEST)), block.unit, "sigma_min", GREEN),
             (("Inverse condition ", mathml(INVERSE)), "", "inverse_condition", PURPLE),
         )
-        self._plots = [
-            Plot(gui, _title(title, unit), "", [Curve(_with(file, unit), colour)], file, height=HEIGHT, from_zero=True)
-            for title, unit, file, colour in curves_of
-        ]
+
+        def plot(title: Inside, unit: str, file: str, colour: Rgb) -> Plot:
+            curves = [Curve(_with(file, unit), colour)]
+            return Plot(gui, _title(title, unit), "", curves, file, height=HEIGHT, from_zero=True)
+
+        self._plots = [plot(*curves_of[0])]
+        with gui.fold("Smallest half axis and inverse condition"):
+            self._plots += [plot(*each) for each in curves_of[1:]]
         self._shown: Course | None = None
         self._wanted: Course | None = None
         self._later: asyncio.TimerHandle | None = None
@@ -93,7 +97,7 @@ class Sweeping:
             self._draw(state)
         elif wanted != self._wanted:
             self._wait()
-            self._note.show(tag("p.dim", "The curves are drawn again when the arm rests."))
+            self._note.show(tag("p.dim", "The curves are updated when the arm is at rest."))
             self._later = asyncio.get_running_loop().call_later(REST, self._draw, state)
         self._wanted = wanted
         for plot in self._plots:
@@ -201,11 +205,11 @@ class Along:
         unit = volume_unit(block, min(block.m, block.arm.n))
         title, least = _title(name_of_w(block), unit), ("Smallest half axis ", mathml(SMALLEST), f", {block.unit}")
         w, sigma = Curve(_with("w", unit), BLUE), Curve(_with("sigma_min", block.unit), GREEN)
-        gui.heading("Along the planned motion")
-        return (
-            Plot(gui, title, "t, s", [w], "w over t", height=HEIGHT, from_zero=True, clip=MOTION),
-            Plot(gui, least, "t, s", [sigma], "sigma_min over t", height=HEIGHT, from_zero=True, clip=MOTION),
-        )
+        with gui.fold("Along the planned motion"):
+            return (
+                Plot(gui, title, "t, s", [w], "w over t", height=HEIGHT, from_zero=True, clip=MOTION),
+                Plot(gui, least, "t, s", [sigma], "sigma_min over t", height=HEIGHT, from_zero=True, clip=MOTION),
+            )
 
 
 def over_distances(gui: Gui, state: State, units: Units) -> OverDistances | None:

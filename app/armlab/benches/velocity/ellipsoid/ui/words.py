@@ -8,15 +8,13 @@ from numpy.typing import NDArray
 from armlab.benches.velocity.ellipsoid.state import PlacedEllipsoid, VelocityBlock
 from armlab.benches.velocity.ellipsoid.ui.scene import speed
 from armlab.kin.arm import Arm
+from armlab.kin.conditioning import TITLES, conditioning
 from armlab.kin.joint_scale import DEFAULT_SPEED
 from armlab.ui.format import mathml, number, trimmed
 from armlab.ui.html import Markup, joined, tag
 from armlab.ui.units import Units
 
 Array = NDArray[np.float64]
-
-NEAR = 0.1
-"""Inverse condition below which the ellipsoid is called poorly conditioned."""
 
 ALONG = 0.9995
 """Component of a unit vector above which it is called an axis of the world."""
@@ -33,20 +31,22 @@ def verdict_of(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, str, 
     least = found.axes[:, measured - 1]
     if found.lost and found.lost[0] >= measured:
         lost = " and ".join(direction(found.axes[:, i]) for i in found.lost)
-        return "warn", "Fewer joints than directions", f"In every configuration some are missing; here {along} {lost}."
+        return (
+            "warn",
+            "Fewer joints than directions",
+            (f"In every configuration some directions are lost; here {along} {lost}."),
+        )
     if found.lost:
         lost = " and ".join(direction(found.axes[:, i]) for i in found.lost)
         nothing = "No joint speed moves the tool" if block.key == "translation" else "No joint speed turns the tool"
-        return "no", "Singular", f"{nothing} {along} {lost}."
-    slowest, ratio = (
-        speed(block, shape.sigma_min),
-        f"shortest : longest half axis = {number(shape.inverse_condition, 3)}",
-    )
-    if shape.inverse_condition < NEAR:
-        return "warn", "Poorly conditioned", f"{ratio}. {along.capitalize()} {direction(least)} only {slowest}."
+        return "no", TITLES["singular"], f"{nothing} {along} {lost}."
+    slowest, verdict = speed(block, shape.sigma_min), conditioning(shape.inverse_condition, bool(found.lost))
+    ratio = f"Shortest : longest half axis = {number(shape.inverse_condition, 3)}, of the {block.key} alone"
+    if verdict == "poor":
+        return "warn", TITLES[verdict], f"{ratio}. {along.capitalize()} {direction(least)} only {slowest}."
     if block.m == 1:
         return "ok", "One direction", f"{along.capitalize()} {direction(least)}: {slowest}."
-    return "ok", "Well conditioned", f"{ratio}. {_every(block)}: at least {slowest}."
+    return "ok", TITLES[verdict], f"{ratio}. {_every(block)}: at least {slowest}."
 
 
 def _every(block: VelocityBlock) -> str:
@@ -111,7 +111,7 @@ def scaling_words(block: VelocityBlock, units: Units) -> str:
         f"{units.variable(i, bool(arm.revolute[i]))} {_limit(arm, i, float(speed), units)}"
         for i, speed in enumerate(block.speeds)
     ]
-    said = f"Joints slide and turn: each speed is in parts of its limit, √(Σ …²) ≤ 1: {', '.join(speeds)}."
+    said = f"Revolute and prismatic joints: each speed is a fraction of its limit, √(Σ …²) ≤ 1: {', '.join(speeds)}."
     known = bool(np.isfinite(arm.speed_limits).all())
     return said if known else f"{said} * No limit is known, {DEFAULT_SPEED:g} is taken."
 

@@ -28,6 +28,7 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import readable
 from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import fold
 from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units, plain_number, units_of
@@ -35,7 +36,7 @@ from armlab.ui.widgets import Gui
 
 AIMS = {
     "lost": ("lost direction", "The direction in which the tool is slowest; drawn dashed"),
-    "across": ("across it", "The direction in which the tool is fastest"),
+    "across": ("perpendicular", "The direction in which the tool is fastest"),
 }
 
 
@@ -62,7 +63,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         damping.show(damping_markup(damping, look))
         said = scales_words(look)
         note = tag("p.dim", said) if said else None
-        values.show(tag("h3", "Singular values and directions"), sigma_bars(look), note)
+        values.show(fold("Singular values and directions", sigma_bars(look), note))
 
     return show
 
@@ -78,7 +79,7 @@ def head_markup(form: Form, state: State, units: Units) -> Markup:
         at = units.angle(value) if revolute else units.length(value)
         text = f"{place.name}: {units.variable(j, revolute)} = {at}"
         chips.append(form.chip(f"place {i}", text, BringNear(i), place.says))
-    found = chips or tag("span.dim", "No joint meets one from the home pose.")
+    found = chips or tag("span.dim", "No joint meets one when it moves by itself from the home pose.")
     away = form.field(
         "distance",
         readable(part.distance / units.factor(True), 2),

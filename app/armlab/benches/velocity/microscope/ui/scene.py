@@ -78,7 +78,7 @@ def names_of(wish: Array, reached: Array) -> tuple[tuple[str, str], tuple[str, s
     """
     halves = [(wish[:3], reached[:3]), (wish[3:], reached[3:])]
     meet = [min(map(np.linalg.norm, each)) > LEAST and np.linalg.norm(each[0] - each[1]) < TOGETHER for each in halves]
-    first, second = ("wish, reached" if each else "wish" for each in meet)
+    first, second = ("wanted, reached" if each else "wanted" for each in meet)
     third, fourth = ("" if each else "reached" for each in meet)
     return (first, f"ω {second}"), (third, f"ω {fourth}" if fourth else "")
 

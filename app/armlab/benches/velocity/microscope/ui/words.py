@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 from armlab.benches.velocity.microscope.look import Look, Near
 from armlab.benches.velocity.microscope.state import Microscope
+from armlab.kin.conditioning import SINGULAR, TITLES, conditioning
 from armlab.kin.control.side_by_side import Compared
-from armlab.kin.control.singular_poses import FAR, SINGULAR
+from armlab.kin.control.singular_poses import FAR
 from armlab.kin.task import Task
 from armlab.session.fields import Set
 from armlab.ui.colours import css, joint_colour
@@ -31,9 +32,6 @@ NAMES = {
 """Short names of the methods."""
 
 SQUARED = {"m": "m²", "": ""}
-
-POOR = 0.1
-"""Inverse condition below which a configuration is called close to a singularity."""
 
 HUGE = 1e5
 """Least number that is written with a power of ten."""
@@ -58,12 +56,13 @@ def joint_speed(look: Look, j: int, scaled: float, units: Units) -> str:
 def condition_card(look: Look, near: Near | None, units: Units) -> Markup:
     """Return how near the configuration is to being singular, and the nearest singularity."""
     inverse, sigma = look.inverse_condition, float(look.sigma[-1])
-    kind = "no" if look.singular else "warn" if inverse < POOR else "ok"
-    head = "Singular" if look.singular else f"Inverse condition {_small(inverse)}"
+    verdict = conditioning(inverse)
+    kind = {"singular": "no", "poor": "warn", "good": "ok"}[verdict]
+    ratio = "" if look.singular else f"σ_min/σ_max = {_small(inverse)} for the whole task: "
     unit = f" {look.task.sigma_unit}" if look.task.sigma_unit else ""
     smallest = with_indices("σ_min"), f" = {'0' if look.singular else _small(sigma)}{unit}, "
     largest = with_indices("σ_max"), f" = {number(float(look.sigma[0]), 3)}{unit}. "
-    return verdict_box(kind, head, smallest, largest, _which(look, near, units))
+    return verdict_box(kind, TITLES[verdict], with_indices(ratio), smallest, largest, _which(look, near, units))
 
 
 def _which(look: Look, near: Near | None, units: Units) -> str:
@@ -111,9 +110,9 @@ def table(look: Look, form: Form, units: Units) -> Markup:
         "tr",
         tag("th"),
         [tag("th", "max |q̇|", tag("br"), _rate(turns, units)) for turns in kinds],
-        tag("th", "met", title="Component of the reached velocity along the wish"),
+        tag("th", "along v", title="Component of the reached velocity along the wanted one"),
         tag("th", "error", title="|v reached − v| / |v|"),
-        tag("th", "off by", title="Angle between the reached velocity and the wish"),
+        tag("th", "angle", title="Angle between the reached and the wanted velocity"),
     )
     return tag("table.ms-table", heads, [_row(look, answer, kinds, form, units) for answer in look.answers])
 
@@ -121,7 +120,7 @@ def table(look: Look, form: Form, units: Units) -> Markup:
 def _row(look: Look, answer: Compared, kinds: list[bool], form: Form, units: Units) -> Markup:
     pressed = look.part.method == answer.key
     title = f"{answer.title}, α = 1/σ_max²" if answer.key == "transpose" else answer.title
-    hint = f"{title}: draw what it makes the tool do"
+    hint = f"{title}: draw the velocity it gives the tool"
     name = form.chip(f"watch {answer.key}", NAMES[answer.key], Set(Microscope, "method", answer.key), hint, pressed)
     if answer.step.qdot is None:
         return tag("tr", tag("th", name), tag("td.said", answer.step.says, colspan=len(kinds) + 3))
@@ -164,9 +163,11 @@ def _reached(look: Look, answer: Compared, units: Units) -> str:
 def scales_words(look: Look) -> str:
     """Return in words the scaling of the singular values and of the damping."""
     if not look.task.sigma_unit and look.part.arm.task.rotation != "none" and look.part.arm.task.position:
-        return f"Metres and radians meet: lengths are divided by {trimmed(look.task.length, 3)} m, half the reach."
+        return f"Metres and radians are mixed: lengths are divided by {trimmed(look.task.length, 3)} m, half the reach."
     if look.task.length != 1.0:
-        return f"Joints turn and slide: lengths are divided by {trimmed(look.task.length, 3)} m, half the reach."
+        return (
+            f"Revolute and prismatic joints: lengths are divided by {trimmed(look.task.length, 3)} m, half the reach."
+        )
     return ""
 
 

@@ -3,16 +3,29 @@
 from __future__ import annotations
 
 import math
+from itertools import islice
 
 import numpy as np
 
-from armlab.benches.velocity.solve.pictures import DragTo, Square, StandAt, flat, key_of, norm_curve, refusal, square
+from armlab.benches.velocity.solve.pictures import (
+    DragTo,
+    Square,
+    StandAt,
+    flat,
+    key_of,
+    norm_curve,
+    refusal,
+    square,
+    suited,
+    suits,
+)
 from armlab.benches.velocity.solve.state import Solve
 from armlab.benches.velocity.solve.ui.pictures import lines_svg, lines_words, marks_style, norm_svg, square_markup
 from armlab.benches.velocity.solve.ui.torus import pressed, torus_markup, torus_style
 from armlab.benches.velocity.solve.ui.words import small
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
+from armlab.session.parts.robot import ChooseRobot
 from armlab.session.state import Post, State
 from armlab.ui.form import Form, Wish
 from armlab.ui.format import mathml
@@ -21,6 +34,9 @@ from armlab.ui.markup import row, verdict_box
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
+
+MOST_OFFERED = 5
+"""Largest number of arms that are offered in place of one without pictures."""
 
 
 class PicturesPage:
@@ -40,7 +56,7 @@ class PicturesPage:
             element.visible(not why)
         if why:
             self._drawn = why
-            self._map.show(verdict_box("warn", "No pictures", why))
+            self._map.show(verdict_box("todo", "Not for this arm", why), arms_markup(self._map, state))
             return
         units, found = self._units, flat(state)
         aside = tag("small", "⟦1.18–1.24; ⟧rows of J, not columns")
@@ -53,6 +69,16 @@ class PicturesPage:
             self._map.show(maps_markup(self._map, state, place, units))
         self._mark.show(marks_style(state, place, found), torus_style(state, found))
         self._norm.show(norm_markup(state, units))
+
+
+def arms_markup(form: Form, state: State) -> Markup | None:
+    """Return a button for each of the simplest arms with which the page works, where the present one never does."""
+    if suits(state[Joints].arm):
+        return None
+    simplest = islice(suited().items(), MOST_OFFERED)
+    hint = "Put this arm on the table; undo brings the present one back"
+    chips = [form.chip(f"arm {key}", name, ChooseRobot(key), hint) for key, name in simplest]
+    return joined(tag("h3", "Go on with"), tag("div.bar", chips))
 
 
 def head_markup(form: Form, state: State, units: Units) -> Markup | None:
@@ -71,7 +97,7 @@ def head_markup(form: Form, state: State, units: Units) -> Markup | None:
 
         return form.select(which, f"{which.capitalize()} joint", names, str(pair[side]), chosen)
 
-    both = choice(0, "first"), tag("i", "and"), choice(1, "second"), tag("i", "the others stand still")
+    both = choice(0, "first"), tag("i", "and"), choice(1, "second"), tag("i", "the others are at rest")
     return row("Joints", both)
 
 
@@ -112,7 +138,7 @@ def norm_markup(state: State, units: Units) -> Markup:
     here = found.determinant, float(np.linalg.norm(found.answer.qdot)) if found.answer.verdict == "one" else math.inf
     second = units.variable(state[Solve].pair[1], bool(state[Joints].arm.revolute[state[Solve].pair[1]]))
     said = (
-        f"Here det J = {small(found.determinant)} m², smallest σ : largest σ = {small(ratio)}. The ratio tells how "
+        f"Here det J = {small(found.determinant)} m², σ_min/σ_max = {small(ratio)}. The ratio tells how "
         "near a singularity is; det J alone does not, it changes with the unit of length."
     )
     aside = tag("small", f"while {second} goes through its range⟦ (1.20–1.24)⟧")

@@ -31,7 +31,7 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, matrix, readable
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.markup import row, verdict_box
+from armlab.ui.markup import fold, row, verdict_box
 from armlab.ui.matrices import WIDE, copy_buttons
 from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Points, Show
@@ -69,7 +69,7 @@ class SolvePage:
         self._verdict.show(verdict_box(*verdict(solved, units)), legend(), reached_markup(solved, units))
         self._speeds.show(speeds_markup(solved, units), null_markup(solved, units))
         self._motion.show(state, solved)
-        self._singular.show(tag("h3", "Is J singular?"), singular_card(solved), measures_markup(solved))
+        self._singular.show(singular_markup(solved))
         self._folds.show(self._folded(solved))
 
     def _folded(self, solved: Found) -> Inside:
@@ -106,6 +106,13 @@ def _component(k: int, name: str, turning: bool, units: Units, text: str) -> Set
     return SetComponent(k, units.read(text.strip().removesuffix("/s"), turning, name))
 
 
+def singular_markup(solved: Found) -> Markup:
+    """Return whether J is singular, by rank, determinant and singular values; open where it is."""
+    inside = singular_card(solved), measures_markup(solved)
+    head = "Is J singular? ", tag("small", f"rank {solved.spaces.rank}")
+    return fold(head, *inside, opened=solved.singular, key="Is J singular?")
+
+
 def svd_markup(solved: Found) -> Markup:
     """Return U, Σ and V."""
     spaces = solved.spaces
@@ -128,7 +135,7 @@ def spaces_markup(solved: Found) -> Markup:
     parts = []
     for name, what, basis in (
         ("R(J)", "velocities that are reached", spaces.range),
-        ("N(J^T)", "lost: no joint speed has a part along these", spaces.lost),
+        ("N(J^T)", "lost: no joint speed gives a component along these", spaces.lost),
         ("R(J^T)", "joint speeds that count", spaces.row),
         ("N(J)", "joint speeds that leave the tool where it is", spaces.null),
     ):
@@ -136,7 +143,8 @@ def spaces_markup(solved: Found) -> Markup:
         aside = tag("small", f"{what}; dimension {basis.shape[1]}")
         parts.append((tag("h3", mathml(name), " ", aside), inside))
     said = (
-        "Columns, in m/s and rad/s⟦ (5.72–5.78)⟧. Forbidden is every v with a part in N(Jᵀ), not only what lies in it."
+        "Columns, in m/s and rad/s⟦ (5.72–5.78)⟧. Every v with a component in N(Jᵀ) is infeasible, not only those "
+        "that lie in it."
     )
     return joined(parts, tag("p.dim", said))
 

@@ -18,7 +18,7 @@ from armlab.ui.html import Markup, styles, tag
 
 Array = NDArray[np.float64]
 
-HINT = "Press where the two joints are to go"
+HINT = "Click where the two joints are to move"
 
 WIDE, HIGH = 284, 208
 """Width and height of the drawing, pixels."""

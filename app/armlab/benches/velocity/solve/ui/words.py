@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.velocity.solve.found import Found
 from armlab.kin.arm import Arm
+from armlab.kin.conditioning import TITLES, conditioning
 from armlab.kin.ellipsoid import RANK_TOLERANCE
 from armlab.kin.task import Task
 from armlab.kin.velocity.answer import full_rank_inverse
@@ -14,13 +15,11 @@ from armlab.ui.colours import BLUE, GREEN, VERDICT, css, joint_colour
 from armlab.ui.format import dot, mathml, number, pairs, scientific, trimmed
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import verdict_box
+from armlab.ui.symbols import with_indices
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units
 
 Array = NDArray[np.float64]
-
-NEAR = 0.02
-"""Smallest singular value over the largest below which a configuration is called nearly singular."""
 
 MOST_LISTED = 8
 """Largest number of minors, or null vectors, that are written out."""
@@ -108,7 +107,7 @@ def speeds_markup(found: Found, units: Units) -> Markup:
         kind, hint = ("b.no", "Faster than the joint can") if over[i] else ("b", None)
         speed = tag(kind, speed_text(float(qdot[i]), bool(arm.revolute[i]), units), title=hint)
         bars.append((name, _bar(float(qdot[i] / scale[i]), i), speed))
-    limits = "Bars: parts of the speed limits." if np.isfinite(arm.speed_limits).any() else ""
+    limits = "Bars: fractions of the speed limits." if np.isfinite(arm.speed_limits).any() else ""
     aside = tag("small", "the shortest that comes nearest⟦ (5.123, 5.128)⟧")
     return joined(
         tag("h3", "q̇ = J", tag("sup", "#"), "v ", aside),
@@ -123,7 +122,9 @@ def _size(found: Found, units: Units) -> str:
         return f"‖q̇‖ = {speed_text(float(np.linalg.norm(qdot)), True, units)}."
     if not arm.revolute.any():
         return f"‖q̇‖ = {speed_text(float(np.linalg.norm(qdot)), False, units)}."
-    return f"‖q̇‖ = {trimmed(float(np.linalg.norm(qdot / found.spaces.speeds)), 3)}, each speed in parts of its limit."
+    return (
+        f"‖q̇‖ = {trimmed(float(np.linalg.norm(qdot / found.spaces.speeds)), 3)}, each speed as a fraction of its limit."
+    )
 
 
 def _bar(part: float, i: int) -> Markup:
@@ -179,10 +180,10 @@ def singular_card(found: Found) -> Markup:
     if found.singular:
         head = f"Singular: rank {found.spaces.rank}, usually {usual}"
         return verdict_box("no", head, [tag("p", each.says) for each in found.reasons])
-    if ratio < NEAR:
-        small_ratio = scientific(ratio) if ratio < 1e-3 else number(ratio, 4)
-        return verdict_box("warn", "Nearly singular", f"smallest σ : largest σ = {small_ratio}.")
-    return verdict_box("ok", f"Regular: rank {usual}", f"smallest σ : largest σ = {number(ratio, 3)}.")
+    verdict = conditioning(ratio, singular=False)
+    written = scientific(ratio) if ratio < 1e-3 else number(ratio, 4 if verdict == "poor" else 3)
+    said = f"Rank {usual}, not singular. ", with_indices("σ_min/σ_max"), f" = {written} for what is asked."
+    return verdict_box("warn" if verdict == "poor" else "ok", TITLES[verdict], *said)
 
 
 def measures_markup(found: Found) -> Markup:
@@ -296,9 +297,11 @@ def _scaling(found: Found) -> Markup:
     if (spaces.lengths != 1.0).any():
         said.append(f"For σ and rank metres are divided by L = {trimmed(arm.length_scale, 3)} m, half the reach.")
     if not arm.revolute.all() and arm.revolute.any():
-        said.append("Joint speeds are in parts of their limits.")
+        said.append("Joint speeds are fractions of their limits.")
     if found.J.shape[0] == found.J.shape[1]:
-        said.append("How small det J is says little: it changes with the unit of length; the ratio of σ does not.")
+        said.append(
+            "The size of det J says little, since it depends on the unit of length; the ratio of the σ does not."
+        )
     return tag("p.dim", " ".join(said))
 
 

@@ -24,6 +24,7 @@ from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml, number, subscript, trimmed
 from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import fold
 from armlab.ui.symbols import with_indices
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
@@ -57,7 +58,7 @@ def sum_markup(state: State) -> Markup:
         lines.append(line(*_six(moving.parts[:, i], units), name=name))
     total = tag("tr.ve-sum", tag("th", "Σ = J q̇"), [tag("td", value) for value in _six(moving.twist, units)])
     aside = tag("small", f"{units.length_unit}/s, {units.angle_unit}/s; world axes")
-    return joined(tag("h3", "Parts and their sum ", aside), tag("table.ve-table", head_line(None, *ROWS), lines, total))
+    return fold(("Parts and their sum ", aside), tag("table.ve-table", head_line(None, *ROWS), lines, total))
 
 
 def size_markup(state: State) -> Markup:
@@ -145,7 +146,7 @@ def _bends(found: ToolMotion, units: Units) -> str:
     units_text = f"Tool point in {units.length_unit}, turning in {units.angle_unit}, per s, s² and s³; q̈ = 0."
     speed = float(np.linalg.norm(v))
     if speed < 1e-9:
-        return f"{units_text} The tool point stands still, but not for long unless r̈ is 0, too."
+        return f"{units_text} The tool point is at rest, but only for an instant unless r̈ is also 0."
     along = float(a @ v) / speed
     across = float(np.linalg.norm(a - along * v / speed))
     return (
@@ -174,7 +175,7 @@ def matrix_words(state: State, moving: Moving) -> Inside:
         if float(np.linalg.norm(moving.J[:3, j])) < 1e-9 * arm.length_scale and arm.revolute[j]
     ]
     if not still:
-        return "Press an entry, a row or a column: it is drawn in the scene as the vector it is."
+        return "Select an entry, a row or a column to draw it as a vector in the scene."
     if len(still) == 1:
         axis = f"The tool point is on the axis of joint {still[0]}: J"
         return axis, tag("sub", f"L{still[0]}"), " = 0, it does not move it."

@@ -80,7 +80,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         decimals = 3 if moving.J.shape[1] <= MOST_WIDE else 2
         matrix.show(state, _title(state), moving.matrix, decimals, None, columns_of(state), ROWS)
         words.show(tag("p.dim.ve-said", in_words(state, moving)))
-        total.show(sum_markup(state), size_markup(state))
+        total.show(size_markup(state), sum_markup(state))
         points.show(folded_markup("points", "Two points of a link", points, state, points_markup))
         higher.show(
             folded_markup("higher", "Acceleration and jerk", higher, state, lambda _, state: higher_markup(state))
@@ -97,7 +97,7 @@ def head_markup(form: Form, state: State) -> Markup:
     hint = "Move the joints with these speeds, until one is at a limit"
     play = play_button(form, state, CLIP_KEY, "speeds", "Drive", hint=hint)
     last = first_at_limit(state)
-    told = "All joints stand still." if last is None else _until(last, time_left(state))
+    told = "All joints are at rest." if last is None else _until(last, time_left(state))
     title = tag("h3", "Joint speeds", tag("span.copies", every, none))
     return joined(chooser, title, tag("div.bar", play, tag("span.dim", told)))
 
@@ -114,14 +114,14 @@ def below_markup(form: Form, state: State) -> Markup:
     part, arm, units = state[Velocity], state[Joints].arm, units_of(state)
     moving = [i for i, speed in enumerate(part.qdot) if speed]
     alone = [
-        form.chip(f"alone {i}", dotted(arm, i, units), MoveAlone(i), "Move this joint alone", moving == [i])
+        form.chip(f"alone {i}", dotted(arm, i, units), MoveAlone(i), "Move only this joint", moving == [i])
         for i in range(arm.n)
     ]
     drawn = [
         _switch(form, f"mark {name}", text, partial(DrawVelocities, name), hint, name in part.marks)
         for name, (text, hint) in MARKS.items()
     ]
-    way = "The way of the tool if one joint alone moved"
+    way = "The path of the tool if only this joint moved"
     swept = _switch(form, "swept", "γ", partial(SetSwitch, SWEPT.name), way, SWEPT.on(state))
     return joined(_bar("One alone", alone), _bar("In the scene", drawn, swept))
 

@@ -22,7 +22,7 @@ from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml, number, pairs, scientific, subscript, trimmed
 from armlab.ui.html import Inside, Markup, classes, joined, tag
-from armlab.ui.markup import verdict_box
+from armlab.ui.markup import fold, verdict_box
 from armlab.ui.tables import head_line
 from armlab.ui.units import units_of
 
@@ -55,7 +55,7 @@ def torques_markup(state: State) -> Markup:
         bar = tag("u", style=f"--left:{left:.1f}%;--width:{abs(share):.1f}%;--c:{colour}")
         rows.append((tag("span", dot(colour), subscript("τ", i + 1)), bar, shown, tag("i", unit)))
     title = tag("h3", "Torques ", tag("small", mathml(LAW), "⟦, notes 5.163⟧"))
-    scale = f"Full bar and full arc: {trimmed(full, 6)} N m." if full else ""
+    scale = f"A full bar or arc is {trimmed(full, 6)} N m." if full else ""
     if full and not arm.revolute.all():
         scale += f" Sliding joints: {trimmed(part.full_force or full, 6)} N."
     return joined(title, tag("div.st-bars", rows), tag("p.dim", scale))
@@ -73,7 +73,7 @@ def verdict_markup(state: State) -> Markup:
 def verdict(found: Balance, revolute: NDArray[np.bool_]) -> tuple[str, str, str]:
     """Return ``ok`` or ``warn``, a few words, and a sentence."""
     if not found.wrench.any():
-        return "ok", "No wrench", "The robot touches nothing; weights are left out."
+        return "ok", "No wrench", "The robot is not in contact; weights are neglected."
     if found.nothing:
         return (
             "ok",
@@ -83,9 +83,9 @@ def verdict(found: Balance, revolute: NDArray[np.bool_]) -> tuple[str, str, str]
     idle = [i + 1 for i, value in enumerate(found.torques) if abs(value) <= found.least[i]]
     best = int(np.argmax(np.abs(found.torques) / np.maximum(found.least, 1e-300)))
     value, unit = float(found.torques[best]), "N m" if revolute[best] else "N"
-    rest = f" Nothing to do for joint{'s' if len(idle) > 1 else ''} {_listed(idle)}." if idle else ""
+    rest = f" Zero for joint{'s' if len(idle) > 1 else ''} {_listed(idle)}." if idle else ""
     said = f"{subscript('τ', best + 1)} = {number(value, _decimals(abs(value)))} {unit}.{rest}"
-    return "ok", f"Joint {best + 1} works hardest", said
+    return "ok", f"The largest: joint {best + 1}", said
 
 
 def _listed(numbers: list[int]) -> str:
@@ -111,8 +111,8 @@ def work_markup(form: Form, state: State) -> Markup:
         ("difference", f"{'✓ ' if same else '✕ '}{scientific(MILLI * apart)} mJ"),
     ]
     again = form.button("displacement", "Another δq", DrawDisplacement(), "chip", "Draw another virtual displacement")
-    title = tag("h3", "Virtual work ", tag("small", "⟦notes 5.160⟧"), tag("span.copies", again))
-    return joined(title, tag("p.dim", f"δq = ({moved})"), pairs(rows))
+    head = "Virtual work ", tag("small", "⟦notes 5.160⟧")
+    return fold(head, tag("p.dim", f"δq = ({moved})"), pairs(rows), tag("div.bar", again))
 
 
 def free_markup(state: State) -> Markup:
@@ -135,12 +135,12 @@ def free_markup(state: State) -> Markup:
 def _directions(free: Array, name: str, word: str) -> str:
     """Return in words along which directions a force, or about which a moment, needs no torque."""
     if free.shape[1] == 0:
-        return f"No {name} alone."
+        return f"Every {name} by itself needs torques."
     if free.shape[1] == 3:
-        return f"Any {name} at all."
+        return f"Any {name} in any direction."
     if free.shape[1] == 2:
         if name == "moment":
-            return f"Any moment at a right angle to {_direction(np.cross(free[:, 0], free[:, 1]))}."
+            return f"Any moment perpendicular to {_direction(np.cross(free[:, 0], free[:, 1]))}."
         return f"Any {name} {word} {_direction(free[:, 0])}, {word} {_direction(free[:, 1])}, or between."
     return f"A {name} {word} {_direction(free[:, 0])}."
 
@@ -178,8 +178,8 @@ def duality_markup(state: State) -> Markup:
         "velocity it gains a force for nothing. Six rows together: "
         f"{units.length(arm.length_scale)} count as much as 1 rad (half the reach)."
     )
-    return joined(
-        tag("h3", "Dual subspaces ", tag("small", "dimensions")),
+    return fold(
+        ("Dual subspaces ", tag("small", "dimensions")),
         tag("table.st-dual", head_line(None, None, *heads), rows),
         tag("p.dim", said),
     )

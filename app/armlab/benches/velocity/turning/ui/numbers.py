@@ -26,7 +26,7 @@ from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, dot, mathml, matrix, number, pairs, scientific
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.markup import row, verdict_box
+from armlab.ui.markup import fold, row, verdict_box
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
 
@@ -65,7 +65,7 @@ def form_markup(form: Form, state: State) -> Markup:
     chooser = form.select("axes", "Sequence of axes", titles, part.axes, WriteAngles)
     about = form.chips(
         "about",
-        {"moving": "moving axes", "fixed": "fixed axes"},
+        {"moving": "current axes", "fixed": "fixed axes"},
         "fixed" if part.fixed else "moving",
         "The same orientation and ω, written in other angles",
         lambda key: WriteAngles(fixed=key == "fixed"),
@@ -149,18 +149,18 @@ def _verdict(part: Turning, determinant: float, lost: Floats) -> Markup:
 def tool_markup(state: State) -> Markup:
     """Return the analytic Jacobian of the tool's angles, and the rates that the chosen joint speeds cause."""
     part, units, found = state[Turning], units_of(state), state.derived(tool_angles_of)
-    head = tag("h3", "Analytic Jacobian of the tool ", tag("small", mathml(ANALYTIC), "⟦ 5.47–5.51⟧"))
+    head = "Analytic Jacobian of the tool ", tag("small", mathml(ANALYTIC), "⟦ 5.47–5.51⟧")
     rows: list[tuple[Inside, Inside]] = [(f"φ of the tool, {units.angle_unit}", _three(found.angles, units))]
     if found.J is None or found.rates is None:
         told = f"{capitalised(singular_sentence(part.axes))}."
-        return joined(head, pairs(rows), verdict_box("no", "There is none here", told))
+        return fold(head, pairs(rows), verdict_box("no", "It does not exist here", told))
     rows += [
         (("φ̇ = J", tag("sub", "φ"), f" q̇, {units.angle_unit}/s"), _three(found.rates, units)),
         (("ω = J", tag("sub", "A"), f" q̇, {units.angle_unit}/s"), _three(found.omega, units)),
     ]
     wide = found.J.shape[1] > WIDE
     shown = tag("div.scroll.ve-wide" if wide else "div.scroll", matrix(found.J, 2 if wide else 3))
-    return joined(head, shown, pairs(rows), tag("p.dim", "With the joint speeds of “Jacobian”. ", RATES))
+    return fold(head, shown, pairs(rows), tag("p.dim", "With the joint speeds of “Jacobian”. ", RATES))
 
 
 def laws_markup(state: State) -> Markup:
@@ -194,9 +194,11 @@ def small_markup() -> Markup:
     for each in commuting():
         ratio = number(each.from_sum / each.size**2, 2)
         lines.append(line(f"{each.size:g}", scientific(each.apart, 2), scientific(each.from_sum, 2), ratio))
-    said = "Largest difference of an entry, of turns by dφ about x, y and z. A tenth of dφ leaves a hundredth."
+    said = (
+        "Largest difference of an entry, for rotations by dφ about x, y and z. A tenth of dφ leaves a hundredth of it."
+    )
     return joined(
-        tag("h3", "Small turns commute ", tag("small", "⟦5.22–5.27⟧")),
+        tag("h3", "Small rotations commute ", tag("small", "⟦5.22–5.27⟧")),
         tag("table.kit-table", head_line("dφ, rad", "two orders", "from I + S(dφ)", "/ dφ²"), lines),
         tag("p.dim", f"{said} {ORDERS}"),
     )

@@ -53,12 +53,14 @@ class _Second:
         units = units_of(state)
         self._factor = units.factor(True)
         name = f"second angle, {units.angle_unit}"
-        self._plot = Plot(gui, "det T over the second angle", name, [Curve("det T", BLUE)], "det_T", height=HEIGHT)
+        with gui.fold("det T over the second angle") as self._fold:
+            self._plot = Plot(gui, "det T", name, [Curve("det T", BLUE)], "det_T", height=HEIGHT)
         self._shown: tuple[str, bool] | None = None
 
     def show(self, state: State) -> None:
         """Show the curve of the sequence; only the cursor follows the angle."""
         part = state[Turning]
+        self._fold.visible(part.shown == "angles")
         self._plot.visible(part.shown == "angles")
         if part.shown != "angles":
             return
@@ -95,7 +97,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 def clock_markup(form: Form, state: State) -> Markup:
     """Return the button that plays, and the time of the film."""
-    play = play_button(form, state, CLIP_KEY, "turning", "Turn", hint="The body beside the arm turns")
+    play = play_button(form, state, CLIP_KEY, "turning", "Turn", hint="Rotate the body beside the arm")
     time = laws_time(state) if state[Turning].shown == "laws" else film_time(state)
     return tag("div.bar", play, tag("span.dim", f"t = {number(time, 2)} s"))
 

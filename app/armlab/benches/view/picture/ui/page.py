@@ -34,7 +34,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     gui.heading("Look from")
     gui.buttons("Camera", tuple(PRESETS), gui.camera.look_from, "Drag to orbit, wheel to zoom, right button to pan.")
     gui.heading("Shared computer")
-    gui.html(tag("p.dim", "Work is kept for this browser: the next person should start fresh."))
+    gui.html(tag("p.dim", "Work is kept in this browser: the next person should start fresh."))
     fresh = gui.form(post)
     fresh.show(
         fresh.chip("start-fresh", "Start fresh ...", partial(_ask, gui, post), "For the next person at this computer.")
@@ -52,7 +52,7 @@ def _ask(gui: Gui, post: Post) -> None:
     """Ask before everything is forgotten."""
     gui.confirm(
         "Start fresh?",
-        "This arm, its pose, all steps of undo and the progress in all lessons are forgotten. This cannot be "
+        "This arm, its pose, all steps of undo and the progress in all lessons are discarded. This cannot be "
         "undone. Work to hand in or to go on with elsewhere: save it first, in each lesson under Save my work.",
         "Yes, start fresh",
         lambda: post(StartFresh()),

@@ -174,10 +174,10 @@ def _action(form: Form, part: Workspace) -> Inside:
     if part.asked is not None:
         found = part.found
         done = found.part if found is not None and found.question == part.asked else 0.0
-        press = form.chip("cancel", "Cancel", CancelWorkspace(), "Stop; what there is stays")
+        press = form.chip("cancel", "Cancel", CancelWorkspace(), "Stop and keep what has been found")
         return tag("div.bar", press, tag("span.dim", f"Sampling: {100.0 * done:.0f} %")), progress_bar(done)
     sample = form.button("sample", "Sample", SampleWorkspace(), "main")
-    clear = form.chip("clear", "Clear", ClearWorkspace(), "Take the workspace away") if part.found is not None else None
+    clear = form.chip("clear", "Clear", ClearWorkspace(), "Remove the workspace") if part.found is not None else None
     return tag("div.bar", sample, clear)
 
 
@@ -189,7 +189,8 @@ def told_markup(
     found = part.found
     if found is None:
         about = (
-            "Random configurations inside the joint limits, each with the place of its tool: the reachable workspace "
+            "Random configurations inside the joint limits, each with the position of its tool: the reachable "
+            "workspace "
         )
         return tag("p.dim", about, "WS", tag("sub", "1"), "⟦ (4.17)⟧.")
     saves = [form.chip(kind, f"Save {kind.upper()}", partial(save, kind), hint) for kind, hint in SAVED.items()]

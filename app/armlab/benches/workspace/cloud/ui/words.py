@@ -57,11 +57,11 @@ def chosen(form: Form, state: State, units: Units, ways: Callable[[int], Command
     place = ", ".join(units.text(float(value), False) for value in point)
     value = with_unit(found, float(found.shown.values[index]))
     there = _is_there(state, found, index)
-    here = "The arm is there." if there else "The arm has moved on."
+    here = "The arm is there." if there else "The arm has moved since."
     title = measure_named(found.question.measure).title
     go = form.chip("again", "Go there", GoToSample(index), "Move the arm to this configuration", off=there)
-    target = "Put the target there and open Solutions"
-    all_ways = form.chip("ways", "All ways to be there", partial(ways, index), target)
+    target = "Move the target there and open the page Solutions"
+    all_ways = form.chip("ways", "All solutions here", partial(ways, index), target)
     said = f"{capitalised(title)} {value}. {here}"
     return verdict_box("ok", f"({place}) {units.length_unit}", said, sign="◉"), tag("div.bar", go, all_ways)
 

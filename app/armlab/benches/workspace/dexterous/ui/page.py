@@ -132,7 +132,7 @@ def _slice(form: Form, state: State, units: Units) -> Markup | None:
 
 _THROUGH = (
     "Put the slice through the tool point",
-    "Put the slice through the tool point, and turn the tool as it is there",
+    "Put the slice through the tool point, with the tool's present orientation",
 )
 
 
@@ -144,7 +144,7 @@ def _progress(form: Form, state: State) -> Inside:
         press = form.button("resume", "Compute", ResumeDexterous(), "main")
         return tag("div.bar", press, tag("span.dim", "Stopped."))
     done = found.done if found is not None else 0.0
-    press = form.chip("stop", "Cancel", StopDexterous(), "Stop; what there is stays")
+    press = form.chip("stop", "Cancel", StopDexterous(), "Stop and keep what has been found")
     return tag("div.bar", press, tag("span.dim", f"Computing: {100.0 * done:.0f} %")), progress_bar(done)
 
 

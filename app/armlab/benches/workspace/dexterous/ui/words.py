@@ -96,7 +96,7 @@ def _here(form: Form, index: int, region: Region, state: State, units: Units) ->
     ways = None
     if region.ways:
         each = [
-            form.chip(f"way {index} {k}", " ".join(WAYS[sign] for sign in way), StandStretched(index, k), "Stand so")
+            form.chip(f"way {index} {k}", " ".join(WAYS[sign] for sign in way), StandStretched(index, k), "Move there")
             for k, way in enumerate(region.ways)
         ]
         ways = tag("p", "Singular: ", each, tag("br"), tag("small.dim", "→ a link outward, ← a link back"))
@@ -158,7 +158,7 @@ def planar_words(state: State, units: Units) -> Inside:
 
 WITHOUT_LIMITS = tag(
     "p.dim",
-    "Not every joint turns all the way round: the circles hold ",
+    "Not every joint can make a full turn: the circles hold ",
     tag("b", "without joint limits"),
     ". With them it is what the coloured cells show, which are sampled.",
 )
@@ -206,8 +206,10 @@ def _sampled_words(found: Study) -> Inside:
     if misses_orientations(arm):
         known = tag("p", f"{AT_A_POINT[turns_in_place(arm)]}; never all, except perhaps at singular points.")
     else:
-        rows.append(("Cells with all of them", f"at least {_percent(everywhere)}" if everywhere > 0.0 else "none met"))
-    note = "A direction that was met is possible somewhere in the cell; others may have been missed."
+        rows.append(
+            ("Cells with all of them", f"at least {_percent(everywhere)}" if everywhere > 0.0 else "none found")
+        )
+    note = "A direction that was found is possible somewhere in the cell; others may have been missed."
     return pairs(rows), known, tag("p.dim", f"Sampled inside the joint limits: {what}. {note}")
 
 
@@ -231,7 +233,7 @@ def _wrist_words(found: Study, units: Units) -> Inside:
     else:
         counted = "All joint limits are counted, those of the wrist too."
     share = "The share of the directions from the wrist centre to the tool point, the roll about them not counted."
-    return pairs(rows), tag("p.dim", f"{share} Where the wrist centre can be is {body}. {counted}")
+    return pairs(rows), tag("p.dim", f"{share} The positions of the wrist centre come from {body}. {counted}")
 
 
 def tool_line(state: State, found: Study) -> Markup | None:
@@ -250,14 +252,14 @@ def _at_tool(here: AtTool, found: Study) -> str:
         turned = "" if found.question.arm.task.rotation == "none" else ", with the tool turned as on the slice"
         return f"{count} solution{'' if here.value == 1 else 's'} inside the limits{turned}"
     if math.isnan(here.value):
-        return "nothing was met in its cell"
+        return "nothing was found in its cell"
     if found.wrist is not None:
         most = "" if found.wrist.proper else "at most "
         return f"{most}{_percent(here.value)} of the directions, of {here.of} tried"
     if never_turns(found.question.arm):
         return "one orientation, as everywhere"
     if turns_in_place(found.question.arm) == 0:
-        return f"{round(here.value * here.of)} of {here.of} directions met in its cell"
+        return f"{round(here.value * here.of)} of {here.of} directions found in its cell"
     return (
         f"at least {_percent(here.value)} of the orientations, {round(here.value * here.of)} of {here.of}, in its cell"
     )

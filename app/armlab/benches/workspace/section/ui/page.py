@@ -128,7 +128,7 @@ def _place(form: Form, state: State, found: Found | None, units: Units) -> Marku
     revolute = found.section.joint.revolute
     shown = units.text(slice_at(state, found), revolute)
     at = form.field("at", shown, "Place of the slice", partial(typed, revolute))
-    hint = "The slice goes where the tool is"
+    hint = "The slice follows the tool"
     follow = form.chip("follow", "With the tool", PlaceSlice(None), hint, part.turn is None)
     return row("at", (tag("label.option.sc-at", at, tag("i", units.unit(revolute))), follow))
 

@@ -97,7 +97,7 @@ def _how(found: Found, units: Units) -> str:
     cell = units.length(found.section.step)
     return (
         f"Cells of {cell}, filled from random samples and by inverse kinematics from cell to cell; the boundary was "
-        "found by inverse kinematics. A part that no search came upon would be missing."
+        "found by inverse kinematics. A part that no search has found would be missing."
     )
 
 

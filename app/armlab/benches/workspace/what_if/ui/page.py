@@ -76,7 +76,9 @@ def choices_markup(form: Form, part: WhatIf, units: Units) -> Inside:
     each = form.chips(
         "field", numbers, part.field, "Lengths, twist, limits of the joint", partial(ChooseQuantity, part.row)
     )
-    about = tag("p.dim", "Change a number in thought and see what it does to the workspace.")
+    about = tag(
+        "p.dim", "Try another value and see how the workspace changes. The arm stays as it is until you apply it."
+    )
     return about, row("Joint", rows), row("Number", each)
 
 
@@ -99,8 +101,8 @@ def told_markup(form: Form, state: State, units: Units) -> Inside:
     """Return the changes, the buttons for them, and the results."""
     part = state[WhatIf]
     hint = "Edit the table of the arm like this"
-    take = form.button("take", "Take over", TakeOver(), "main", hint, off=not part.changes)
-    forget = form.chip("forget", "Forget all", ForgetChanges(), "The arm as it is", off=not part.changes)
+    take = form.button("take", "Apply", TakeOver(), "main", hint, off=not part.changes)
+    forget = form.chip("forget", "Discard", ForgetChanges(), "The arm as it is", off=not part.changes)
     found = part.found
     known = None if found is None else (figures_markup(found, units), picture(found, units), legend_markup(found))
     return changes_markup(form, part, units), tag("div.bar", take, forget), verdict_markup(state), known

@@ -24,7 +24,7 @@ LEGEND = {
     "kept": "in both",
     "thought": "what if",
     "gained": "gained: reached only with the change",
-    "lost": "lost: reached only as it is",
+    "lost": "lost: reached only without the change",
 }
 
 
@@ -32,9 +32,9 @@ FOLLOWED = "The boundary is being followed."
 
 HINTS = {
     "From axis 1": "Smallest and largest distance of the tool point from the axis of joint 1",
-    "Along axis 1": "Lowest and highest place of the tool point along the axis of joint 1",
+    "Along axis 1": "Lowest and highest position of the tool point along the axis of joint 1",
     "Along ": "Smallest and largest coordinate of the tool point in this direction, across axis 1",
-    "Reach": "Largest distance of the tool point from the place on axis 1 that is nearest to frame 0",
+    "Reach": "Largest distance of the tool point from the point of axis 1 that is nearest to frame 0",
 }
 """Hints for rows by the beginning of their names; the first that fits is used."""
 
@@ -65,7 +65,7 @@ def changes_markup(form: Form, part: WhatIf, units: Units) -> Inside:
     if not part.changes:
         return None
     rows = [_change(form, part.arm, change, units) for change in part.changes]
-    return tag("h3", "Changes in thought"), tag("div.wi-changes", rows)
+    return tag("h3", "Proposed changes"), tag("div.wi-changes", rows)
 
 
 def _change(form: Form, arm: Arm, change: Change, units: Units) -> Inside:
@@ -99,7 +99,7 @@ def verdict_markup(state: State) -> Markup | None:
         return _card("warn", "≈ …" if share < UNSURE else f"{mark} {word.capitalize()}{about}", FOLLOWED)
     most = math.hypot(before.error, after.error)
     if abs(grown) <= most:
-        said = f"The difference is within the errors, ±{_of(most, most)} {after.unit}."
+        said = f"The difference is within the uncertainty, ±{_of(most, most)} {after.unit}."
         return _card("warn", f"≈ The same {what}", said)
     part_of = f", {sign}{number(100.0 * share, 1)} %" if math.isfinite(share) else ""
     said = f"{sign}{_of(abs(grown), most)} {after.unit}, known to ±{_of(most, most)} {after.unit}."
