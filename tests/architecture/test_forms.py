@@ -66,6 +66,7 @@ OWN_JSON = {
     "joints": "joint values, and which are held, are read together with the arm and its limits",
     "lesson": "a student's way through lessons, which are files that change",
     "lines": "two lines in one list, read together with the arm",
+    "notation": "whether the course notes are referred to is written only where they are",
     "plan": "waypoints, moves and a recorded motion are read together with the arm",
     "point": "its JSON is a list of three coordinates, as links hold it",
     "robot": "an arm, by its key or as a whole table",

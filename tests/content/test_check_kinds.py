@@ -260,7 +260,7 @@ def test_degrees_written_as_radians_are_named_where_they_are_less_than_a_turn():
 @pytest.mark.parametrize(
     ("cells", "says"),
     [
-        ({"i": 1, "alpha": -math.pi / 2}, "Row 1, α: the sign is the other one."),
+        ({"i": 1, "alpha": -math.pi / 2}, "Row 1, α: the sign is wrong."),
         ({"i": 1, "alpha": math.radians(math.pi / 2)}, "Row 1, α: this is the value in radians where degrees"),
         ({"i": 1, "d": 600.0}, "Row 1, d: this is the value in millimetres, not in metres."),
         ({"i": 1, "d": 0.0006}, "Row 1, d: this is a thousandth"),
@@ -269,7 +269,7 @@ def test_degrees_written_as_radians_are_named_where_they_are_less_than_a_turn():
         ({"i": 2, "theta": math.pi / 6 + math.pi}, "Row 2, θ: half a turn off"),
         ({"i": 2, "a": 0.7}, "Row 2, a: 0.700 m is not right."),
         ({"i": 3, "kind": "R"}, "Row 3, joint type: the joint should slide."),
-        ({"i": 3, "d": -0.25, "theta": 1.0}, "Row 3, d: the sign is the other one."),
+        ({"i": 3, "d": -0.25, "theta": 1.0}, "Row 3, d: the sign is wrong."),
     ],
 )
 def test_the_first_wrong_cell_of_a_table_is_named(cells, says):

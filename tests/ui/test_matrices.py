@@ -211,7 +211,7 @@ def test_the_axis_of_the_turn_stays_where_it_is(rng):
 @pytest.mark.parametrize(
     ("selected", "words"),
     [
-        (Selection(), "Press a letter"),
+        (Selection(), "Select a letter"),
         (Selection("pose", None, 0), "x axis of {E}, in the axes of {w}"),
         (Selection("pose", None, 3), "|p| = 3000.0 mm"),
         (Selection("pose", 1, None), "y axis of {w} in the axes of {E}"),
@@ -314,11 +314,11 @@ def test_the_orientation_page_writes_both_triples_and_says_where_it_is_singular(
     async def main():
         browser = await student(url, path="/robot/planar_2r")
         await browser.open("orientation")
-        await browser.until(lambda: "Both triples give R" in browser.html())
+        await browser.until(lambda: "Both triples of angles give R" in browser.html())
         sequence = browser.control("Sequence")
         await browser.set_value(sequence, "zxz")
         await browser.until(lambda: "Singular: only φ + ψ is defined" in browser.html())
-        assert "φ + ψ = 95.0°; here ψ is 0" in browser.html()
+        assert "φ + ψ = 95.0°; here ψ is set to 0" in browser.html()
         await browser.close()
 
     run(main())
