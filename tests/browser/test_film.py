@@ -89,7 +89,7 @@ def test_the_space_bar_plays_pauses_and_plays_to_the_end(visit):
     lab.rest()
     held = clock(lab)["time"]
     lab.rest()
-    assert clock(lab) == {"time": held, "end": END, "rate": 0.0}
+    assert clock(lab) == {"clip": "film", "time": held, "end": END, "rate": 0.0}
     assert 0.3 < held < END
     assert np.abs(moving_frame(lab) - before).max() > 1e-3
     # After a click on a row the space bar plays, and does not press the row again.

@@ -79,7 +79,7 @@ def test_the_tangents_of_one_variable_play(visit):
     lab.press("newton_1d")
     lab.page.locator(".it-tangents").wait_for()
     lab.page.locator('select[data-cell="equation"]').select_option("cycle")
-    lab.page.get_by_text("the iterates repeat in a cycle").wait_for()
+    lab.page.locator(".al .no", has_text="the iterates repeat in a cycle").wait_for()
     lab.press("iterate 3")
     lab.until(lambda: present_row(lab)[:1] == ["3"])
     assert present_row(lab)[1].startswith("1.0000")

@@ -71,4 +71,4 @@ def test_cases_and_axes_of_the_arm(visit):
     lab.rest()
     row = catalogue()["puma560"].arm.rows[1]
     assert measured(lab)[0] == pytest.approx(1000.0 * row.a, abs=0.06)
-    assert "The same as of the normal" in lab.page.content()
+    assert "They agree with those of the normal" in lab.page.content()
