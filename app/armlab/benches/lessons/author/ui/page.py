@@ -15,29 +15,33 @@ from armlab.session.parts.target import Target
 from armlab.session.put_words import begun_as
 from armlab.session.state import Post, State
 from armlab.ui.form import Form, Pressed, Typed
+from armlab.ui.format import pairs
 from armlab.ui.html import Inside, tag
 from armlab.ui.markup import row
 from armlab.ui.picks import broken_files
 from armlab.ui.plugin import Panel, Show, layers
+from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
-HOW = (
-    tag(
-        "p",
-        "Bring the arm to where the students are to bring it, give the lesson a title, and save. The file has one step "
-        "with a check, a hint and a solution, and begins with the benches as you have set them; write the text in any "
-        "editor.",
-    ),
-    tag(
-        "p",
-        "Put it into a folder and start the lab with ",
-        tag("code", "armlab --lessons FOLDER"),
-        ": it appears under Lessons, and every time you save the file the open lesson changes. ",
-        tag("code", "armlab lesson check FILE"),
-        " plays it by its solution; ",
-        tag("code", "armlab check NAME --state FOLDER"),
-        " judges what students hand in.",
-    ),
+GOAL = (
+    "Bring the arm to where the students are to bring it, and save. The lesson begins in another pose, asks for this "
+    "one within a tolerance, and has a hint and a solution; the words are yours to write, in any editor."
+)
+
+TO_A_CLASS = (
+    "Put the file into a folder and start the lab with it. The lesson appears in the list, and changes for everybody "
+    "each time the file is saved.",
+    "armlab --host 0.0.0.0 --lessons FOLDER",
+)
+
+CHECKED = (
+    "Before the class: this plays a lesson by its own solutions and says what is wrong, with file and line.",
+    "armlab lesson check FILE",
+)
+
+HANDED_IN = (
+    "Students save their work as files. This judges all files of a folder again and prints a table.",
+    "armlab check NAME --state FOLDER",
 )
 
 
@@ -60,32 +64,59 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
     gui.heading("Save as lesson")
     form = gui.form(post)
-    gui.html(HOW)
+    steps = tag("h3", "Show it to a class"), _step(*TO_A_CLASS), tag("h3", "Try it"), _step(*CHECKED)
+    gui.html((steps, tag("h3", "Judge what is handed in"), _step(*HANDED_IN)))
     problems = gui.html()
 
     def show(state: State) -> None:
         nonlocal present
         present = state
-        form.show(_form(form, title, named, save))
+        form.show(_form(form, title, state, named, save))
         problems.show(broken_files("lesson", lessons().problems))
 
     return show
 
 
-def _form(form: Form, title: str, named: Typed, save: Pressed) -> Inside:
+def _step(says: str, command: str) -> Inside:
+    """Return what a command is for, and the command to be copied."""
+    return tag("p", says), tag("div.bar", tag("code", command), tag("button.chip", "Copy", data_copy=command))
+
+
+def _form(form: Form, title: str, state: State, named: Typed, save: Pressed) -> Inside:
     line = form.field("title", title, "Title of the lesson", named, inputmode="", maxlength="80")
     button = form.chip("save-lesson", "Save as lesson", save, "A lesson file whose goal is the arm as it stands")
-    return row("Title", line), tag("div.bar", button)
+    # What is to be predicted is not told here either.
+    held = None if state[LessonPart].hides else pairs(_holds(state))
+    return row("Title", line), tag("div.bar", button), tag("p.dim", GOAL), held
+
+
+def _holds(state: State) -> list[tuple[Inside, Inside]]:
+    """Return what of the present state the file will hold."""
+    units, robot, part = units_of(state), state[RobotPart].robot, state[Joints]
+    joints = [
+        (units.angle if turns else units.length)(float(value))
+        for turns, value in zip(robot.arm.revolute, part.q, strict=True)
+    ]
+    begin = sorted({word.partition(".")[0] for word, _ in begun_as(state)})
+    return [
+        ("Arm", robot.name),
+        ("Goal, joint values", ", ".join(joints)),
+        ("Overlays", ", ".join(_overlays(state)) or "none"),
+        ("Benches as you have set them", ", ".join(begin) or "none"),
+    ]
+
+
+def _overlays(state: State) -> list[str]:
+    on = state[Display].switches
+    return [layer.switch.name for layer in layers().values() if layer.switch and on.get(layer.switch.name)]
 
 
 def written(title: str, state: State, gui: Gui) -> str:
     """Return the lesson of a state: its arm, pose, target, overlays, benches, and view."""
-    on = state[Display].switches
-    overlays = [layer.switch.name for layer in layers().values() if layer.switch and on.get(layer.switch.name)]
     robot, q, eye = state[RobotPart].robot, state[Joints].q, gui.camera.as_view()
     begin = tuple(begun_as(state))
     return lesson_text(
-        title, robot, q, panel="joints", overlays=overlays, target=state[Target].pose, camera=eye, begin=begin
+        title, robot, q, panel="joints", overlays=_overlays(state), target=state[Target].pose, camera=eye, begin=begin
     )
 
 

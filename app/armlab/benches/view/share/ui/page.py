@@ -26,6 +26,13 @@ from armlab.ui.widgets import Gui
 
 FORMATS = {"markdown": ("Markdown", "md"), "latex": ("LaTeX", "tex")}
 
+NOT_YET = "A link, and a code that a phone can scan, to the arm exactly as it stands now."
+
+SHEET = (
+    "The table of the arm, every transform and the Jacobian of the present pose, in symbols and in numbers, to print "
+    "or to hand in."
+)
+
 TRAVELS = (
     "A link holds the arm with its table, its pose and target, and what the picture shows. Your name, answers and "
     "progress in lessons stay here. Who opens it keeps their own work."
@@ -96,15 +103,17 @@ class SharePage:
 
     def _linked(self, form: Form) -> Inside:
         if self._link is None:
-            return tag("div.bar", form.chip("make-link", "Make link", self._make))
+            return tag("p", NOT_YET), tag("div.bar", form.chip("make-link", "Make link", self._make))
         copied = tag("button.chip", "Copy link", data_copy=self._link.address)
         bar = tag("div.bar", form.chip("make-link", "Make link again", self._make), copied)
         return bar, self._link.markup(self._state)
 
-    def _worksheets(self, form: Form) -> Markup:
-        hint = "The table, every A, T and J of this pose, with their numbers"
-        chips = (form.chip(key, title, partial(self._save, key), hint) for key, (title, _) in FORMATS.items())
-        return tag("div.bar", chips)
+    def _worksheets(self, form: Form) -> Inside:
+        chips = (
+            form.chip(key, f"Save as {title}", partial(self._save, key), f"A file that ends with .{ending}")
+            for key, (title, ending) in FORMATS.items()
+        )
+        return tag("p", SHEET), tag("div.bar", chips)
 
     def _make(self) -> None:
         self._link = None
