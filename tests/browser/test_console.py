@@ -16,7 +16,7 @@ CHANGED_AND_GONE = """() => {
 
 
 def test_nothing_is_said_on_the_console_at_load(visit):
-    """Neither at the first load nor at the next; every page is opened in `test_axe`."""
+    """Neither at the first load nor at the next; every page is opened in `test_every_page`."""
     lab = visit()
     lab.page.reload()
     lab.ready()

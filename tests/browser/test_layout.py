@@ -1,39 +1,10 @@
-"""No page is much longer than the window when it is first seen, and what is folded is there when it is wanted."""
+"""What is folded is there when it is wanted; how long pages are is looked at in `test_every_page`."""
 
 import pytest
-
-from armlab.session.pages import pages
 
 pytestmark = pytest.mark.browser
 
 WIDE = (1400, 850)
-
-SMALL = (1024, 850)
-"""A narrow panel, in which lines break more often."""
-
-MOST = 1040
-"""Pixels of the longest page; the window shows 835 at once."""
-
-SIZES = """() => {
-  const every = [...document.querySelectorAll('[data-dock-region=right] .al')];
-  let pane = every.find(each => each.getClientRects().length);
-  while (!/auto|scroll/.test(getComputedStyle(pane).overflowY)) pane = pane.parentElement;
-  return [pane.scrollHeight, pane.scrollWidth - pane.clientWidth];
-}"""
-"""Height of the open page, and how far it goes beyond its sides."""
-
-
-def test_no_page_is_much_longer_than_the_window_or_wider_than_its_panel(visit):
-    lab = visit(size=SMALL)
-    long, wide = {}, {}
-    for key in pages():
-        lab.open_tab(key)
-        height, beyond = lab.page.evaluate(SIZES)
-        if height > MOST:
-            long[key] = height
-        if beyond > 1:
-            wide[key] = beyond
-    assert (long, wide) == ({}, {})
 
 
 def test_what_was_unfolded_stays_so_when_its_content_changes(visit):

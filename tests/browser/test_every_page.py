@@ -1,4 +1,4 @@
-"""Every page of the lab, in both looks, as axe-core sees it; and the console says nothing meanwhile."""
+"""Every page of the lab once: as axe-core sees it in both looks, its length and width, and what the console says."""
 
 import pytest
 
@@ -7,13 +7,29 @@ from support.walk import every_page
 
 pytestmark = pytest.mark.browser
 
+NARROW = (1024, 850)
+"""A narrow panel, in which lines break more often."""
 
-def test_axe_finds_nothing_serious_on_any_page(visit):
+MOST = 1040
+"""Pixels of the longest page; the window shows 835 at once."""
+
+SIZES = """() => {
+  const every = [...document.querySelectorAll('[data-dock-region=right] .al')];
+  let pane = every.find(each => each.getClientRects().length);
+  while (!/auto|scroll/.test(getComputedStyle(pane).overflowY)) pane = pane.parentElement;
+  return [pane.scrollHeight, pane.scrollWidth - pane.clientWidth];
+}"""
+"""Height of the open page, and how far it goes beyond its sides."""
+
+
+def test_no_page_is_a_barrier_or_much_longer_than_the_window_or_wider_than_its_panel(visit):
     """What lies around the panel is looked at once; the dark look, of the same rules of style, on every other page."""
-    lab = visit(size=(1400, 850))
+    lab = visit(size=NARROW)
     found = {"around": findings(lab)}
     for k, key in enumerate(every_page(lab)):
         found[key] = [*findings(lab, ("light", "dark")[: 1 + k % 2], whole=False), *lab.errors]
+        height, beyond = lab.page.evaluate(SIZES)
+        found[key] += [f"{height} px long"] * (height > MOST) + [f"{beyond} px too wide"] * (beyond > 1)
     assert {key: bad for key, bad in found.items() if bad} == {}
 
 
