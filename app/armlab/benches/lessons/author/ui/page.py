@@ -17,7 +17,6 @@ from armlab.session.state import Post, State
 from armlab.ui.form import Form, Pressed, Typed
 from armlab.ui.format import pairs
 from armlab.ui.html import Inside, tag
-from armlab.ui.markup import row
 from armlab.ui.picks import broken_files
 from armlab.ui.plugin import Panel, Show, layers
 from armlab.ui.units import units_of
@@ -87,7 +86,8 @@ def _form(form: Form, title: str, state: State, named: Typed, save: Pressed) -> 
     button = form.chip("save-lesson", "Save as lesson", save, "A lesson file whose goal is the arm as it stands")
     # What is to be predicted is not told here either.
     held = None if state[LessonPart].hides else pairs(_holds(state))
-    return row("Title", line), tag("div.bar", button), tag("p.dim", GOAL), held
+    titled = tag("div.kit-numbers.kit-typed", tag("label", tag("span", "Title"), line))
+    return titled, tag("div.bar", button), tag("p.dim", GOAL), held
 
 
 def _holds(state: State) -> list[tuple[Inside, Inside]]:
