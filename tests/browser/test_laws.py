@@ -20,7 +20,7 @@ def test_an_example_is_played_and_a_wrong_table_is_marked(visit):
     lab.type_into("time", "1.5")
     lab.until(lambda: lab.page.locator(".law-race .now").first.get_attribute("cx") == "160.0")
     lab.unfold("Values, peaks and classes")
-    values = lab.page.locator(".law-table").first.locator("tr").nth(1).locator("td").all_inner_texts()
+    values = lab.page.locator(".law-table").first.locator("tr").nth(1).locator("td").all_text_contents()
     assert values == ["s", "1", "1"]
     lab.page.locator('.al-time button[data-cell="forward"]').click()
     lab.until(lambda: "t = 2 s" in lab.page.locator(".law-table").first.inner_text())

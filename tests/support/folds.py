@@ -19,8 +19,8 @@ FOLDED = """control => {
 def unfold(page: Page, title: str) -> None:
     """Open the folded part with this title, unless it is open."""
     head = page.locator("details.kit-fold > summary:visible", has_text=title).first
-    if head.locator("..").get_attribute("open") is None:
-        head.click()
+    # Not by a press: the page may open it at the same moment, as it was left, and the press would close it.
+    head.locator("..").evaluate("each => { each.open = true; }")
 
 
 def revealed(control: Locator) -> Locator:
