@@ -19,6 +19,9 @@ SOON = 2.0
 OPEN: WeakSet[Running] = WeakSet()
 """The labs that were opened in this process."""
 
+ASIDE: WeakSet[asyncio.Future[Any]] = WeakSet()
+"""What the labs do in other threads now, for which an answer waits."""
+
 
 class Traffic(NamedTuple):
     """Messages of all connections that are open now: what the labs have received, and what they have sent.
@@ -47,6 +50,18 @@ async def _counted_send(connection: Any, *arguments: Any, **options: Any) -> Non
 
 ServerConnection.recv, ServerConnection.send = _counted_receive, _counted_send  # type: ignore[method-assign]
 
+_run_aside = asyncio.BaseEventLoop.run_in_executor
+
+
+def _counted_aside(loop: Any, *arguments: Any) -> Any:
+    future = _run_aside(loop, *arguments)
+    ASIDE.add(future)
+    future.add_done_callback(ASIDE.discard)
+    return future
+
+
+asyncio.BaseEventLoop.run_in_executor = _counted_aside  # type: ignore[method-assign, assignment]
+
 
 class Told(NamedTuple):
     """How things stand in the labs of this process.
@@ -56,7 +71,7 @@ class Told(NamedTuple):
     answered : bool
         Whether every command is applied and shown, and nothing waits to be sent.
     idle : bool
-        Whether, besides, no long work is under way and nothing is to happen soon.
+        Whether, besides, no long work is under way, in no thread, and nothing is to happen soon.
     """
 
     traffic: Traffic
@@ -86,7 +101,9 @@ def _ask(lab: Any) -> Told:
         ]
         answered = lab.worker.idle and not lab._due and all(itertools.starmap(_is_sent, buffers))
         making = any(view._making is not None for view in lab._views.values())
-        return Told(traffic, answered, answered and lab.runner.idle and not making and not _is_due_soon(lab.loop))
+        aside = any(each.get_loop() is lab.loop for each in list(ASIDE))
+        busy = making or aside or _is_due_soon(lab.loop)
+        return Told(traffic, answered, answered and lab.runner.idle and not busy)
 
     return asyncio.run_coroutine_threadsafe(look(), lab.loop).result(WAIT)
 
