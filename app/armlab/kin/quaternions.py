@@ -95,8 +95,8 @@ def exponential(q: ArrayLike) -> Floats:
 def logarithm(q: ArrayLike) -> Floats:
     """Return the quaternion whose exponential is q: (ln |q|, theta / 2 r), with theta / 2 in [0, pi].
 
-    The vector part of that of a unit quaternion is half of the rotation vector. A negative number has a logarithm about every
-    axis; that about z is returned.
+    The vector part of that of a unit quaternion is half of the rotation vector. A negative number has a logarithm about
+    every axis; that about z is returned.
 
     Raises
     ------
