@@ -14,7 +14,8 @@ import drag
 import servers
 import swinging
 from rounds import TINY, quantile, sized
-from support.page import LabPage, chromium
+from support.chromium import chromium, new_page
+from support.page import LabPage
 
 TITLE = "Playback of a moving arm: poses shown in Chromium with a software renderer"
 WINDOWS = sized({(640, 420): (0, 10), (1400, 850): (0,)}, {(640, 420): (1,)})
@@ -101,7 +102,7 @@ def played(browser: Browser, window: tuple[int, int], others: int, ours: bool) -
 
 def open_ours(context: BrowserContext, url: str, window: tuple[int, int]) -> tuple[Page, str]:
     """Read the motion from a file, play it with its plan in sight; return the page, and the node of joint 1."""
-    lab = LabPage(context, url, window, painted=not TINY)
+    lab = LabPage(new_page(context, painted=not TINY), url, window)
     lab.open_tab("Motion")
     lab.press("motion_files")
     file = {"name": "motion.csv", "mimeType": "text/csv", "buffer": swinging.table().encode()}

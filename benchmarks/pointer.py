@@ -9,7 +9,8 @@ import servers
 from armlab.content.robots import catalogue
 from armlab.ui.figure.anatomy import anatomy_of
 from rounds import TINY, quantile, sized
-from support.page import HANDLE, LabPage, chromium
+from support.chromium import chromium, new_page
+from support.page import HANDLE, LabPage
 
 TITLE = "Pointer to picture: Chromium with a software renderer, 640 x 420"
 WINDOW = (640, 420)
@@ -56,7 +57,7 @@ def dragged(browser: Browser, url: str, handle: float, off: Sequence[str]) -> It
     """Drag the upward arrow in single steps, each after the answer to the one before; yield milliseconds."""
     with browser.new_context() as context:
         context.add_init_script(RECORD)
-        lab = LabPage(context, url, WINDOW, painted=not TINY)
+        lab = LabPage(new_page(context, painted=not TINY), url, WINDOW)
         if lab.page.locator("button[data-cell=welcome-leave]").count():
             lab.press("welcome-leave")  # in so small a window the card lies over the handle
         if off:

@@ -15,7 +15,7 @@ from pathlib import Path
 from playwright.sync_api import Browser, ViewportSize
 
 from rounds import sized
-from support.page import chromium
+from support.chromium import chromium
 
 TITLE = "Start"
 ROOT = Path(__file__).resolve().parents[1]

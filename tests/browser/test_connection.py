@@ -2,8 +2,9 @@
 
 import pytest
 
+from support.chromium import new_page
 from support.lab import open_lab
-from support.page import COARSE, SMALL, LabPage
+from support.page import COARSE, LabPage
 
 pytestmark = pytest.mark.browser
 
@@ -11,7 +12,7 @@ pytestmark = pytest.mark.browser
 def test_a_lost_connection_is_said_until_it_is_back(browser, tmp_path):
     lab = open_lab(tmp_path)
     context = browser.new_context()
-    page = LabPage(context, f"http://127.0.0.1:{lab.port}/?{COARSE}", SMALL, False)
+    page = LabPage(new_page(context, painted=False), f"http://127.0.0.1:{lab.port}/?{COARSE}")
     said = page.page.get_by_role("alert").filter(has_text="connection to the lab is lost")
     assert said.count() == 0
     lab.stop()

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.ui.view import View
+from support.chromium import new_page
 from support.lab import open_lab
 from support.page import COARSE, LabPage
 
@@ -224,7 +225,7 @@ def test_a_finger_moves_sliders_and_handle(visit):
 def test_the_page_comes_back_by_itself_after_a_restart(browser, tmp_path):
     lab = open_lab(tmp_path)
     context = browser.new_context()
-    page = LabPage(context, f"http://127.0.0.1:{lab.port}/?{COARSE}", painted=False)
+    page = LabPage(new_page(context, painted=False), f"http://127.0.0.1:{lab.port}/?{COARSE}")
     page.drag_slider(1, 0.8)
     value = page.slider_value(1)
     port = lab.port

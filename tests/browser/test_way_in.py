@@ -334,7 +334,7 @@ def test_a_word_stands_in_the_arms_place_until_it_is_there(visit, browser, url, 
 
 
 def test_no_arm_is_announced_where_a_question_hides_it(visit):
-    lab = visit("lesson/angular_velocity")
+    lab = visit("lesson/angular_velocity", own=True)
     steps = lessons()["angular_velocity"].steps
     hides = next(i for i, step in enumerate(steps) if step.question is not None and "arm" in step.question.hide)
     lab.press(f"lesson-step-{hides}")

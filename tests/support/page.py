@@ -3,36 +3,18 @@
 from __future__ import annotations
 
 import io
-import os
 import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from weakref import WeakSet
 
 import numpy as np
 from PIL import Image
-from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Locator, sync_playwright
+from playwright.sync_api import ConsoleMessage, Locator, Page, Request, WebSocket
 
 from armlab.session.pages import pages
 from support.at_rest import Traffic, told
 from support.folds import revealed, unfold
 from support.patience import WAIT, Patience
-
-ARGUMENTS = (
-    "--no-sandbox",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--ignore-gpu-blocklist",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-sync",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-renderer-backgrounding",
-    "--disable-backgrounding-occluded-windows",
-)
-WITHOUT_A_CARD = "--disable-gpu-compositing"
-"""Puts the page together without the software that plays graphics card, which takes it most of the time."""
 
 OF_VISER = (
     "THREE.Clock: This module has been deprecated",
@@ -47,39 +29,6 @@ SMALL = (900, 600)
 
 COARSE = "fixedDpr=0.5"
 """Draws the scene with half the pixels each way, which a software renderer can keep up with."""
-
-BLIND = """(() => {
-  const calls = ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced', 'drawRangeElements',
-    'clear', 'blitFramebuffer'];
-  for (const name of calls) WebGL2RenderingContext.prototype[name] = () => {};
-})()"""
-"""Lets a page do everything but paint its scene, which takes a software renderer most of the time."""
-
-COUNTED = """(() => {
-  const passed = window.__passed = { up: 0, down: 0, timers: new Set() };
-  window.Worker = class extends Worker {
-    constructor(...rest) {
-      super(...rest);
-      this.addEventListener('message', ({ data }) => {
-        if (data?.type === 'connected') passed.up = passed.down = 0;
-        if (data?.type === 'message_batch') passed.down++;
-      });
-    }
-    postMessage(data, ...rest) {
-      if (data?.type === 'send') passed.up++;
-      super.postMessage(data, ...rest);
-    }
-  };
-  const set = window.setTimeout, clear = window.clearTimeout, soon = 500;
-  window.setTimeout = (call, delay = 0, ...rest) => {
-    if (typeof call !== 'function' || delay > soon) return set(call, delay, ...rest);
-    const timer = set(() => { passed.timers.delete(timer); call(...rest); }, delay);
-    passed.timers.add(timer);
-    return timer;
-  };
-  window.clearTimeout = timer => { passed.timers.delete(timer); clear(timer); };
-})()"""
-"""Counts what a page and its lab say to each other (viser's page speaks through a worker), and the timers that run."""
 
 SEEN = """async () => {
   for (let k = 0; k < 2; k++) await new Promise(drawn => requestAnimationFrame(drawn));
@@ -118,18 +67,6 @@ HANDLE = 0.14
 """Length of the handle's arrows, in sizes of the arm."""
 
 
-@contextmanager
-def chromium(*more: str) -> Iterator[Browser]:
-    """Start the browser that `tests/find_browser.py` found, with more arguments if any are given."""
-    with sync_playwright() as playwright:
-        path = os.environ.get("ARMLAB_BROWSER") or None
-        browser = playwright.chromium.launch(executable_path=path, headless=True, args=[*ARGUMENTS, *more])
-        try:
-            yield browser
-        finally:
-            browser.close()
-
-
 def traffic() -> Traffic:
     """Return what all open pages and their labs have said to each other, as the pages count."""
     pages = [lab.page for lab in OPEN if not lab.page.is_closed()]
@@ -138,15 +75,14 @@ def traffic() -> Traffic:
 
 
 class LabPage:
-    """One open page.
+    """One person's use of a page.
 
     Parameters
     ----------
-    context : playwright BrowserContext
+    page : playwright Page
+        Made by `support.chromium.new_page`.
     url : str
     size : tuple of int
-    painted : bool
-        Whether the scene is painted; everything else, such as what lies under the pointer, is there without it.
 
     Attributes
     ----------
@@ -157,28 +93,36 @@ class LabPage:
         Every address it asked for.
     """
 
-    def __init__(self, context: BrowserContext, url: str, size: tuple[int, int] = SMALL, painted: bool = True) -> None:
-        self.page = context.new_page()
-        self.page.add_init_script(COUNTED)
+    def __init__(self, page: Page, url: str, size: tuple[int, int] = SMALL) -> None:
+        self.page = page
         OPEN.add(self)
-        if not painted:
-            self.page.add_init_script(BLIND)
         self.page.set_default_timeout(1e3 * WAIT)
         self.page.set_viewport_size({"width": size[0], "height": size[1]})
         self.errors: list[str] = []
         self.requests: list[str] = []
-        self.page.on("pageerror", lambda error: self.errors.append(str(error)))
-        self.page.on("console", self._listen)
-        self.page.on("request", lambda request: self.requests.append(request.url))
-        self.page.on("websocket", lambda socket: self.requests.append(socket.url))
+        self._heard = {"pageerror": self._fails, "console": self._says, "request": self._asks, "websocket": self._asks}
+        for event, listener in self._heard.items():
+            self.page.on(event, listener)
         self.page.goto(url)
         self.ready()
         self.dismiss_toasts()
 
-    def _listen(self, message: ConsoleMessage) -> None:
+    def _fails(self, error: Exception) -> None:
+        self.errors.append(str(error))
+
+    def _says(self, message: ConsoleMessage) -> None:
         tolerated = message.type == "warning" and message.text.startswith(OF_VISER)
         if message.type in ("error", "warning") and not tolerated:
             self.errors.append(message.text)
+
+    def _asks(self, asking: Request | WebSocket) -> None:
+        self.requests.append(asking.url)
+
+    def leave(self) -> None:
+        """End the use of the page, which stays open for others."""
+        for event, listener in self._heard.items():
+            self.page.remove_listener(event, listener)
+        OPEN.discard(self)
 
     def ready(self) -> None:
         """Wait until the arm is there, with all that the open panel and lesson show of it, or what covers it."""
