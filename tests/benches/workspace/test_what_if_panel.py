@@ -240,7 +240,7 @@ def test_a_student_changes_a_number_sees_what_it_does_and_takes_it_over(url):
         # Directly below the field, and no longer than what was typed is about the number at hand.
         assert re.search(r"now 1000\.0 mm</span></div></div><p class=\"no\" role=\"alert\">✕ a₁", browser.html())
         await browser.press("field alpha")
-        await browser.until(lambda: "α₁, twist" in browser.html())
+        await browser.until(lambda: "α₁, link twist" in browser.html())
         assert "expected a number" not in browser.html()
         await browser.press("field a")
         await browser.press("take")
