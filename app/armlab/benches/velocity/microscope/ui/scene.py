@@ -16,7 +16,7 @@ from armlab.ui import adapter
 from armlab.ui.colours import BLUE, GREEN, VERDICT, Rgb
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.solids import along
-from armlab.ui.format import number, subscript
+from armlab.ui.format import number
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.scene._nodes import move, put, seen, write
 from armlab.ui.scene._strokes import add_line, add_name, dashes
@@ -141,13 +141,13 @@ class Picture:
         part = self._part
         look = look_at(part, q)
         at = np.asarray(part.arm.position(q), dtype=np.float64)
-        speeds, name = look.V[:, -1], subscript("v", len(look.sigma))
+        speeds = look.V[:, -1]
         most = float(np.abs(speeds).max())
         for mark, value in zip(self._joints, speeds.tolist(), strict=True):
             counts = abs(value) > LEAST * most
             # In steps, so that an arc is not made anew for every picture of a drag.
             part_shown = round(STEPS * value / most) / STEPS if counts else 0.0
-            mark.show(part_shown, f"{name}: {number(value, 2)}" if counts else "")
+            mark.show(part_shown, number(value, 2) if counts else "")
         size = float(np.linalg.norm(look.wish))
         wish, answer = look.twist(look.wish) / size, look.answer(part.method).qdot
         reached = np.zeros(6) if answer is None else look.twist(look.J @ answer) / size
