@@ -141,8 +141,8 @@ def drawn_markup(look: Look) -> Markup:
     return tag(
         "p.dim",
         "In the scene: the wanted velocity (blue), the one that the selected method reaches (green), the slowest "
-        f"direction (dashed), and at the joints the components of {last}, the unit vector of joint speeds that moves the "
-        "tool least.",
+        f"direction (dashed), and at the joints the components of {last}, the unit vector of joint speeds that moves "
+        "the tool least.",
     )
 
 
