@@ -64,7 +64,7 @@ class _Faces:
 
 
 RAISED = 0.03
-"""How far a name stands above its point, in sizes of the arm: the name of a joint may stand at the point itself."""
+"""Height of a name above its point, in sizes of the arm: the name of a joint may stand at the point itself."""
 
 
 class _Drawing:
