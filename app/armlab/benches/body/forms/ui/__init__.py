@@ -1,0 +1,1 @@
+"""The panel of the page Rotation, and its part of the scene."""
