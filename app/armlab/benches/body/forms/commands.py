@@ -42,7 +42,7 @@ def turned(part: Body, q: ArrayLike, **more: Any) -> Body:
     """
     body = part.with_values({"q": _floats(q), "matrix": None})
     straight = unit(body.q)
-    R = rotation_from_quaternion(straight)
+    R = np.asarray(rotation_from_quaternion(straight), dtype=np.float64)
     axes, fixed = more.get("axes", part.axes), more.get("fixed", part.fixed)
     values: dict[str, Any] = {
         "angles": _floats(triples_of(R, axes, fixed, np.array(more.get("angles", part.angles))).shown)
@@ -103,7 +103,7 @@ class SetBodyAngle(Command):
     def apply(self, state: State) -> State:
         """Return the state with the product of the three turns."""
         part = state[Body]
-        angles = _with(state.derived(forms_of).triples.shown, self.index, self.value, "angle")
+        angles = _with(state.derived(forms_of).triples.shown.tolist(), self.index, self.value, "angle")
         part = part.with_values({"angles": angles})
         return put(state, _by_angles(part, angles))
 

@@ -15,7 +15,7 @@ from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.glb import scene_glb
 from armlab.ui.figure.mesh import Solid, placed
 from armlab.ui.figure.solids import along, drum, torus
-from armlab.ui.scene._marks import Marks, Sketch
+from armlab.ui.scene._marks import Marks, Segment, Sketch
 from armlab.ui.scene._nodes import put, seen
 
 Floats = NDArray[np.float64]
@@ -63,7 +63,9 @@ class Rings:
                 if ring is not None:
                     put(node, pose_at(ring.frame, centre))
         ends = [(BEYOND - 0.04 * place) * self._radius * ring.axis for place, ring in enumerate(rings)]
-        strokes = [(centre - end, centre + end, COLOURS[ring.turn]) for ring, end in zip(rings, ends, strict=True)]
+        strokes: list[Segment] = [
+            (centre - end, centre + end, COLOURS[ring.turn]) for ring, end in zip(rings, ends, strict=True)
+        ]
         self._axes.draw(Marks(strokes=strokes))
         for ring, end in zip(rings, ends, strict=True):
             self._names[ring.turn].show(names[ring.turn], centre + 1.06 * end)

@@ -24,14 +24,14 @@ from armlab.ui.colours import INK
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.scene._handle import Handle
-from armlab.ui.scene._marks import Marks, Sketch
+from armlab.ui.scene._marks import Marks, Segment, Sketch
 from armlab.ui.switches import DARK
 from armlab.ui.units import Units, units_of
 
 Floats = NDArray[np.float64]
 
 HANDLE = 0.9
-"""Scale of the handle in radii of the outermost gimbal ring; its own rings have 0.7 of it, between block and rings."""
+"""Scale of the handle in radii of the outermost gimbal ring; its own rings have 0.65 of it, between block and rings."""
 
 LOST = 0.6
 """Length of the arrow along the lost axis, in the same."""
@@ -79,7 +79,7 @@ def lost_marks(found: Forms, centre: Floats, radius: float, dark: bool) -> Marks
     if not found.triples.singular:
         return Marks()
     tip = LOST * radius * found.triples.lost
-    arrows = [(centre, centre + tip, INK[dark]), (centre, centre - tip, INK[dark])]
+    arrows: list[Segment] = [(centre, centre + tip, INK[dark]), (centre, centre - tip, INK[dark])]
     return Marks(arrows, label="no turn about this axis", at=centre + tip)
 
 
