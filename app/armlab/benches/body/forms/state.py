@@ -56,7 +56,7 @@ class Body(FieldPart):
     axis : (float, float, float)
         An axis as it was typed. It decides the sign of the angle, and is the axis while there is no rotation.
     angles : (float, float, float)
-        Radians. Of the triples that describe the orientation the nearest to these is shown.
+        Radians. The triple of the orientation that is nearest to these is shown.
     matrix : tuple of tuple of float, or None
         The matrix that was typed, which need not be a rotation.
     axes : str
