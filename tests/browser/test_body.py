@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.body.forms.stage import stage_of
-from armlab.benches.body.forms.ui.scene import HANDLE
+from armlab.benches.body.forms.ui.handle import HANDLE
 from armlab.content.robots import catalogue
 from armlab.session.state import State
 

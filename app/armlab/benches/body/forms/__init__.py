@@ -1,4 +1,4 @@
-"""The page Rotation of the lab."""
+"""The page Forms of the lab."""
 
 from armlab.page import Page
 
@@ -8,6 +8,7 @@ PAGE = Page(
     "Rotation",
     "CUBE",
     28,
+    page="Forms",
     about=(
         "3.2",
         "3.3",

@@ -1,1 +1,1 @@
-"""The panel of the page Rotation, and its part of the scene."""
+"""The panel of the page Forms, and its part of the scene."""

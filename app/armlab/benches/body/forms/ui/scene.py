@@ -5,17 +5,16 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.body.forms.commands import TurnBody
 from armlab.benches.body.forms.gimbal import rings_of
 from armlab.benches.body.forms.rotation import Forms, forms_of
 from armlab.benches.body.forms.stage import pose_at, stage_of
 from armlab.benches.body.forms.state import Body
 from armlab.benches.body.forms.ui.base import BaseFrame
 from armlab.benches.body.forms.ui.block import Block
+from armlab.benches.body.forms.ui.handle import body_handle
 from armlab.benches.body.forms.ui.rings import Rings
 from armlab.benches.body.forms.ui.words import LETTERS, turn_names
 from armlab.kin.euler import angle_symbols
-from armlab.kin.rotations import quaternion_from_rotation
 from armlab.session.parts.display import Display
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
@@ -23,15 +22,11 @@ from armlab.session.state import State
 from armlab.ui.colours import INK
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
-from armlab.ui.scene._handle import Handle
 from armlab.ui.scene._marks import Marks, Segment, Sketch
 from armlab.ui.switches import DARK
 from armlab.ui.units import Units, units_of
 
 Floats = NDArray[np.float64]
-
-HANDLE = 0.9
-"""Scale of the handle in radii of the outermost gimbal ring; its own rings have 0.65 of it, between block and rings."""
 
 LOST = 0.6
 """Length of the arrow along the lost axis, in the same."""
@@ -45,22 +40,18 @@ def build(canvas: LayerCanvas, state: State) -> Show:
     rings = Rings(canvas, radius)
     lost = Sketch(canvas, "body/lost")
 
-    def dragged(pose: NDArray[np.floating], drag: object, ends: bool) -> None:
-        canvas.post(TurnBody(quaternion_from_rotation(pose[:3, :3]), drag))
-
-    handle = Handle(canvas, canvas.path("body/handle"), dragged, scale=HANDLE * radius / canvas.size)
+    handle = body_handle(canvas, "body/handle", radius)
 
     def show(state: State) -> None:
         part, found, units = state[Body], state.derived(forms_of), units_of(state)
         centre, _ = stage_of(state)
         base.show(centre)
-        pose = pose_at(found.R, centre)
-        block.show(pose)
+        block.show(pose_at(found.R, centre))
         angles = found.triples.shown
         shown = rings_of(part.axes, part.fixed, angles) if part.rings else ()
         rings.show(shown, ring_names(part, angles, units), centre)
         lost.draw(lost_marks(found, centre, radius, DARK.on(state)))
-        handle.show_rings(pose, np.eye(3) if part.fixed else found.R)
+        handle(state)
 
     return show
 
