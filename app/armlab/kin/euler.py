@@ -26,9 +26,9 @@ SEQUENCES: tuple[str, ...] = TAIT_BRYAN + PROPER
 NAMES: Mapping[tuple[str, bool], str] = MappingProxyType(
     {
         ("zyx", False): "yaw, pitch, roll about moving axes; the same as xyz fixed",
-        ("xyz", True): "roll, pitch, yaw about fixed axes (notes 3.102-3.108); the same as zyx moving",
+        ("xyz", True): "roll, pitch, yaw about fixed axes; the same as zyx moving",
         ("xyz", False): "Cardan angles",
-        ("zxz", False): "Euler angles of the notes (3.80-3.94)",
+        ("zxz", False): "Euler angles of classical mechanics",
         ("zyz", False): "Euler angles of most robotics books, and of a spherical wrist",
     }
 )

@@ -1,5 +1,6 @@
 """Three meanings of a rotation matrix: the numbers, the pictures, what is typed and what is refused."""
 
+import itertools
 import json
 import math
 
@@ -45,7 +46,7 @@ def test_the_same_vector_in_both_frames():
 
 def ends(segments):
     """Return the last end of a way of strokes, of which each begins where the one before it ends."""
-    for (_, end, _), (start, _, _) in zip(segments[:-1], segments[1:], strict=True):
+    for (_, end, _), (start, _, _) in itertools.pairwise(segments):
         np.testing.assert_allclose(start, end, rtol=0, atol=1e-15)
     return segments[-1][1]
 

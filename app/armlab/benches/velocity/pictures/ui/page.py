@@ -32,6 +32,7 @@ from armlab.ui.format import mathml
 from armlab.ui.html import Markup, joined, tag
 from armlab.ui.markup import row, verdict_box
 from armlab.ui.plugin import Panel, Show
+from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
@@ -138,8 +139,10 @@ def norm_markup(state: State, units: Units) -> Markup:
     here = found.determinant, float(np.linalg.norm(found.answer.qdot)) if found.answer.verdict == "one" else math.inf
     second = units.variable(state[Solve].pair[1], bool(state[Joints].arm.revolute[state[Solve].pair[1]]))
     said = (
-        f"Here det J = {small(found.determinant)} m², σ_min/σ_max = {small(ratio)}. The ratio tells how "
-        "near a singularity is; det J alone does not, it changes with the unit of length."
+        f"Here det J = {small(found.determinant)} m², ",
+        with_indices("σ_min/σ_max"),
+        f" = {small(ratio)}. The ratio tells how near a singularity is; det J alone does not, it changes with the unit "
+        "of length.",
     )
     aside = tag("small", f"while {second} goes through its range⟦ (1.20–1.24)⟧")
     return joined(tag("h3", "‖q̇‖ against det J ", aside), norm_svg(curve, here, units), tag("p.dim", said))
