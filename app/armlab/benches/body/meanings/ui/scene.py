@@ -119,7 +119,8 @@ def _operator(state: State) -> Picture:
 
 def steps(coordinates: Floats, axes: Floats) -> list[Segment]:
     """Return the way from the origin to a point along three axes (3, 3), one after the other."""
-    at, found = np.zeros(3), []
+    at = np.zeros(3)
+    found: list[Segment] = []
     for k in range(3):
         to = at + coordinates[k] * axes[:, k]
         found.append((at, to, COLOURS[k]))
