@@ -15,7 +15,7 @@ from armlab.ui.figure.figure import build_figure
 from armlab.ui.figure.glb import MOST_SHORT, merged, scene_glb
 from armlab.ui.figure.marks import SYMBOL_STEP, symbol_height, symbols_of
 from armlab.ui.figure.mesh import Solid, placed
-from armlab.ui.figure.solids import CREASE, SIDES, along, band, block, drum, lathe, lid
+from armlab.ui.figure.solids import CREASE, SIDES, along, band, block, drum, lathe, lid, torus
 from armlab.ui.figure.tubes import tube
 from armlab.ui.scene._voxels import CORNERS
 from armlab.ui.scene._voxels import SIDES as TRIANGLES
@@ -135,6 +135,7 @@ SOLIDS = {
     "soft drum": drum(1.0, 2.0, 0.1, soft=True),
     "block": block((1.0, 2.0, 3.0), 0.1, (0.3, 0.0, -1.0)),
     "cone": lathe([(0.0, 0.0), (0.7, 0.0), (0.55, 0.4), (0.0, 1.6)]),
+    "ring": torus(1.0, 0.1),
     "straight tube": tube([(0, 0, 0), (1, 2, 3)], 0.2, 0.1, 0.3),
     "bent tube": tube([(0, 0, 0), (0, 0, 1), (1, 0, 1)], 0.2, 0.1, 0.3),
 }

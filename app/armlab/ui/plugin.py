@@ -28,6 +28,9 @@ Show = Callable[[State], None]
 OF_THE_ROOM = frozenset({"stage"})
 """Keys of layers that exist without the arm, too."""
 
+OF_THE_ARM = ("arm", "skeleton", "names", "frames", "symbols", "angles", "lengths", "projections", "trace", "swept")
+"""Keys of the layers that draw the arm and its details, for pages in whose way it would be."""
+
 NOTHING: Points = np.zeros((0, 3))
 
 

@@ -182,3 +182,16 @@ def along(direction: ArrayLike, at: ArrayLike = (0.0, 0.0, 0.0)) -> NDArray[np.f
             [0.0, 0.0, 0.0, 1.0],
         ]
     )
+
+
+def torus(radius: float, tube: float, sides: int = 72) -> Solid:
+    """Return a ring in the plane across z, around the origin."""
+    around = 12
+    (c, s), (cosines, sines) = circle(sides)[:, :, None], circle(around)[:, None, :]
+    normals = np.stack([c * cosines, s * cosines, sines + 0.0 * c], axis=-1)
+    middles = np.stack([c + 0.0 * sines, s + 0.0 * sines, 0.0 * c * sines], axis=-1)
+    here = np.arange(sides * around).reshape(sides, around)
+    on, up = np.roll(here, -1, axis=0), np.roll(here, -1, axis=1)
+    both = np.roll(on, -1, axis=1)
+    faces = np.concatenate([np.stack([here, on, both], axis=-1), np.stack([here, both, up], axis=-1)]).reshape(-1, 3)
+    return Solid((radius * middles + tube * normals).reshape(-1, 3), normals.reshape(-1, 3), faces)

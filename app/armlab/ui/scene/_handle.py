@@ -77,18 +77,23 @@ class Handle:
 
         ``handle`` is ``"move"`` or ``"turn"``, ``axes`` is ``"world"`` or ``"tool"``.
         """
-        self._pose = pose
         arm = self._canvas.drawn.figure.anatomy.arm
-        wanted = (arm.task.key, handle, axes)
+        turned = pose[:3, :3] if _along_tool(arm, handle, axes) else arm.base[:3, :3]
+        self._show(pose, turned, (arm.task.key, handle, axes), handles_of(arm, handle))
+
+    def show_rings(self, pose: Floats, axes: Floats) -> None:
+        """Put rings that turn something freely, whatever the task of the arm, about axes (3, 3) at a pose (4, 4)."""
+        self._show(pose, axes, ("", "turn", ""), [_ring("xyz")])
+
+    def _show(self, pose: Floats, axes: Floats, wanted: tuple[str, str, str], controls: list[dict[str, Any]]) -> None:
+        self._pose, self._axes = pose, axes
         if self._made_for != wanted and self._held is None:
             self.remove()
-            self._controls = [self._control(i, options) for i, options in enumerate(handles_of(arm, handle))]
+            self._controls = [self._control(i, options) for i, options in enumerate(controls)]
             self._made_for = wanted
-        turned = pose[:3, :3] if _along_tool(arm, handle, axes) else arm.base[:3, :3]
-        self._axes = turned
         for control in self._controls:
             if control is not self._held:
-                _place(control, turned, pose[:3, 3])
+                _place(control, axes, pose[:3, 3])
 
     def remove(self) -> None:
         """Remove the handle from the scene."""

@@ -26,15 +26,12 @@ from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml, number, pairs, subscript
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import verdict_box
-from armlab.ui.plugin import Panel, Show
+from armlab.ui.plugin import OF_THE_ARM, Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
 CASES = {"skew": "Skew", "parallel": "Parallel", "intersecting": "Intersecting", "coincident": "Coincident"}
 OWN = "own"
-ARM = ("arm", "skeleton", "names", "frames", "symbols", "angles", "lengths", "projections", "trace", "swept")
-"""Layers that draw the arm and its details."""
-
 SAME = 1e-9
 """Difference, m and rad, up to which the table and the lines agree."""
 
@@ -192,7 +189,7 @@ def _products(lines: Lines) -> Inside:
 
 def in_the_way(state: State) -> tuple[str, ...]:
     """Return the layers of the arm while the lines belong to the student, because they run through it."""
-    return ARM if state[Lines].pair is None else ()
+    return OF_THE_ARM if state[Lines].pair is None else ()
 
 
 PANEL = Panel((Lines, Joints, RobotPart), build, see_through=True, hides=("gizmo", "gap"), hides_then=in_the_way)

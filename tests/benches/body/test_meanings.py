@@ -1,0 +1,135 @@
+"""Three meanings of a rotation matrix: the numbers, the pictures, what is typed and what is refused."""
+
+import itertools
+import json
+import math
+
+import numpy as np
+import pytest
+
+from armlab.benches.body.forms.commands import PlaceBody, SetBodyTurn, SetWholeAxis
+from armlab.benches.body.forms.rotation import forms_of
+from armlab.benches.body.meanings.state import MATRIX, Meanings, SetVector, image_of
+from armlab.benches.body.meanings.ui.page import SAID, _numbers
+from armlab.benches.body.meanings.ui.scene import picture_of, steps
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.session.fields import Set
+from armlab.session.parts.selection import Select
+from armlab.session.session import Asked
+from armlab.session.state import State, apply
+from support.forms import BareForm
+
+
+def opened(*commands):
+    state = State.initial(catalogue()["planar_2r"])
+    for command in commands:
+        state = apply(state, command)
+    return state
+
+
+def shown(key, *commands):
+    return opened(Set(Meanings, "shown", key), *commands)
+
+
+def test_the_same_vector_in_both_frames():
+    state = shown("coordinates", SetVector(0, 0.3), SetVector(1, -0.2), SetVector(2, 0.9))
+    R = forms_of(state).R
+    np.testing.assert_allclose(image_of(state), R @ [0.3, -0.2, 0.9], rtol=0, atol=1e-15)
+    # Typed in the base, the others of the base stay.
+    after = apply(state, SetVector(1, 0.4, in_base=True))
+    expected = image_of(state)
+    expected[1] = 0.4
+    np.testing.assert_allclose(image_of(after), expected, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(after[Meanings].p, R.T @ expected, rtol=0, atol=1e-15)
+
+
+def ends(segments):
+    """Return the last end of a way of strokes, of which each begins where the one before it ends."""
+    for (_, end, _), (start, _, _) in itertools.pairwise(segments):
+        np.testing.assert_allclose(start, end, rtol=0, atol=1e-15)
+    return segments[-1][1]
+
+
+def test_both_ways_of_steps_lead_to_the_vector():
+    state = shown("coordinates")
+    picture, image = picture_of(state), image_of(state)
+    assert picture.body
+    np.testing.assert_allclose(ends(picture.strokes), image, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(ends(picture.fine), image, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(picture.arrows[0][1], image, rtol=0, atol=1e-15)
+
+
+def test_a_column_is_an_axis_of_the_body_and_a_row_one_of_the_base():
+    R = forms_of(opened()).R
+    for k in range(3):
+        picture = picture_of(shown("orientation", Select(MATRIX, None, k)))
+        np.testing.assert_allclose(picture.arrows[0][1], R[:, k], rtol=0, atol=1e-15)
+        np.testing.assert_allclose(ends(picture.strokes), R[:, k], rtol=0, atol=1e-15)
+        picture = picture_of(shown("orientation", Select(MATRIX, k, None)))
+        np.testing.assert_allclose(picture.arrows[0][1], np.eye(3)[k], rtol=0, atol=1e-15)
+        np.testing.assert_allclose(ends(picture.strokes), np.eye(3)[k], rtol=0, atol=1e-15)
+
+
+def test_an_entry_is_the_cosine_of_the_angle_that_is_drawn():
+    """Not the angle, as the text after 3.5 has it."""
+    R = forms_of(opened()).R
+    for i, j in ((0, 1), (2, 0), (1, 1)):
+        picture = picture_of(shown("orientation", Select(MATRIX, i, j)))
+        start, end = picture.fine[0][0], ends(picture.fine)
+        assert start @ end / (np.linalg.norm(start) * np.linalg.norm(end)) == pytest.approx(R[i, j], abs=1e-12)
+        text, _ = picture.labels[1]
+        assert math.cos(math.radians(float(text[:-1]))) == pytest.approx(R[i, j], abs=1e-3)
+    # Of two equal or opposite axes no arc is drawn.
+    assert picture_of(shown("orientation", PlaceBody("none"), Select(MATRIX, 0, 0))).fine == []
+
+
+def test_an_operator_carries_the_vector_along_the_arc_about_the_axis():
+    state = shown("operator", SetWholeAxis((1.0, 2.0, 2.0)), SetBodyTurn(2.0))
+    picture, v, image = picture_of(state), np.array(state[Meanings].p), image_of(state)
+    assert not picture.body
+    assert np.linalg.norm(image) == pytest.approx(np.linalg.norm(v))
+    arc = picture.fine[1:-2]
+    np.testing.assert_allclose(arc[0][0], v, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(ends(arc), image, rtol=0, atol=1e-12)
+    still = picture_of(shown("operator", PlaceBody("none")))
+    assert [text for text, _ in still.labels] == ["v", "v′ = R v"]
+
+
+def test_steps_need_three_strokes():
+    assert len(steps(np.array([0.1, 0.2, 0.3]), np.eye(3))) == 3
+
+
+@pytest.mark.parametrize("key", SAID)
+def test_every_meaning_has_its_numbers(key):
+    text = str(_numbers(BareForm(), shown(key)))
+    assert ("Angles between the axes" in text) == (key == "orientation")
+
+
+def test_typed_components_are_commands():
+    for cell, in_base in (("p 1", False), ("image 2", True)):
+        state, form = shown("coordinates"), BareForm()
+        form.show(_numbers(form, state))
+        form.press(cell, "1/4")
+        (asked,) = form.posted
+        commands = asked.commands if isinstance(asked, Asked) else (asked,)
+        assert commands == (SetVector(int(cell[-1]), 0.25, in_base),)
+
+
+@pytest.mark.parametrize(
+    ("command", "told"),
+    [
+        (SetVector(3, 0.0), "component: expected 1 to 3, got 4"),
+        (SetVector(0, 9.0), "p"),
+        (SetVector(0, float("nan"), in_base=True), "p"),
+        (Set(Meanings, "shown", "dance"), "dance"),
+    ],
+)
+def test_what_cannot_be_is_refused_in_words(command, told):
+    with pytest.raises(InputError, match=told):
+        command.apply(opened())
+
+
+def test_it_is_written_down_and_read_back():
+    part = opened(SetVector(0, 0.25), Set(Meanings, "shown", "operator"))[Meanings]
+    assert Meanings.from_json(json.loads(json.dumps(part.to_json())), catalogue()["planar_2r"]) == part

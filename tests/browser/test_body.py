@@ -1,0 +1,65 @@
+"""The body that is turned by its handle and typed in every form, in a browser."""
+
+import numpy as np
+import pytest
+
+from armlab.benches.body.forms.stage import stage_of
+from armlab.benches.body.forms.ui.handle import HANDLE
+from armlab.content.robots import catalogue
+from armlab.session.state import State
+
+pytestmark = pytest.mark.browser
+
+
+def numbers(lab, cells):
+    values = [lab.page.locator(f'input[data-cell="{cell}"]').first.input_value() for cell in cells]
+    return np.array([float(value.replace("−", "-")) for value in values])
+
+
+def matrix(lab):
+    return numbers(lab, [f"R {i}{j}" for i in range(3) for j in range(3)]).reshape(3, 3)
+
+
+def test_a_dragged_ring_turns_the_body_and_an_undo_brings_it_back(visit):
+    lab = visit(size=(1100, 800))
+    lab.open_tab("body")
+    lab.until(lambda: any(name.endswith("/body/handle") for name in lab.nodes()))
+    lab.press("place none")
+    lab.rest()
+    np.testing.assert_array_equal(matrix(lab), np.eye(3))
+    # Along the ring about x from y towards z, beginning where no other ring is near in the picture.
+    node, (_, radius) = lab.node("/body/handle"), stage_of(State.initial(catalogue()["puma560"]))
+    angles = np.radians(np.linspace(20.0, 50.0, 13))
+    way = 0.65 * HANDLE * radius * np.stack([0.0 * angles, np.cos(angles), np.sin(angles)], axis=1)
+    pixels = [lab.on_screen(node, point) for point in way.tolist()]
+    lab.page.mouse.move(*pixels[0])
+    lab.frames(3)
+    lab.page.mouse.down()
+    for pixel in pixels[1:]:
+        lab.page.mouse.move(*pixel)
+        lab.frames(1)
+    lab.frames(3)
+    lab.page.mouse.up()
+    lab.rest()
+    R = matrix(lab)
+    assert abs(R[1, 1] - 1.0) > 0.01
+    np.testing.assert_allclose(R @ R.T, np.eye(3), rtol=0, atol=2e-3)
+    np.testing.assert_array_equal(R[0], [1, 0, 0])
+    lab.page.keyboard.press("Control+z")
+    lab.until(lambda: np.array_equal(matrix(lab), np.eye(3)))
+
+
+def test_every_form_follows_what_is_typed(visit):
+    lab = visit(size=(1100, 800))
+    lab.open_tab("body")
+    lab.press("place none")
+    lab.type_into("turn", "90")
+    lab.until(lambda: matrix(lab)[0, 0] == 0.0)
+    np.testing.assert_array_equal(matrix(lab), [[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    np.testing.assert_allclose(numbers(lab, [f"q {k}" for k in range(4)]), [0.7071, 0, 0, 0.7071])
+    lab.type_into("angle 1", "90")
+    lab.until(lambda: "Gimbal lock: only φ − ψ = 90.0° is determined" in lab.page.content())
+    lab.type_into("R 00", "2")
+    lab.until(lambda: "Not a rotation" in lab.page.content())
+    lab.type_into("q 0", "nothing")
+    lab.until(lambda: "q w: expected a number" in lab.page.content())
