@@ -28,7 +28,7 @@ from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.state import State, apply
 from armlab.ui.format import lowered
-from armlab.ui.option_form import Scale
+from armlab.ui.option_text import Scale
 from support.forms import asked
 from support.student import run, student
 
