@@ -67,6 +67,9 @@ SENTENCE = re.compile(r'<p class="no" role="alert">✕ (.*?)</p>', re.S)
 
 LONGEST_SENTENCE = 300
 
+MOST_PRESSES = 60
+"""Controls of a page that are pressed to see what comes; only the index of lessons has more."""
+
 
 class Faults(logging.Handler):
     """Keeps what is logged as a fault."""
@@ -127,7 +130,7 @@ def presses(page):
     """Return what can be pressed or chosen, by cell and text."""
     buttons = [(cell, "") for _, cell, _ in page.controls("button")]
     options = [(cell, unescape(value)) for _, cell, inside in page.controls("select") for value in _values(inside)]
-    return buttons + options
+    return (buttons + options)[:MOST_PRESSES]
 
 
 def _values(inside):

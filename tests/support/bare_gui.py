@@ -55,6 +55,8 @@ class Handle:
         """Take it from the page."""
         self._impl.removed = True
 
+    close = remove
+
     def __enter__(self) -> Handle:
         return self
 

@@ -87,8 +87,6 @@ class Field:
         """
         if value is None and self.default is None:
             return None
-        if value is None:
-            raise InputError(f"{self.key}: expected a value, got nothing")
         if self.kind == "flag":
             if not isinstance(value, (bool, np.bool_)):
                 raise wrong(self.key, "True or False", value)

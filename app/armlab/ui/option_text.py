@@ -1,4 +1,4 @@
-"""What a person types for an option of a path or a law, read in the units on screen."""
+"""Typed options of paths and laws: read in the units on screen, and refused with where, what and the range."""
 
 from __future__ import annotations
 
@@ -108,23 +108,23 @@ def option_value(kind: Field, text: str, now: Any = None, scales: Sequence[Scale
 
 def _read(kind: Field, text: str, scales: Sequence[Scale]) -> list[float]:
     """Return the numbers of a line."""
-    cells, one = _cells(text), kind.kind in ("number", "whole")
-    if one and len(cells) != 1:
+    words, one = _words(text), kind.kind in ("number", "whole")
+    if one and len(words) != 1:
         raise _wrong(kind, text, scales)
     found = []
-    for j, cell in enumerate(cells):
+    for j, word in enumerate(words):
         try:
-            value = evaluate(cell.replace(",", ".")) * factor_of(kind, scale_of(kind, scales, j))
+            value = evaluate(word.replace(",", ".")) * factor_of(kind, scale_of(kind, scales, j))
         except InputError:
-            raise _wrong(kind, text if one else cell, scales, j) from None
+            raise _wrong(kind, text if one else word, scales, j) from None
         too_low = value <= kind.low if kind.above else value < kind.low
         if too_low or value > kind.high or (kind.kind == "whole" and value != round(value)):
-            raise _wrong(kind, text if one else cell, scales, j)
+            raise _wrong(kind, text if one else word, scales, j)
         found.append(value)
     return found
 
 
-def _cells(text: str) -> list[str]:
+def _words(text: str) -> list[str]:
     """Return the words of a text between blanks, with or without commas."""
     return text.replace(", ", " ").replace("−", "-").split()
 

@@ -17,7 +17,7 @@ from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, plain_number, units_of
 
 PER = {"velocity": "/s", "acceleration": "/s²"}
-"""What follows the unit of a limit."""
+"""Ends of the units of limits."""
 
 
 def time_markup(form: Form, state: State) -> Markup:
