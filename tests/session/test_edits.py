@@ -278,16 +278,16 @@ def test_back_to_the_table_of_the_file(state):
 @pytest.mark.parametrize(
     ("command", "text"),
     [
-        (SetCell(2, "a", 101.0), "row 3, a: expected at most 100 m, got 101 m"),
-        (SetCell(2, "alpha", 70.0), "row 3, alpha: expected at most 360°, got 4010.7°"),
-        (SetCell(2, "d", float("nan")), "row 3, d: expected at most 100 m, got nan m"),
+        (SetCell(2, "a", 101.0), "row 3, a: expected at most 100 m either way, got 101 m"),
+        (SetCell(2, "alpha", 70.0), "row 3, alpha: expected at most 360° either way, got 4010.7°"),
+        (SetCell(2, "d", float("nan")), "row 3, d: expected at most 100 m either way, got nan m"),
         (SetCell(6, "a", 0.1), "row: expected 1 to 6, got 7"),
         (SetCell(0, "b", 0.1), "cell: unknown name 'b'"),
         (SetKind(0, "X"), "joint type: unknown name 'X'"),
         (SetKind(-1, "P"), "row: expected 1 to 6, got 0"),
         (SetLimits(1, 1.0, -1.0), "limits of joint 2: the smaller comes first, got 57.2958° to -57.2958°"),
         (SetLimits(1, 0.0, 0.001), "limits of joint 2: expected at least 0.572958° between them"),
-        (SetLimits(1, 0.0, float("inf")), "limits of joint 2: expected at most 3600°, got inf°"),
+        (SetLimits(1, 0.0, float("inf")), "limits of joint 2: expected at most 3600° either way, got inf°"),
         (RemoveJoint(6), "row: expected 1 to 6, got 7"),
         (AddJoint(6), "row: expected 0 to 6, got 7"),
         (ReorderJoint(9, 0), "row: expected 1 to 6, got 10"),
@@ -302,7 +302,7 @@ def test_back_to_the_table_of_the_file(state):
         (PasteTable("[[joints]]\ntype = 'R'"), "pasted file: "),
         (PasteTable("a, alpha, d, theta\n1, 0, 0, \ud800"), "UTF-8"),
         (RestoreTable(), "this table did not begin with a robot file"),
-        (SetPoint((0.0, float("nan"), 0.0)), "tool point, y: expected at most 100 m, got nan m"),
+        (SetPoint((0.0, float("nan"), 0.0)), "tool point, y: expected at most 100 m either way, got nan m"),
     ],
 )
 def test_a_refusal_says_where_and_changes_nothing(state, command, text):

@@ -8,7 +8,8 @@ import pytest
 from armlab.content.arithmetic import evaluate
 from armlab.kin.field import Field
 from armlab.ui import format as fmt
-from armlab.ui.option_form import Scale, option_form, option_value
+from armlab.ui.option_form import option_form
+from armlab.ui.option_text import Scale, option_value
 from armlab.ui.units import plain_number
 
 

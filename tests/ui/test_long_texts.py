@@ -16,7 +16,7 @@ from armlab.session.edits import MOST_TEXT, PasteTable
 from armlab.session.hand_in import MOST
 from armlab.session.lesson_progress import MOST_TYPED
 from armlab.session.state import State
-from armlab.ui import adapter, option_form
+from armlab.ui import adapter, option_text
 from armlab.ui.fields import LONGEST_CELL, LONGEST_TYPED, Fields
 from armlab.ui.units import units_of
 from support.bare import Bare
@@ -129,11 +129,11 @@ def test_a_table_of_ten_thousand_columns_is_a_sentence_before_any_is_read(monkey
 
 
 def test_of_ten_thousand_numbers_in_the_field_of_one_none_is_worked_out(monkeypatch):
-    monkeypatch.setattr(option_form, "evaluate", lambda text: worked_out.append(text))
+    monkeypatch.setattr(option_text, "evaluate", lambda text: worked_out.append(text))
     worked_out = []
     one = next(field for field in law_type("trapezoidal").fields if field.kind == "number")
-    with pytest.raises(InputError, match="expected one number"):
-        option_form.option_value(one, "1 " * 10_000)
+    with pytest.raises(InputError, match="expected a number"):
+        option_text.option_value(one, "1 " * 10_000)
     assert not worked_out
 
 

@@ -7,7 +7,8 @@ import pytest
 
 from armlab.kin.motion.path_types import path_type
 from armlab.ui.html import Markup
-from armlab.ui.option_form import Scale, option_form, option_value
+from armlab.ui.option_form import option_form
+from armlab.ui.option_text import Scale, option_value
 
 DEG, MM = Scale("°", np.pi / 180.0), Scale("mm", 1e-3)
 

@@ -39,7 +39,7 @@ def check_size(where: str, value: float, turned: float | None = None) -> None:
     """Refuse an impossible length in metres, or an angle of more than ``turned`` radians."""
     most, turns = LONGEST if turned is None else turned, turned is not None
     if not abs(value) <= most:
-        raise InputError(f"{where}: expected at most {_said(most, turns)}, got {_said(value, turns)}")
+        raise InputError(f"{where}: expected at most {_said(most, turns)} either way, got {_said(value, turns)}")
 
 
 def check_limits(i: int, row: Row, low: float, high: float) -> None:

@@ -42,7 +42,9 @@ def typed_component(arm: Arm, pose: Floats, name: str, text: str, units: Units) 
     value = units.read(text, turns, name)
     most = MOST_TURNED if turns else FARTHEST
     if abs(value) > most:
-        raise InputError(f"{name}: expected at most {units.angle(most) if turns else units.length(most)}, got {text}")
+        raise InputError(
+            f"{name}: expected at most {units.constant(most, turns)} either way, got {text.strip()[:40]!r}"
+        )
     reference = _reference(arm)
     local = inverse(reference) @ pose
     if not turns:

@@ -116,6 +116,6 @@ class RunPlot(Plot):
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow([self._x, *(f"run {i + 1}" for i in self._there)])
-        columns = [self._table[0].tolist(), *(self._table[1 + i].tolist() for i in self._there)]
+        columns = [self._table[k].tolist() for k in (0, *(1 + i for i in self._there))] if self._table else []
         writer.writerows(zip(*columns, strict=True))
         return text.getvalue()

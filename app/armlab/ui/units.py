@@ -152,8 +152,17 @@ class Units:
         unit = self.angle_unit if field in ("alpha", "theta") else self.length_unit
         return joined(self.book.symbols[field], tag("sub", index), f", {unit}")
 
-    def read(self, text: str, revolute: bool, where: str) -> float:
+    def read(self, text: str, revolute: bool, where: str, per: str = "") -> float:
         """Return radians or metres from a typed text: a number in the unit on screen, or with π or a unit.
+
+        Parameters
+        ----------
+        text : str
+        revolute : bool
+        where : str
+            For the sentence of the error.
+        per : str
+            What follows the unit of a rate: ``"/s"``, ``"/s²"``; it may be typed or left out.
 
         Raises
         ------
@@ -169,6 +178,7 @@ class Units:
         (2.0, 0.25)
         """
         plain = text.strip().lower().replace("−", "-").replace("π", "pi").replace(",", ".")
+        plain = plain.removesuffix(per).rstrip()
         factor = self.factor(revolute)
         endings = _ANGLES if revolute else _LENGTHS
         for ending, known in endings.items():
@@ -177,7 +187,7 @@ class Units:
                 break
         else:
             factor = 1.0 if revolute and "pi" in plain else factor
-        unit = "degrees" if revolute and self.in_degrees else self.unit(revolute)
+        unit = ("degrees" if revolute and self.in_degrees and not per else self.unit(revolute)) + per
         try:
             value = factor * evaluate(plain)
         except InputError:

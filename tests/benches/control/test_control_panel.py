@@ -126,9 +126,9 @@ def test_values_are_typed_and_refused_and_a_copy_is_compared(url):
     async def main():
         browser = await at_runs(url)
         await browser.press("w-speed", "fast")
-        await browser.until(lambda: "expected numbers separated by blanks, got &#39;fast&#39;" in browser.html())
+        await browser.until(lambda: "expected a number in mm/s from 0 to 20000, got &#39;fast&#39;" in browser.html())
         await browser.press("w-speed", "-3")
-        await browser.until(lambda: "expected no negative number" in browser.html())
+        await browser.until(lambda: "from 0 to 20000, got &#39;-3&#39;" in browser.html())
         await browser.press("remove 2")
         await browser.press("remove 1")
         await browser.until(lambda: 'data-cell="remove 1"' not in browser.html())

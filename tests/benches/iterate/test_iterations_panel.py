@@ -71,9 +71,9 @@ def test_the_largest_number_of_steps_is_read_as_a_whole_number():
     state = State.initial(catalogue()["planar_2r"])
     (command,) = asked(lambda form: problem_markup(form, state), "most", "17")
     assert apply(state, command)[Iterations].most == 17
-    (wrong,) = asked(lambda form: problem_markup(form, state), "most", "2.5")
-    with pytest.raises(InputError, match="most: expected a whole number"):
-        apply(state, wrong)
+    for wrong in ("2.5", "0", "501", "", "many"):
+        with pytest.raises(InputError, match="largest number of steps: expected a whole number from 1 to 500, got"):
+            asked(lambda form: problem_markup(form, state), "most", wrong)
 
 
 def test_an_example_is_chosen_played_to_a_row_and_refused_nonsense(url):

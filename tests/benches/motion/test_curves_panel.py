@@ -28,7 +28,7 @@ from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.state import State, apply
 from armlab.ui.format import lowered
-from armlab.ui.option_form import Scale
+from armlab.ui.option_text import Scale
 from support.forms import asked
 from support.student import run, student
 
@@ -186,7 +186,11 @@ def test_what_makes_no_sense_stays_typed_and_is_marked(url):
         for cell, text, says in (
             ("t 2", "1", "knot 3: its time 1 s must be later than the 1 s of knot 2"),
             ("q 1", "NaN", "knot 2, q: expected a number, got 'NaN'"),
-            ("path0 v_start", "soon", "velocity at the start: expected numbers separated by blanks, got 'soon'"),
+            (
+                "path0 v_start",
+                "soon",
+                "v_1 (velocity at the start): expected numbers in rad/s, separated by blanks, got 'soon'",
+            ),
             ("v_max", "-1", "v_max: expected a positive number, or nothing for no limit; got -1"),
         ):
             await browser.press(cell, text)

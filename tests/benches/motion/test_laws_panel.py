@@ -224,9 +224,9 @@ def test_bad_input_stays_marked_and_the_old_state_stays(url):
         await browser.press("l0-rows", "0 1 1; 1 2 -1")
         await says(browser, ">0  1  1\n1  2  −1</textarea>")
         for cell, text, why in (
-            ("t-duration", "0", "duration: expected more than 0, got 0"),
-            ("t-speed", "0", "speed: expected more than 0"),
-            ("t-acceleration", "nan", "acceleration; empty for none: expected numbers"),
+            ("t-duration", "0", "T (duration): expected a number in s greater than 0, got &#39;0&#39;"),
+            ("t-speed", "0", "V (limit of speed): expected a number in 1/s greater than 0"),
+            ("t-acceleration", "nan", "A (limit of acceleration): expected a number in 1/s² greater than 0"),
             ("t-duration", "", "expected a positive number, got nothing"),
             ("time", "soon", "t: expected seconds, got &#39;soon&#39;"),
             ("time", "1e9", "t: expected 0 to 2 s"),
@@ -238,7 +238,7 @@ def test_bad_input_stays_marked_and_the_old_state_stays(url):
         await browser.press("law 0", "trapezoidal")
         await says(browser, 'data-cell="l0-ramp"')
         await browser.press("l0-ramp", "0.6")
-        await says(browser, "ramp: expected more than 0 and at most 0.5, got 0.6")
+        await says(browser, "expected a number greater than 0 and at most 0.5, got &#39;0.6&#39;")
         assert "speeds up for 2.667 s" in browser.html()
         await browser.close()
 
@@ -275,7 +275,7 @@ def test_scaling_and_bounds(url):
         await browser.press("b-knots", "0 0 0\n1 2 3")
         await says(browser, "<td>3</td>")
         await browser.press("b-v_max", "1 0 1")
-        await says(browser, "v_max: expected a positive number")
+        await says(browser, "v_max (limits of speed, a joint each): expected numbers")
         await browser.close()
 
     run(main())

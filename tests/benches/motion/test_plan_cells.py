@@ -83,8 +83,8 @@ def test_what_is_typed_becomes_a_command_in_si_units():
     [
         ("q 1", "joint 2 of waypoint 2: expected"),
         ("pose x", "x: expected"),
-        ("vmax 0", "limit of joint 1: expected"),
-        ("a", "share of the accelerations: expected a number, got 'much'"),
+        ("vmax 0", "limit of velocity of joint 1: expected a number in °/s"),
+        ("a", "share of the accelerations: expected a number of percent, got 'much'"),
         ("jerk", "jerk time: expected a number"),
     ],
 )

@@ -82,7 +82,7 @@ def test_moves_laws_time_and_limits_are_chosen_and_nonsense_is_refused(url):
         await browser.press("law", "double_s")
         await browser.until(lambda: "law rounding" in browser.html())
         await browser.press("law rounding", "0.9")
-        await browser.until(lambda: "rounding: expected more than 0 and at most 0.5" in browser.html())
+        await browser.until(lambda: "in a ramp): expected a number greater than 0 and at most 0.5" in browser.html())
         await browser.press("time-given")
         await browser.until(lambda: 'data-cell="duration"' in browser.html())
         await browser.press("duration", "0.05")

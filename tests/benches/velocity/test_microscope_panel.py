@@ -127,7 +127,7 @@ def test_fields_become_commands_and_nonsense_is_said():
     for cell, text, says in (
         ("v 0", "fast", "v_x: expected a number in mm"),
         ("speed", "x", "size: expected a number"),
-        ("d lambda", "x", "λ: expected a number"),
+        ("d lambda", "x", "λ .damping factor.: expected a number"),
         ("distance", "x", "distance: expected a number in degrees"),
     ):
         with pytest.raises(InputError, match=says):
@@ -163,7 +163,7 @@ def test_the_page_brings_the_arm_near_and_answers(url):
         await browser.press("d lambda", "0.04")
         await says(browser, 'value="0.04"')
         await browser.press("d epsilon", "-1")
-        await says(browser, "epsilon: expected at least")
+        await says(browser, "ε (σ_min below which it is damped): expected a number")
         await browser.press("watch pinv")
         await browser.press("v 5", "12")
         await says(browser, 'value="12"')

@@ -247,7 +247,7 @@ def test_how_it_is_looked_at_is_kept_and_damaged_files_are_refused():
         PlaceSlice(1e6).apply(state)
     with pytest.raises(InputError, match=r"at most 100 m, got 9000000 m$"):
         PlaceSlice(9e6).apply(state)
-    with pytest.raises(InputError, match=r"at most 100 rad, got 157 rad$"):
+    with pytest.raises(InputError, match=r"at most 100 rad either way, got 157 rad$"):
         PlaceSlice(157.0).apply(after(state, Set(SectionView, "slice", "axis")))
     assert replace(back, found=None).for_robot(robot).slice == "y"
 

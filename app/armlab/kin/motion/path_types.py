@@ -119,5 +119,5 @@ def coordinates(value: Any, where: str, m: int) -> Floats:
         return np.zeros(m)
     vector = as_floats(value, where, f"{m} numbers")
     if vector.shape != (m,):
-        raise wrong(where, f"{m} numbers, one for each coordinate", value)
+        raise wrong(where, f"{m} numbers, one for each coordinate" if m > 1 else "one number", value)
     return vector

@@ -70,7 +70,10 @@ def example_named(key: str) -> Example1D:
 
 def typed_function(text: str) -> Function:
     """Return the typed function of x; `InputError` if it cannot be read."""
-    expression = parse(text, ("x",))
+    try:
+        expression = parse(text, ("x",))
+    except InputError as refusal:
+        raise InputError(f"f(x): {refusal}") from None
 
     def f(x: float) -> float:
         try:

@@ -102,7 +102,7 @@ class Iterations(FieldPart):
     runs: tuple[Run, ...] = own("runs", (), _read_runs, lambda runs: [run.to_json() for run in runs])
     selected: int = whole("selected run", 0, 0)
     limits: Limits = choice("joint limits", "clamp", ("clamp", "none"))
-    most: int = whole("most iterations", STEPS, 1, MOST_STEPS)
+    most: int = whole("largest number of steps", STEPS, 1, MOST_STEPS)
     example: str = text("example", kept="")
     before: tuple[float, ...] | None = own("where the arm stood", None, _read_q, kept="")
     films: Mapping[int, Film] = field(default_factory=dict)

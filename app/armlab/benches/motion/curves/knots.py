@@ -56,7 +56,7 @@ def _checked_knot(k: int, row: tuple[float, ...]) -> Knot:
         if not math.isfinite(value):
             raise InputError(f"knot {k}, {name}: expected a finite number, got {value}")
         if abs(value) > most:
-            raise InputError(f"knot {k}, {name}: expected at most {most:g}, got {value:g}")
+            raise InputError(f"knot {k}, {name}: expected at most {most:g} either way, got {value:g}")
     return t + 0.0, q + 0.0
 
 

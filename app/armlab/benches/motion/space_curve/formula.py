@@ -134,7 +134,7 @@ def _value(expressions: Sequence[Expression], s: float) -> list[float]:
         except InputError as refusal:
             raise InputError(f"{axis}(s) at s = {s:.3g}: {refusal}") from None
         if abs(value) > FARTHEST:
-            raise InputError(f"{axis}(s) at s = {s:.3g}: expected at most {FARTHEST:g} m, got {value:.3g}")
+            raise InputError(f"{axis}(s) at s = {s:.3g}: expected at most {FARTHEST:g} m either way, got {value:.3g}")
         found.append(value)
     return found
 

@@ -83,5 +83,5 @@ class SetPoint(Command):
 def _checked(xyz: Xyz) -> Xyz:
     for axis, value in zip("xyz", xyz, strict=True):
         if not (math.isfinite(value) and abs(value) <= FARTHEST):
-            raise InputError(f"tool point, {axis}: expected at most {FARTHEST:g} m, got {value:.6g} m")
+            raise InputError(f"tool point, {axis}: expected at most {FARTHEST:g} m either way, got {value:.6g} m")
     return xyz

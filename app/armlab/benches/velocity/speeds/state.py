@@ -57,7 +57,7 @@ def _point(xyz: Sequence[float]) -> Xyz:
     x, y, z = finite_floats(xyz, "point of a link", (3,), "three finite numbers, in metres").tolist()
     for axis, value in zip("xyz", (x, y, z), strict=True):
         if abs(value) > FARTHEST:
-            raise InputError(f"point of a link, {axis}: expected at most {FARTHEST:g} m, got {value:.6g} m")
+            raise InputError(f"point of a link, {axis}: expected at most {FARTHEST:g} m either way, got {value:.6g} m")
     return x, y, z
 
 

@@ -54,7 +54,7 @@ def _triple(kind: str, values: Json) -> Triple:
     x, y, z = finite_floats(values, kind, (3,), f"three finite numbers, in {unit}").tolist()
     for value in (x, y, z):
         if abs(value) > MOST:
-            raise InputError(f"{kind}: expected at most {MOST:g} {unit}, got {value:.6g} {unit}")
+            raise InputError(f"{kind}: expected at most {MOST:g} {unit} either way, got {value:.6g} {unit}")
     return x, y, z
 
 

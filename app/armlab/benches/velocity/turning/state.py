@@ -51,10 +51,11 @@ class Turning(FieldPart):
 
     def check(self) -> None:
         """Refuse angles and rates that are too large; `InputError` names the one."""
-        for name, values, unit in (("angle", self.angles, "rad"), ("rate", self.rates, "rad/s")):
+        for name, values, per in (("angle", self.angles, ""), ("rate", self.rates, "/s")):
             for k, value in enumerate(values):
                 if abs(value) > MOST:
-                    raise InputError(f"{name} {k + 1}: expected at most {MOST:g} {unit}, got {value:.6g} {unit}")
+                    most, got = (f"{math.degrees(angle):.6g}°{per}" for angle in (MOST, value))
+                    raise InputError(f"{name} {k + 1}: expected at most {most} either way, got {got}")
 
 
 PART = PartType(Turning, order=28)

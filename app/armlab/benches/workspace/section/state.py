@@ -95,7 +95,7 @@ class PlaceSlice(Command):
         turned = part.slice == "axis"
         unit = "rad" if turned and state[Joints].arm.revolute[0] else "m"
         if self.at is not None and not abs(self.at) <= FARTHEST:
-            raise InputError(f"{PLACE}: expected at most {FARTHEST:g} {unit}, got {self.at:.10g} {unit}")
+            raise InputError(f"{PLACE}: expected at most {FARTHEST:g} {unit} either way, got {self.at:.10g} {unit}")
         return put(state, part.with_values({"turn": self.at} if turned else {"offset": self.at or 0.0}))
 
 

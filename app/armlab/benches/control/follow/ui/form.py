@@ -30,7 +30,8 @@ from armlab.session.state import Command, State
 from armlab.ui.form import Form
 from armlab.ui.format import lowered, mathml, trimmed
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.option_form import PLAIN, Scale, option_form
+from armlab.ui.option_form import option_form
+from armlab.ui.option_text import PLAIN, Scale
 from armlab.ui.units import Units, units_of
 
 PERCENT = (Scale("%", 0.01),)

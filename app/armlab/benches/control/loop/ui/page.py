@@ -106,7 +106,7 @@ def form_markup(form: Form, part: Loop) -> Markup:
     """Return the choice of the wanted velocity, and the fields of the loop."""
     hint = "What velocity is wanted from t = 0 on"
     kinds = form.chips("kind", KINDS, part.kind, hint, partial(Set, Loop, "kind"))
-    given = option_form(form, "l-", part.fields, part.values, partial(Set, Loop))
+    given = option_form(form, "l-", part.fields, part.values, partial(Set, Loop), needed=True)
     return joined(row("Wanted", kinds, wide=True), tag("div.options.loop-form", given))
 
 

@@ -131,7 +131,8 @@ def _parameters(form: Form, state: State) -> Markup | None:
 
 
 def _parameter(run: Run, key: str, text: str) -> MapMethod:
-    return MapMethod(run.method, key, plain_number(text))
+    parameter = next(each for each in run.kind.parameters if each.key == key)
+    return MapMethod(run.method, key, plain_number(text, f"{parameter.title} {parameter.symbol}"))
 
 
 def _task(form: Form, state: State, units: Units) -> list[Markup]:

@@ -7,7 +7,7 @@ from armlab.benches.iterate.newton_1d.state import CLIP_KEY, ChooseEquation, New
 from armlab.benches.iterate.runs.one_equation import Solved
 from armlab.benches.iterate.runs.ui.tangents import picture
 from armlab.kin.ik.iterate import EXAMPLES
-from armlab.session.fields import Set
+from armlab.session.fields import Set, fields_of
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import Post, State
@@ -15,9 +15,9 @@ from armlab.ui.form import Form
 from armlab.ui.format import number, scientific
 from armlab.ui.html import Inside, Markup, classes, joined, tag
 from armlab.ui.markup import SIGNS
+from armlab.ui.option_text import option_value
 from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Show
-from armlab.ui.units import plain_number
 from armlab.ui.widgets import Gui
 
 _X, _HERE = tag("i", "x"), tag("sub", "n")
@@ -48,6 +48,10 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
+def _start(text: str) -> Set:
+    return Set(Newton1D, "x0", option_value(fields_of(Newton1D)["x0"], text, needed=True))
+
+
 def _problem(form: Form, state: State) -> Inside:
     part, found = state[Newton1D], state.derived(solution)
     titles = {**({"": "your own"} if part.text else {}), **{each.key: each.title for each in EXAMPLES}}
@@ -57,7 +61,10 @@ def _problem(form: Form, state: State) -> Inside:
     slope = tag("p.dim", "f′ by central difference.") if found.differenced else None
     typed = form.field("f", part.text, "Function of x", TypeEquation)
     start = form.field(
-        "x0", f"{part.x0:.10g}".replace("-", "−"), "Start", lambda text: Set(Newton1D, "x0", plain_number(text, "x₀"))
+        "x0",
+        f"{part.x0:.10g}".replace("-", "−"),
+        "Start",
+        lambda text: Set(Newton1D, "x0", option_value(fields_of(Newton1D)["x0"], text, needed=True)),
     )
     return (
         tag("div.eq.small", "\u2003", FORMULA, title="⟦Notes 4.106-4.110; printed there without x_n⟧"),

@@ -12,7 +12,7 @@ from armlab.benches.iterate.runs.ui.plots import Plots
 from armlab.benches.iterate.runs.ui.runs import runs_markup
 from armlab.benches.iterate.runs.ui.table import Table
 from armlab.benches.iterate.runs.ui.words import choices, chosen, made, vector_text
-from armlab.session.fields import Set
+from armlab.session.fields import Set, fields_of
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
@@ -23,9 +23,10 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import fold
+from armlab.ui.option_text import option_value
 from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Show
-from armlab.ui.units import plain_number, units_of
+from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
 LIMITS = {"clamp": "Kept", "none": "Not kept"}
@@ -89,8 +90,7 @@ def _bounds(form: Form, part: Iterations) -> Markup:
 
 
 def _most(text: str) -> Command:
-    most = plain_number(text)
-    return Set(Iterations, "most", int(most) if most.is_integer() else most)
+    return Set(Iterations, "most", option_value(fields_of(Iterations)["most"], text, needed=True))
 
 
 def _present(state: State) -> str:

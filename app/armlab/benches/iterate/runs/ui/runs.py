@@ -68,7 +68,7 @@ def _methods() -> dict[str, str]:
 
 def _parameter(form: Form, i: int, parameter: Parameter, value: float, unit: str) -> Markup:
     def typed(text: str) -> SetParameter:
-        return SetParameter(i, parameter.key, plain_number(text))
+        return SetParameter(i, parameter.key, plain_number(text, f"{parameter.title} {parameter.symbol}"))
 
     hint = f"{capitalised(parameter.title)}: {parameter.low:g} to {parameter.high:g}{f' {unit}' if unit else ''}"
     cell = form.field(f"p{i}-{parameter.key}", trimmed(value, 6), f"{parameter.title} of run {i + 1}", typed)

@@ -31,7 +31,8 @@ from armlab.ui.colours import css
 from armlab.ui.form import Form
 from armlab.ui.format import MINUS, capitalised, dot, lowered
 from armlab.ui.html import Markup, joined, tag
-from armlab.ui.option_form import Scale, option_form, unit_text
+from armlab.ui.option_form import option_form
+from armlab.ui.option_text import Scale, unit_text
 from armlab.ui.symbols import with_indices
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import plain_number

@@ -62,7 +62,7 @@ class MotionFiles:
     def set_rate(self, text: str) -> None:
         """Set the samples a second of the next table."""
         self._clear()
-        self._shown = self._shown.but(rate=checked_rate(plain_number(text)))
+        self._shown = self._shown.but(rate=checked_rate(plain_number(text, "samples a second")))
 
     def set_count(self, text: str) -> None:
         """Set the number of waypoints to be made."""
@@ -167,9 +167,9 @@ def size_text(size: int) -> str:
 
 
 def _checked_count(text: str) -> int:
-    count = plain_number(text)
+    count = plain_number(text, "waypoints", f"a whole number from 2 to {MOST_MADE}")
     if count not in range(2, MOST_MADE + 1):
-        raise InputError(f"waypoints: expected a whole number from 2 to {MOST_MADE}, got {text.strip()[:20]}")
+        raise InputError(f"waypoints: expected a whole number from 2 to {MOST_MADE}, got {text.strip()[:40]!r}")
     return int(count)
 
 

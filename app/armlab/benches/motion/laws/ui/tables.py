@@ -26,7 +26,8 @@ from armlab.session.amounts import amount
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import SIGNS, fold
-from armlab.ui.option_form import PLAIN, option_form
+from armlab.ui.option_form import option_form
+from armlab.ui.option_text import PLAIN
 from armlab.ui.symbols import with_indices
 from armlab.ui.tables import head_line, line
 

@@ -16,6 +16,9 @@ from armlab.ui.markup import fold
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, plain_number, units_of
 
+PER = {"velocity": "/s", "acceleration": "/s²"}
+"""Ends of the units of limits."""
+
 
 def time_markup(form: Form, state: State) -> Markup:
     """Return the choice of the time, and the limits of the whole motion."""
@@ -25,16 +28,16 @@ def time_markup(form: Form, state: State) -> Markup:
     jerk = "" if part.jerk_time is None else readable(part.jerk_time, 4)
 
     def velocities(text: str) -> UseShare:
-        return UseShare(velocity=plain_number(text, "share of the velocities") / 100.0)
+        return UseShare(velocity=plain_number(text, "share of the velocities", "a number of percent") / 100.0)
 
     def accelerations(text: str) -> UseShare:
-        return UseShare(acceleration=plain_number(text, "share of the accelerations") / 100.0)
+        return UseShare(acceleration=plain_number(text, "share of the accelerations", "a number of percent") / 100.0)
 
     def tool(text: str) -> LimitTool:
-        return LimitTool(units.read(text, False, "tool speed") if text.strip() else None)
+        return LimitTool(units.read(text, False, "tool speed", "/s") if text.strip() else None)
 
     def build_up(text: str) -> LimitJerk:
-        return LimitJerk(plain_number(text, "jerk time") if text.strip() else None)
+        return LimitJerk(plain_number(text, "jerk time", "a number of seconds") if text.strip() else None)
 
     of_v, of_a = readable(100.0 * v, 2), readable(100.0 * a, 2)
     speeds, built = f"{units.length_unit}/s", "Time to build up the full acceleration, j = a / t; empty: any jerk"
@@ -59,9 +62,13 @@ def _duration(form: Form, state: State) -> Markup:
         form.chip("time-given", "In a given time", as_given, "Of the whole", not fastest),
     )
     given: Inside = None
+
+    def seconds(text: str) -> LastFor:
+        return LastFor(plain_number(text, "duration", "a number of seconds"))
+
     if part.duration is not None:
         shown = readable(part.duration, 3)
-        typed = form.field("duration", shown, "Duration", lambda text: LastFor(plain_number(text, "duration")))
+        typed = form.field("duration", shown, "Duration", seconds)
         told = None
         if planned is not None and planned.motion is not None:
             k = part.duration / planned.fastest
@@ -93,6 +100,6 @@ def _limit(
     form: Form, cell: str, i: int, of: Literal["velocity", "acceleration"], value: float, turns: bool, units: Units
 ) -> Markup:
     def typed(text: str) -> LimitJoint:
-        return LimitJoint(i, of, units.read(text, turns, f"limit of joint {i + 1}"))
+        return LimitJoint(i, of, units.read(text, turns, f"limit of {of} of joint {i + 1}", PER[of]))
 
     return form.field(cell, readable(value / units.factor(turns), 3), f"Limit of {of} of joint {i + 1}", typed)

@@ -16,7 +16,8 @@ from armlab.session.state import State
 from armlab.ui.form import Form, Typed
 from armlab.ui.format import capitalised
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.option_form import Scale, option_form
+from armlab.ui.option_form import option_form
+from armlab.ui.option_text import Scale
 from armlab.ui.units import units_of
 
 SPACES = {"joint": "Joint", "cartesian": "Cartesian"}

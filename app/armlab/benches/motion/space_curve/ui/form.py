@@ -27,7 +27,8 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import trimmed
 from armlab.ui.html import Markup, joined, tag
-from armlab.ui.option_form import Scale, option_form
+from armlab.ui.option_form import option_form
+from armlab.ui.option_text import Scale
 from armlab.ui.playing import play_button
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, plain_number, units_of

@@ -94,7 +94,7 @@ def _step(form: Form, state: State, found: Steps) -> Markup:
         said = words.path(found, units)
     elif step == SAMPLING:
         count, name = str(state[Plan].samples), "Number of samples"
-        typed = form.field("samples", count, name, lambda text: SampleBy(plain_number(text)))
+        typed = form.field("samples", count, name, lambda text: SampleBy(plain_number(text, "samples")))
         field = tag("div.kit-numbers", tag("label", tag("span", "samples"), typed))
         said = words.sampling(found, field, units)
     elif step == INVERSE:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -29,6 +30,7 @@ from armlab.ui.form import Form
 from armlab.ui.format import readable, subscript
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import fold
+from armlab.ui.option_text import option_value
 from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units, plain_number, units_of
@@ -118,7 +120,7 @@ def wish_markup(form: Form, look: Look, units: Units) -> Markup:
 
 
 def _component(i: int, name: str, turns: bool, units: Units, text: str) -> SetComponent:
-    return SetComponent(i, units.read(text, turns, name))
+    return SetComponent(i, units.read(text, turns, name, "/s"))
 
 
 def _symbol(name: str) -> str:
@@ -151,13 +153,15 @@ def damping_markup(form: Form, look: Look) -> Markup:
     values = dict(look.part.damping)
 
     def option(key: str, kind: Field) -> Markup:
+        unit = damping_unit(look, kind.unit)
+        needed = replace(kind, unit=unit or "1")
         typed = form.field(
             f"d {key}",
             readable(values[key], 4),
             kind.title,
-            lambda text: SetDamping(key, plain_number(text, kind.symbol)),
+            lambda text: SetDamping(key, option_value(needed, text, needed=True)),
         )
-        return _option(with_indices(kind.symbol), typed, damping_unit(look, kind.unit), kind.title)
+        return _option(with_indices(kind.symbol), typed, unit, kind.title)
 
     typed = [option(key, kind) for key, (_, kind) in DAMPING.items()]
     used = next(answer.step.damping for answer in look.answers if answer.key == "dls_variable")

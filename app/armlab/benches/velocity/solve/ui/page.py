@@ -103,7 +103,7 @@ def head_markup(form: Form, state: State, solved: Found, units: Units) -> Markup
 
 
 def _component(k: int, name: str, turning: bool, units: Units, text: str) -> SetComponent:
-    return SetComponent(k, units.read(text.strip().removesuffix("/s"), turning, name))
+    return SetComponent(k, units.read(text, turning, name, "/s"))
 
 
 def singular_markup(solved: Found) -> Markup:

@@ -86,7 +86,7 @@ def _field(form: Form, what: str, k: int, value: float, units: Units) -> Markup:
     where = f"{what.removesuffix('s')} {k + 1}"
 
     def taken(text: str) -> SetTurning:
-        return SetTurning(what, k, units.read(text, True, where))
+        return SetTurning(what, k, units.read(text, True, where, "/s" if what == "rates" else ""))
 
     return form.field(f"{what} {k}", units.entry(value, True), capitalised(where), taken)
 
