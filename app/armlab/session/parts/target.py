@@ -12,13 +12,14 @@ from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.kin import ik
 from armlab.kin.arm import Arm
+from armlab.kin.conditioning import NEAR
 from armlab.kin.ik.search import problem_of
 from armlab.kin.ik.solve import come_closer
 from armlab.kin.ik.target import feasible
 from armlab.kin.ik.verdict import free_joints
 from armlab.kin.transforms import as_pose
 from armlab.session.asked import ASKED, ASKS, FAVOURS, asked_arm, turned_like, weights_of
-from armlab.session.branch_words import NEAR, STILL_NEAR, Branch, branch_of, crossed, followed, near_singularity
+from armlab.session.branch_words import STILL_NEAR, Branch, branch_of, crossed, followed, near_singularity
 from armlab.session.fields import FieldPart, choice, own
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, Json, PartType, State

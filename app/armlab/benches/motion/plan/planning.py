@@ -17,6 +17,7 @@ from armlab.benches.motion.plan.question import LONGEST, SHORTEST, Feasible, Leg
 from armlab.benches.motion.plan.recorded import recorded_motion
 from armlab.benches.motion.plan.samples import DRAWN, drawn_leg, exceeded, sampled, spans_of, too_fast
 from armlab.errors import InputError
+from armlab.kin.conditioning import NEAR
 from armlab.kin.ik.branches import branch_names
 from armlab.kin.motion import (
     Followed,
@@ -29,10 +30,6 @@ from armlab.kin.motion import (
 )
 
 Floats = NDArray[np.float64]
-
-NEARLY_SINGULAR = 0.03
-"""Ratio of smallest to largest singular value of the task Jacobian below which a path is marked: joints are fast
-there."""
 
 APART = 1e-6
 """Distance from a waypoint's configuration, radians or length scales, below which a leg has reached it."""
@@ -114,7 +111,7 @@ def _in_space(question: Question, stretch: Stretch, q: Floats) -> Leg:
 
 
 def _worth(found: Followed) -> NDArray[np.int_]:
-    near = np.where(np.nan_to_num(found.singular_value) < NEARLY_SINGULAR, Feasible.NEAR_SINGULAR, Feasible.YES)
+    near = np.where(np.nan_to_num(found.singular_value) < NEAR, Feasible.NEAR_SINGULAR, Feasible.YES)
     return np.where(found.reached, near, Feasible.NOT_REACHED).astype(int)
 
 

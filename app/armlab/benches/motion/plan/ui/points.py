@@ -34,7 +34,7 @@ from armlab.ui.pose_fields import pose_form
 from armlab.ui.units import Units, units_of
 
 MADE = 12
-"""Number of waypoints that are made here from a motion of a file; the page Import & export has the choice."""
+"""Number of waypoints that are made here from a motion of a file; the page Export has the choice."""
 
 GRIPPER_SIGNS = {"open": "⟨ ⟩", "close": "⟩⟨"}
 """Small pictures of what the gripper does."""

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.motion.plan.moves import TURNINGS
-from armlab.benches.motion.plan.planning import NEARLY_SINGULAR
 from armlab.benches.motion.plan.question import Feasible
 from armlab.benches.motion.steps.state import INVERSE, JOINTS, KNOTS, PATH, SAMPLING
 from armlab.benches.motion.steps.ui.formulas import formula_of, says_of
 from armlab.benches.motion.steps.worked import Steps, length_of
+from armlab.kin.conditioning import NEAR
 from armlab.kin.motion import law_types
 from armlab.kin.motion.path_types import PathType
 from armlab.kin.rotations import euler_zyx
@@ -229,7 +229,7 @@ def inverse(found: Steps, units: Units) -> Markup:
         rows.append((with_indices("smallest σ_min/σ_max"), f"{number(least, 3)} at s = {number(s, 2)}"))
     near = int(np.sum(found.worth == Feasible.NEAR_SINGULAR))
     if near:
-        rows.append((f"below {NEARLY_SINGULAR:g}", f"{near} samples, joints turn fast"))
+        rows.append((f"below {NEAR:g}", f"{near} samples, joints turn fast"))
     said = (
         "One configuration for each sample. Each search begins at the solution before, so that the arm stays on one "
         "branch."
