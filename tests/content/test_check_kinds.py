@@ -268,7 +268,7 @@ def test_degrees_written_as_radians_are_named_where_they_are_less_than_a_turn():
         ({"i": 2, "alpha": math.pi / 6, "theta": 0.0}, "Row 2, α: α and θ have changed places."),
         ({"i": 2, "theta": math.pi / 6 + math.pi}, "Row 2, θ: half a turn off"),
         ({"i": 2, "a": 0.7}, "Row 2, a: 0.700 m is not right."),
-        ({"i": 3, "kind": "R"}, "Row 3, joint type: the joint should slide."),
+        ({"i": 3, "kind": "R"}, "Row 3, joint type: the joint should be prismatic."),
         ({"i": 3, "d": -0.25, "theta": 1.0}, "Row 3, d: the sign is wrong."),
     ],
 )
@@ -292,16 +292,15 @@ def test_a_table_of_the_other_convention():
     asked = check(R3)
     assert asked.says(of_rows(ROWS[:2])) == "The table has 2 rows; it should have 3 rows."
     assert (
-        asked.says(of_rows(ROWS, "modified")) == "The table is in the modified convention; the standard one is asked."
+        asked.says(of_rows(ROWS, "modified"))
+        == "The table is in the modified convention; the standard one is asked for."
     )
     moved = converted(of_rows(ROWS).arm, "modified").rows
-    assert asked.says(of_rows(moved)).startswith(
-        "The columns a and α are shifted by a row: so they stand in the modified"
-    )
+    assert asked.says(of_rows(moved)).startswith("The columns a and α are shifted by a row, as in the modified")
     craig = check(R3.replace('"table_is"\n', '"table_is"\nconvention = "modified"\n'))
     assert craig.is_met(of_rows(ROWS, "modified"))
     back = [Row("R", 0.8, 0, 0.6), Row("R", 0.5, 0, 0, math.pi / 6), Row("P", 0, 0, 0.25)]
-    assert "shifted by a row: so they stand in the standard" in craig.says(of_rows(back, "modified"))
+    assert "shifted by a row, as in the standard" in craig.says(of_rows(back, "modified"))
 
 
 def test_no_other_robot_has_the_table_of_one(robot):

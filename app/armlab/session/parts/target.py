@@ -95,7 +95,7 @@ class Target(FieldPart):
     axes: Axes = choice("axes of the handle", "world", AXES)
     handle: Handle = choice("what dragging does", "move", HANDLES, kept="edits")
     method: str = own("method", "dls", lambda key: ik.method_named(key).key)
-    asks: str = choice("what counts of the target", "", ASKS, kept="edits")
+    asks: str = choice("part of the target that counts", "", ASKS, kept="edits")
     favours: str = choice("which error is kept smaller", "", FAVOURS, kept="edits")
     branch: Branch = ()
     crossing: Said | None = None
@@ -246,7 +246,7 @@ class AskFor(Command):
 
     asks: str | None = None
     favours: str | None = None
-    label: ClassVar[str] = "what counts of the target"
+    label: ClassVar[str] = "part of the target that counts"
 
     def apply(self, state: State) -> State:
         """Return the state with the choice made."""

@@ -139,7 +139,10 @@ def _other_way(question: Question, stretch: Stretch, q: Floats) -> tuple[str, ..
         return ()
     names = branch_names(arm, np.stack([q, stored]))
     how = f": {names[0]} instead of {names[1]}" if names[0] != names[1] and not names[0].startswith("solution") else ""
-    return (f"waypoint {stretch.last + 1} is reached on the branch the move began on{how}, not as it was stored",)
+    return (
+        f"waypoint {stretch.last + 1} is reached on the branch on which the move began{how}, not in its "
+        f"stored configuration",
+    )
 
 
 def _together(question: Question, legs: Sequence[Leg]) -> Planned:
@@ -189,9 +192,7 @@ def _lasting(question: Question, leg: Leg, within: float, waits: float) -> Leg:
     if question.duration is None or leg.stretch is None or leg.path is None:
         return leg
     if question.duration - waits < SHORTEST:
-        raise InputError(
-            f"duration: the motion is to last {question.duration:g} s, and the waits alone take {waits:g} s"
-        )
+        raise InputError(f"duration: expected more than the {waits:g} s of the waits, got {question.duration:g} s")
     share = (question.duration - waits) * _motion(leg).duration / within
     return replace(leg, motion=lasting(leg.stretch, leg.path, _motion(leg), share))
 

@@ -64,7 +64,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     gui.heading("Save as lesson")
     form = gui.form(post)
     steps = tag("h3", "Show it to a class"), _step(*TO_A_CLASS), tag("h3", "Try it"), _step(*CHECKED)
-    gui.html((steps, tag("h3", "Judge what is handed in"), _step(*HANDED_IN)))
+    gui.html((steps, tag("h3", "Judge work that is handed in"), _step(*HANDED_IN)))
     problems = gui.html()
 
     def show(state: State) -> None:
@@ -102,7 +102,7 @@ def _holds(state: State) -> list[tuple[Inside, Inside]]:
         ("Arm", robot.name),
         ("Goal, joint values", ", ".join(joints)),
         ("Overlays", ", ".join(_overlays(state)) or "none"),
-        ("Benches as you have set them", ", ".join(begin) or "none"),
+        ("Pages as you have set them", ", ".join(begin) or "none"),
     ]
 
 
