@@ -74,6 +74,14 @@ def url(tmp_path_factory):
         yield address
 
 
+SHEET = """() => {
+  const sheet = document.querySelector('[role=tablist]').closest('.mantine-Paper-root').getBoundingClientRect();
+  const scene = document.querySelector('canvas[data-engine]').getBoundingClientRect();
+  return [innerWidth - sheet.width, scene.bottom - sheet.top].map(Math.round);
+}"""
+"""What a telephone's sheet lacks of the width of the window, and how much of the scene it covers."""
+
+
 def test_every_tab_can_be_read_and_hit_without_a_pointer_over_it(visit):
     """Also with two tabs more, and by a finger, which hovers over nothing."""
     lab = visit(size=SIZES[0], has_touch=True)
@@ -193,3 +201,4 @@ def test_on_a_telephone_the_tabs_say_their_names_and_the_one_that_is_wanted_open
         box = found.bounding_box()
         assert found.inner_text().strip() == tab[0].title
         assert min(box["width"], box["height"]) >= LEAST
+    lab.until(lambda: lab.page.evaluate(SHEET) == [0, 0])

@@ -6,12 +6,12 @@ from scipy.spatial.transform import Rotation
 
 from armlab.errors import InputError
 from armlab.kin.euler import euler_angles
+from armlab.kin.nearest import nearest_rotation
 from armlab.kin.rotations import (
     as_rotation,
     axis_angle,
     euler_zyx,
     is_rotation,
-    nearest_rotation,
     quaternion_from_rotation,
     rotation_about,
     rotation_from_axis_angle,
@@ -177,6 +177,38 @@ def test_the_nearest_rotation_is_one_for_any_matrix(rng):
         assert is_rotation(nearest_rotation(matrix).rotation, 1e-13)
     for matrix in (np.zeros((3, 3)), np.ones((3, 3)), np.diag([1.0, 1.0, 0.0]), -np.eye(3)):
         assert is_rotation(nearest_rotation(matrix).rotation, 1e-13)
+
+
+def test_the_distance_to_the_nearest_rotation_is_the_least(rng):
+    """Of many other rotations none is nearer."""
+    others = rotation_from_quaternion(rng.normal(size=(2000, 4)))
+    for _ in range(50):
+        matrix = rng.normal(size=(3, 3))
+        found = nearest_rotation(matrix)
+        assert found.distance == pytest.approx(np.linalg.norm(matrix - found.rotation), rel=1e-14)
+        assert found.distance <= np.linalg.norm(matrix - others, axis=(1, 2)).min()
+        assert found.only
+
+
+@pytest.mark.parametrize(
+    ("matrix", "only"),
+    [
+        (np.eye(3), True),
+        (np.diag([1.0, 1.0, 0.0]), True),
+        (np.diag([3.0, 2.0, -1.0]), True),
+        (np.diag([1.0, 0.0, 0.0]), False),
+        (np.zeros((3, 3)), False),
+        (-np.eye(3), False),
+        (np.diag([1.0, 1.0, -1.0]), False),
+    ],
+)
+def test_it_says_whether_another_rotation_is_as_near(matrix, only, rng):
+    """A turn about the axis that is left open leads to another one at the same distance."""
+    found = nearest_rotation(matrix)
+    assert found.only == only
+    turned = [rotation_about(axis, 0.7) @ found.rotation for axis in "xyz"]
+    turned += [found.rotation @ rotation_about(axis, 0.7) for axis in "xyz"]
+    assert any(np.linalg.norm(matrix - R) < found.distance + 1e-12 for R in turned) != only
 
 
 CONVERTERS = [

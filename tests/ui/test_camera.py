@@ -172,6 +172,22 @@ def test_the_home_view_follows_a_window_that_becomes_too_narrow_and_no_other_one
     np.testing.assert_allclose(page.eye.back, [x, y, z], atol=1e-9)
 
 
+def test_the_home_view_comes_closer_where_the_arm_has_become_small_in_its_window(seen):
+    """A telephone's sheet opens below the scene, which was high and narrow; the view of a hand stays."""
+    camera, page, _ = seen
+    camera._began -= 100.0
+    tells(page, aspect=0.45)
+    narrow = page.eye.distance
+    tells(page, aspect=1.05)
+    assert page.eye.distance < 0.75 * narrow
+    assert page.sees(camera._corners())
+    tells(page, aspect=0.45)
+    tells(page, eye=by_hand(page.eye))
+    left = page.eye
+    tells(page, aspect=1.05)
+    assert page.eye.near(left)
+
+
 def test_an_arm_that_moves_on_a_page_keeps_its_cloud_in_the_picture(seen):
     camera, page, now = seen
     now.wish = Wish(FAR)

@@ -26,13 +26,13 @@ SEQUENCES: tuple[str, ...] = TAIT_BRYAN + PROPER
 NAMES: Mapping[tuple[str, bool], str] = MappingProxyType(
     {
         ("zyx", False): "yaw, pitch, roll about current axes; the same as XYZ about fixed axes",
-        ("xyz", True): "roll, pitch, yaw about fixed axes⟦ (notes 3.102–3.108)⟧; the same as ZYX about current axes",
+        ("xyz", True): "roll, pitch, yaw about fixed axes; the same as ZYX about current axes",
         ("xyz", False): "Cardan angles",
-        ("zxz", False): "Euler angles of classical mechanics⟦ and the notes (3.80–3.94)⟧",
+        ("zxz", False): "Euler angles of classical mechanics",
         ("zyz", False): "Euler angles of most robotics books, and of a spherical wrist",
     }
 )
-"""Usual names of the angles, by sequence and whether the axes are fixed; between ⟦ and ⟧ what refers to the notes."""
+"""Usual names of the angles, by sequence and whether the axes are fixed."""
 
 SINGULAR_SINE = 1e-7
 """Sine (proper Euler) or cosine (Tait-Bryan) of the middle angle below which a rotation counts as singular: first and

@@ -8,13 +8,13 @@ are the definitions of the notes with their singular cases spelled out.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.checks import as_floats
+from armlab.kin.nearest import nearest_rotation
 
 Array = NDArray[np.floating]
 
@@ -127,55 +127,6 @@ def skew(v: ArrayLike) -> Array:
     S[..., 2, 1], S[..., 0, 2], S[..., 1, 0] = v[..., 0], v[..., 1], v[..., 2]
     S[..., 1, 2], S[..., 2, 0], S[..., 0, 1] = -v[..., 0], -v[..., 1], -v[..., 2]
     return S
-
-
-@dataclass(frozen=True, eq=False)
-class NearestRotation:
-    """The rotation nearest to a matrix.
-
-    Attributes
-    ----------
-    rotation : ndarray, shape (3, 3)
-    off : float
-        The largest difference of an entry of the matrix from it.
-    """
-
-    rotation: NDArray[np.float64]
-    off: float
-
-
-def nearest_rotation(R: ArrayLike, where: str = "R") -> NearestRotation:
-    """Return the rotation nearest to a 3 x 3 matrix, in the sum of squared differences, and how far it is off.
-
-    With R = U S V^T it is U V^T, with diag(1, 1, -1) between where that would be a reflection. The caller decides what
-    counts as near.
-
-    Raises
-    ------
-    InputError
-        Not a 3 x 3 matrix of finite numbers; ``where`` says which.
-
-    References
-    ----------
-    Kabsch 1976, "A solution for the best rotation to relate two sets of vectors".
-
-    Examples
-    --------
-    >>> found = nearest_rotation([[0.866, -0.5, 0.0], [0.5, 0.866, 0.0], [0.0, 0.0, 1.0]])
-    >>> found.rotation[0].round(6).tolist(), f"{found.off:.0e}"
-    ([0.866019, -0.500011, 0.0], '2e-05')
-    """
-    matrix = as_floats(R, where, "a 3 x 3 matrix of numbers")
-    if matrix.shape != (3, 3):
-        raise InputError(f"{where}: expected shape (3, 3), got {matrix.shape}")
-    if not np.isfinite(matrix).all():
-        raise InputError(f"{where}: every entry must be finite")
-    size = float(np.abs(matrix).max())
-    # Divided by its size: a huge matrix has no finite sum of squares.
-    U, _, V_T = np.linalg.svd(matrix / (size or 1.0))
-    U[:, 2] *= math.copysign(1.0, float(np.linalg.det(U) * np.linalg.det(V_T)))
-    rotation = np.asarray(U @ V_T)
-    return NearestRotation(rotation, float(np.abs(matrix - rotation).max()))
 
 
 def as_rotation(R: ArrayLike, where: str = "R") -> NDArray[np.float64]:

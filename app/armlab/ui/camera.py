@@ -46,6 +46,10 @@ SETTLING = 4.0
 """Time after the start, or the opening of a dock, in which the panels may still take their part of the window,
 seconds."""
 
+CLOSER = 0.75
+"""Part of the eye's distance at which the arm would still fit into a picture of another shape, from which on the eye at
+home comes closer: on a telephone, when the scene gets as low as it is wide."""
+
 RESHAPED = 0.01
 """Change of the picture's width over its height, relative, from which on it has another shape."""
 
@@ -121,8 +125,9 @@ class Camera:
             return
         own = self.gaze.present if self._taken is None else self._taken[0]
         settling = time.monotonic() - self._began < SETTLING
-        if self._at_home and (settling or not own.sees(self._corners(), TALL, self._aspect)):
-            home = self._view_from("Home")
+        home = self._view_from("Home")
+        far = home.distance < CLOSER * own.distance
+        if self._at_home and (settling or far or not own.sees(self._corners(), TALL, self._aspect)):
             if self._taken is None:
                 self.gaze.go(home)
             else:

@@ -11,7 +11,7 @@ from armlab.benches.workspace.section.found import Question, finding
 from armlab.benches.workspace.section.job import found_section
 from armlab.benches.workspace.section.slice import hull, plane_drawn, slice_at, slice_range
 from armlab.benches.workspace.section.state import GoInSection, GoToPoint, PlaceSlice, SectionView, found_of
-from armlab.benches.workspace.section.ui.page import PANEL, choices_markup, view_markup
+from armlab.benches.workspace.section.ui.page import PANEL, choices_markup, place_markup, view_markup
 from armlab.benches.workspace.section.ui.picture import SPECK, _outlines, frame_of, image_rule
 from armlab.benches.workspace.section.ui.words import facts, scale
 from armlab.content.robots import catalogue
@@ -68,7 +68,11 @@ def test_specks_are_left_out_until_a_section_is_finished():
 def commands(state, cell, text):
     units, found = units_of(state), found_of(state)
     return asked(
-        lambda form: (choices_markup(form, state, units), view_markup(form, state, found, units)),
+        lambda form: (
+            choices_markup(form, state, units),
+            place_markup(form, state, found, units),
+            view_markup(form, state, found, units),
+        ),
         cell,
         text,
     )
@@ -131,7 +135,7 @@ def test_the_directions_across_a_sliding_joint_1_have_names():
 @pytest.mark.parametrize(("unit", "shown"), [("deg", "−29.8"), ("rad", "−0.520")])
 def test_the_place_of_the_slice_has_the_usual_decimals(unit, shown):
     state = apply(apply(whole("elbow_3r"), PlaceSlice(-0.52)), Set(Notation, "angle", unit))
-    assert f'value="{shown}"' in joined(choices_markup(BareForm(), state, units_of(state)))
+    assert f'value="{shown}"' in joined(place_markup(BareForm(), state, found_of(state), units_of(state)))
 
 
 def test_what_is_still_averaged_is_said_in_a_sentence():

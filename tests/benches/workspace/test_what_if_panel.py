@@ -158,7 +158,7 @@ def test_figures_stand_side_by_side_with_their_errors():
     state = known("planar_2r", Suppose(1, "a", 0.5))
     found, units = state[WhatIf].found, units_of(state)
     words = plain(joined(figures_markup(found, units)))
-    assert "as it is what if" in words
+    assert "as it is proposed" in words
     assert re.search(r"Area, m² 12\.56\d+ ± 0\.0\d+ 6\.28\d+ ± 0\.0\d+", words)
     assert re.search(r"From axis 1 0\.\d … (2000\.\d|1999\.\d) (500|499)\.\d … (1500|1499)\.\d", words)
     assert "Along axis 1" not in words
@@ -192,9 +192,9 @@ def test_the_legend_names_the_colours_that_are_there():
     state = known("planar_2r", Suppose(1, "a", 0.5))
     found = state[WhatIf].found
     assert "lost" in joined(legend_markup(found))
-    assert "the arm with the changes" in joined(legend_markup(found))
+    assert "the arm as proposed" in joined(legend_markup(found))
     early = joined(legend_markup(replace(found, lost=None, gained=None)))
-    assert "what if" in early
+    assert "as proposed" in early
     assert "lost" not in early
     alone = joined(legend_markup(known("planar_2r")[WhatIf].found))
     assert plain(alone) == "as it is"
@@ -240,7 +240,7 @@ def test_a_student_changes_a_number_sees_what_it_does_and_takes_it_over(url):
         # Directly below the field, and no longer than what was typed is about the number at hand.
         assert re.search(r"now 1000\.0 mm</span></div></div><p class=\"no\" role=\"alert\">✕ a₁", browser.html())
         await browser.press("field alpha")
-        await browser.until(lambda: "α₁ =" in browser.html())
+        await browser.until(lambda: "α₁, link twist" in browser.html())
         assert "expected a number" not in browser.html()
         await browser.press("field a")
         await browser.press("take")

@@ -30,7 +30,7 @@ def test_sampling_shows_points_and_a_click_moves_the_arm(url):
         await browser.until(lambda: "Manipulability" in browser.html() and "26\u202f000</span>" in browser.html())
         await browser.until(lambda: any(name.endswith("workspace/points") for name in browser.nodes))
         await browser.press("cut z")
-        await browser.until(lambda: "z =" in browser.html())
+        await browser.until(lambda: 'data-cell="offset"' in browser.html())
         await browser.press("offset", "wide")
         await browser.until(lambda: "place of the slice, z: expected" in browser.html())
         await browser.press("offset", "500")

@@ -55,6 +55,8 @@ def _run(form: Form, part: Control, i: int, run: Setup) -> Markup:
 def card_markup(state: State) -> Markup:
     """Return the results side by side, and the reasons of runs that stopped early."""
     units, found = units_of(state), _all_current(state)
+    if not any(found):
+        return tag("p.dim", "The runs are being computed …")
     said = [_said(i, each, units) for i, each in enumerate(found)]
     return joined(_table(state, _rows(state, _figures(found), units)), said)
 

@@ -77,15 +77,20 @@ def vector_text(vector: TaskVector) -> Markup:
     return joined("(", joined(map(with_indices, vector.names), between=", "), ")")
 
 
+def _plain(vector: TaskVector) -> str:
+    """Return the components without markup, which an option of a list cannot have: px, py, pz."""
+    return ", ".join(vector.names).replace("_", "")
+
+
 def choices(arm: Arm) -> dict[str, str]:
     """Return the task vectors that can be chosen for an arm: key to text."""
     own = arm.task
-    found = {OWN: f"The arm's own: {', '.join(TaskVector(own).names)}"}
+    found = {OWN: f"The arm's own: {_plain(TaskVector(own))}"}
     if not own.position:
         return found
     place = Task(own.position, "none")
     if own.rotation != "none":
-        found[POSITION] = f"Position only: {', '.join(TaskVector(place).names)}"
+        found[POSITION] = f"Position only: {_plain(TaskVector(place))}"
     if arm.n == place.m + 1:
         for joint in range(1, arm.n + 1):
             found[f"q{joint}"] = f"Position and {subscript('q', joint)}"

@@ -83,7 +83,6 @@ def _colours(sliders: list[Control]) -> Markup:
             f"[id='{key}'] .mantine-Slider-bar,[id='{key}'] .mantine-Slider-thumb"
             f"{{background:{colour}!important;border-color:{colour}!important}}"
             f"div:has(>p>label[for='{key}']){{width:4.6em!important}}"
-            f"div:has(>[id='{key}'])>.mantine-NumberInput-root{{visibility:hidden}}"  # `TypedValue` is in its place
         )
     return styles(rules)
 

@@ -17,6 +17,7 @@ from armlab.session.state import Post, State
 from armlab.ui.form import Form, Pressed, Typed
 from armlab.ui.format import pairs
 from armlab.ui.html import Inside, tag
+from armlab.ui.markup import fold
 from armlab.ui.picks import broken_files
 from armlab.ui.plugin import Panel, Show, layers
 from armlab.ui.units import units_of
@@ -24,7 +25,7 @@ from armlab.ui.widgets import Gui
 
 GOAL = (
     "Bring the arm to where the students are to bring it, and save. The lesson begins in another pose, asks for this "
-    "one within a tolerance, and has a hint and a solution; the words are yours to write, in any editor."
+    "one within a tolerance, and has a hint and a solution."
 )
 
 TO_A_CLASS = (
@@ -34,7 +35,8 @@ TO_A_CLASS = (
 )
 
 CHECKED = (
-    "Before the class: this plays a lesson by its own solutions and says what is wrong, with file and line.",
+    "Write your own words into the file, with any text editor. Then this plays the lesson by its own solutions and "
+    "says what is wrong, with file and line.",
     "armlab lesson check FILE",
 )
 
@@ -47,30 +49,39 @@ HANDED_IN = (
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the field of the title and the button."""
     title, present = "My lesson", state
+    made: tuple[str, str] | None = None  # the name and the text of the file that was saved last
 
     def named(text: str) -> None:
         nonlocal title
         title = " ".join(text.split())[:80] or title
 
     def save() -> None:
+        nonlocal made
         if present[LessonPart].hides:
             # The file would tell what is to be predicted.
             raise InputError("Answer the question of the lesson first, or close the lesson.")
         try:
-            gui.save(f"{file_name(title)}.md", written(title, present, gui))
+            made = f"{file_name(title)}.md", written(title, present, gui)
+            gui.save(*made)
         except ArmlabError as refusal:
             raise InputError(str(refusal)) from None
 
-    gui.heading("Save as lesson")
+    gui.heading("1. Save as lesson")
     form = gui.form(post)
-    steps = tag("h3", "Show it to a class"), _step(*TO_A_CLASS), tag("h3", "Try it"), _step(*CHECKED)
-    gui.html((steps, tag("h3", "Judge work that is handed in"), _step(*HANDED_IN)))
+    file = gui.html()
+    steps = {
+        "2. Edit and check": CHECKED,
+        "3. Show it to a class": TO_A_CLASS,
+        "4. Judge work that is handed in": HANDED_IN,
+    }
+    gui.html([(tag("h3", title), _step(*step)) for title, step in steps.items()])
     problems = gui.html()
 
     def show(state: State) -> None:
         nonlocal present
         present = state
         form.show(_form(form, title, state, named, save))
+        file.show(None if made is None else fold(f"What {made[0]} says", tag("pre.al-file", made[1]), key="file"))
         problems.show(broken_files("lesson", lessons().problems))
 
     return show
@@ -83,11 +94,12 @@ def _step(says: str, command: str) -> Inside:
 
 def _form(form: Form, title: str, state: State, named: Typed, save: Pressed) -> Inside:
     line = form.field("title", title, "Title of the lesson", named, inputmode="", maxlength="80")
-    button = form.chip("save-lesson", "Save as lesson", save, "A lesson file whose goal is the arm as it stands")
+    hint = "A lesson file whose goal is the arm as it stands"
+    button = form.button("save-lesson", "Save as lesson", save, "main", hint)
     # What is to be predicted is not told here either.
     held = None if state[LessonPart].hides else pairs(_holds(state))
     titled = tag("div.kit-numbers.kit-typed", tag("label", tag("span", "Title"), line))
-    return titled, tag("div.bar", button), tag("p.dim", GOAL), held
+    return tag("p", GOAL), titled, tag("div.bar", button), held
 
 
 def _holds(state: State) -> list[tuple[Inside, Inside]]:
@@ -97,12 +109,12 @@ def _holds(state: State) -> list[tuple[Inside, Inside]]:
         (units.angle if turns else units.length)(float(value))
         for turns, value in zip(robot.arm.revolute, part.q, strict=True)
     ]
-    begin = sorted({word.partition(".")[0] for word, _ in begun_as(state)})
+    begin = sorted({word.partition(".")[0].capitalize() for word, _ in begun_as(state)})
     return [
         ("Arm", robot.name),
         ("Goal, joint values", ", ".join(joints)),
         ("Overlays", ", ".join(_overlays(state)) or "none"),
-        ("Pages as you have set them", ", ".join(begin) or "none"),
+        ("Tabs as you have set them", ", ".join(begin) or "none"),
     ]
 
 

@@ -72,7 +72,8 @@ def _timing(form: Form, part: Laws) -> Markup:
     shown = [field for field in QUANTITIES if not (timing.fastest and field.key == "duration")]
     given = {field.key: getattr(timing, field.key) for field in shown}
     options = option_form(form, "t-", shown, given, SetQuantity)
-    return joined(tag("h3", "Timing"), tag("div.bar", how), tag("div.options.law-short", options))
+    names = ", ".join(f"{field.symbol}: {field.title.partition(';')[0]}" for field in shown)
+    return joined(tag("h3", "Timing"), tag("div.bar", how), tag("div.options.law-short", options), tag("p.dim", names))
 
 
 def _law(form: Form, part: Laws, i: int) -> Markup:

@@ -63,6 +63,10 @@ class _Faces:
         )
 
 
+RAISED = 0.03
+"""Height of a name above its point, in sizes of the arm: the name of a joint may stand at the point itself."""
+
+
 class _Drawing:
     """All nodes of the layer."""
 
@@ -92,7 +96,8 @@ class _Drawing:
             self._lines[role].show(picture.lines.get(role))
             self._dots[role].show(picture.points.get(role), DOT)
         self._faces.show(picture.faces)
-        for k, (text, at) in enumerate(picture.names):
+        for k, (text, place) in enumerate(picture.names):
+            at = place + np.array([0.0, 0.0, RAISED * self._canvas.size])
             if k < len(self._names):
                 write(self._names[k], text)
                 move(self._names[k], at)

@@ -26,7 +26,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import readable
+from armlab.ui.format import readable, subscript
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import fold
 from armlab.ui.plugin import Panel, Points, Show
@@ -56,7 +56,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         look = state.derived(looked)
         head.show(head_markup(head, state, units))
-        verdict.show(condition_card(look, state.derived(near), units))
+        verdict.show((condition_card(look, state.derived(near), units), drawn_markup(look)))
         wish.show(wish_markup(wish, look, units))
         drawn.show(tag("h3", "Joint speeds, each method"), bars(look, units))
         methods.show(table(look, methods, units))
@@ -133,6 +133,17 @@ def speed_unit(look: Look) -> str:
     if not task.position:
         return "rad/s"
     return "m/s" if look.task.length == 1.0 else SCALED
+
+
+def drawn_markup(look: Look) -> Markup:
+    """Return what the marks of the scene mean."""
+    last = subscript("v", len(look.sigma))
+    return tag(
+        "p.dim",
+        "In the scene: the wanted velocity (blue), the one that the selected method reaches (green), the slowest "
+        f"direction (dashed), and at the joints the components of {last}, the unit vector of joint speeds that moves "
+        "the tool least.",
+    )
 
 
 def damping_markup(form: Form, look: Look) -> Markup:

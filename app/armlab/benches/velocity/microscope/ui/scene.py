@@ -110,7 +110,7 @@ class _Lost:
             # The line points away from the wish, which has names of its own, and has its name at its end.
             put(node, along(-part if part @ wish[3 * i : 3 * i + 3] > 0.0 else part, at))
             self._grow(i, round(LOST * self._size * size, LENGTH_DIGITS))
-            what = "turning about this" if i else "moving this way"
+            what = "rotation" if i else "translation"
             write(self._names[i], f"lost: no {what}" if look.singular else f"slowest {what}")
 
     def _grow(self, i: int, half: float) -> None:

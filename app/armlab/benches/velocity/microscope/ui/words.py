@@ -58,11 +58,11 @@ def condition_card(look: Look, near: Near | None, units: Units) -> Markup:
     inverse, sigma = look.inverse_condition, float(look.sigma[-1])
     verdict = conditioning(inverse)
     kind = {"singular": "no", "poor": "warn", "good": "ok"}[verdict]
-    ratio = "" if look.singular else f"σ_min/σ_max = {_small(inverse)} for the whole task: "
+    ratio = "" if look.singular else (with_indices("σ_min/σ_max"), f" = {_small(inverse)} for the whole task: ")
     unit = f" {look.task.sigma_unit}" if look.task.sigma_unit else ""
     smallest = with_indices("σ_min"), f" = {'0' if look.singular else _small(sigma)}{unit}, "
     largest = with_indices("σ_max"), f" = {number(float(look.sigma[0]), 3)}{unit}. "
-    return verdict_box(kind, TITLES[verdict], with_indices(ratio), smallest, largest, _which(look, near, units))
+    return verdict_box(kind, TITLES[verdict], ratio, smallest, largest, _which(look, near, units))
 
 
 def _which(look: Look, near: Near | None, units: Units) -> str:

@@ -32,6 +32,7 @@ from armlab.ui.format import mathml
 from armlab.ui.html import Markup, joined, tag
 from armlab.ui.markup import row, verdict_box
 from armlab.ui.plugin import Panel, Show
+from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
@@ -78,7 +79,8 @@ def arms_markup(form: Form, state: State) -> Markup | None:
     simplest = islice(suited().items(), MOST_OFFERED)
     hint = "Put this arm on the table; undo brings the present one back"
     chips = [form.chip(f"arm {key}", name, ChooseRobot(key), hint) for key, name in simplest]
-    return joined(tag("h3", "Go on with"), tag("div.bar", chips))
+    drawn = "In the scene: the wanted velocity of the tool, as on the page Inverse velocity."
+    return joined(tag("h3", "Go on with"), tag("div.bar", chips), tag("p.dim", drawn))
 
 
 def head_markup(form: Form, state: State, units: Units) -> Markup | None:
@@ -138,8 +140,10 @@ def norm_markup(state: State, units: Units) -> Markup:
     here = found.determinant, float(np.linalg.norm(found.answer.qdot)) if found.answer.verdict == "one" else math.inf
     second = units.variable(state[Solve].pair[1], bool(state[Joints].arm.revolute[state[Solve].pair[1]]))
     said = (
-        f"Here det J = {small(found.determinant)} m², σ_min/σ_max = {small(ratio)}. The ratio tells how "
-        "near a singularity is; det J alone does not, it changes with the unit of length."
+        f"Here det J = {small(found.determinant)} m², ",
+        with_indices("σ_min/σ_max"),
+        f" = {small(ratio)}. The ratio tells how near a singularity is; det J alone does not, it changes with the unit "
+        "of length.",
     )
     aside = tag("small", f"while {second} goes through its range⟦ (1.20–1.24)⟧")
     return joined(tag("h3", "‖q̇‖ against det J ", aside), norm_svg(curve, here, units), tag("p.dim", said))

@@ -42,8 +42,8 @@ OMEGA, RDOT, DOTTED = r"\omega=T\dot{\phi}", r"\dot{R}R^T", r"\dot{%s}"
 
 T_MATRIX = (
     "T is not a rotation matrix⟦, although notes 5.43 call it “the roll pitch yaw matrix”⟧. Its columns are the "
-    "present "
-    "axes of the three rotations, and φ̇ is not ω."
+    "present axes of the three rotations, and φ̇ is not ω. In the scene, beside the arm: the body with its frame, the "
+    "fixed frame (pale), the three axes in the colours of their angles, and ω."
 )
 
 ANALYTIC = r"J_\phi=T^{-1}J_A"
@@ -70,7 +70,7 @@ def form_markup(form: Form, state: State) -> Markup:
         "The same orientation and ω, written in other angles",
         lambda key: WriteAngles(fixed=key == "fixed"),
     )
-    take = form.chip("tool", "of the tool", TakeToolAngles(), "Take the angles of the tool in the world")
+    take = form.chip("tool", "Angles of the tool", TakeToolAngles(), "Take the angles of the tool in the world")
     name = NAMES.get((part.axes, part.fixed), "")
     told = tag("p.dim", f"{capitalised(name)}.") if name else None
     symbols = enumerate(angle_symbols(part.axes, part.fixed))

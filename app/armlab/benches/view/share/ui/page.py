@@ -103,7 +103,7 @@ class SharePage:
 
     def _linked(self, form: Form) -> Inside:
         if self._link is None:
-            return tag("p", NOT_YET), tag("div.bar", form.chip("make-link", "Make link", self._make))
+            return tag("p", NOT_YET), tag("div.bar", form.button("make-link", "Make link", self._make, "main"))
         copied = tag("button.chip", "Copy link", data_copy=self._link.address)
         bar = tag("div.bar", form.chip("make-link", "Make link again", self._make), copied)
         return bar, self._link.markup(self._state)

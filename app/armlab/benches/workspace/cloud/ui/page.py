@@ -79,13 +79,17 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
     choices = gui.form(post)
     slider = gui.slider("slice", 0.0, 1.0, 0.1, 0.0, moved, None)
-    switches, told = gui.form(post), gui.form(post)
+    exact, switches, told = gui.form(post), gui.form(post), gui.form(post)
 
     def show(state: State) -> None:
         nonlocal present
         present = state
         choices.show(choices_markup(choices, state, units))
-        _show_slider(slider, state, units)
+        slid = _slid(state)
+        slider.visible(slid)
+        exact.show(tag("div.over-slider", _place(exact, state, units)) if slid else None)
+        if slid:
+            _show_slider(slider, state, units)
         switches.show(row("Scene", _switches(switches, state[Workspace])))
         told.show(told_markup(told, state, units, save, ways))
 
@@ -111,7 +115,7 @@ def choices_markup(form: Form, state: State, units: Units) -> Inside:
         _action(form, part),
         row("Show as", draw),
         row("Cut", cut),
-        _slice(form, state, units) if _cut(state) in AXES else None,
+        _slice(form, state, units) if _cut(state) in AXES and not _slid(state) else None,
     )
 
 
@@ -145,24 +149,30 @@ def _switches(form: Form, part: Workspace) -> Inside:
     return near, form.chip("clicks", "Click: go there", clicks, "A click on a point moves the arm there", part.clicks)
 
 
+def _slid(state: State) -> bool:
+    """Return whether there is a slice and a cloud, along which a slider moves it."""
+    return _cut(state) in AXES and state[Workspace].found is not None
+
+
 def _slice(form: Form, state: State, units: Units) -> Markup:
+    """Return the place of a slice before there is a cloud."""
+    at = tag("label.option", _place(form, state, units), tag("i", units.length_unit))
+    return row(f"{_cut(state)} =", at)
+
+
+def _place(form: Form, state: State, units: Units) -> Markup:
     part = state[Workspace]
     name = f"place of the slice, {_cut(state)}"
 
     def typed(text: str) -> LookAtWorkspace:
         return LookAtWorkspace(offset=units.read(text, False, name))
 
-    at = form.field("offset", readable(place_of(part) / units.factor(False), 1), capitalised(name), typed)
-    return row(f"{_cut(state)} =", tag("label.option", at, tag("i", units.length_unit)))
+    return form.field("offset", readable(place_of(part) / units.factor(False), 1), capitalised(name), typed)
 
 
 def _show_slider(slider: Control, state: State, units: Units) -> None:
-    """Show the place of a slice on a slider as long as the cloud; hide it where there is no slice."""
+    """Show the place of a slice on a slider as long as the cloud."""
     part, cut = state[Workspace], _cut(state)
-    shown = cut in AXES and part.found is not None
-    slider.visible(shown)
-    if not shown:
-        return
     low, high = (units.value(end, False) for end in range_of(part))
     step = 10.0 ** -units.decimals(False)
     place = units.value(place_of(part), False)

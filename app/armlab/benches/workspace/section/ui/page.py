@@ -27,7 +27,7 @@ from armlab.session.state import Command, Post, State
 from armlab.ui.eye import Facing
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised
-from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.html import Inside, tag
 from armlab.ui.markup import progress_bar, row
 from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.units import Units, units_of
@@ -45,6 +45,7 @@ class SectionPage:
         self._post, self._turns = post, False
         self._choices = gui.form(post)
         self._slider = gui.slider("slice", 0.0, 1.0, 0.1, 0.0, self._slid, None)
+        self._exact = gui.form(post)
         self._view = gui.form(post)
         self._told = gui.html()
         self._image = gui.html()
@@ -73,6 +74,7 @@ class SectionPage:
         found, kind = found_of(state), state[SectionView].slice
         shown = plane_drawn(state) is not None and found is not None and not found.section.grid.flat
         self._slider.visible(shown)
+        self._exact.show(place_markup(self._exact, state, found, self._units) if found is not None and shown else None)
         if found is None or not shown:
             return
         self._turns = kind == "axis" and found.section.joint.revolute
@@ -97,7 +99,7 @@ def _progress(found: Found) -> Inside:
 
 
 def choices_markup(form: Form, state: State, units: Units) -> Inside:
-    """Return the choices of colour and slice, and the place of the slice."""
+    """Return the choices of colour and slice."""
     part, found = state[SectionView], found_of(state)
     titles = {key: capitalised(title) for key, title in COLOURS.items()}
     colour = row("Colour", form.select("colour", "Colour", titles, part.colour, partial(Set, SectionView, "colour")))
@@ -109,28 +111,26 @@ def choices_markup(form: Form, state: State, units: Units) -> Inside:
         names = {"none": "Off", "axis": "Through axis 1" if turns else "Across axis 1", "x": "x", "y": "y", "z": "z"}
         chosen = part.slice
     slices = row("Slice", form.chips("slice", names, chosen, SLICE_HINT, partial(Set, SectionView, "slice")))
-    return colour, slices, _place(form, state, found, units)
+    return colour, slices
 
 
-def _place(form: Form, state: State, found: Found | None, units: Units) -> Markup | None:
-    """Return the field for the place of the slice."""
+def place_markup(form: Form, state: State, found: Found, units: Units) -> Inside:
+    """Return the field for the place of the slice, over the box of its slider."""
     part = state[SectionView]
 
     def typed(revolute: bool, text: str) -> PlaceSlice:
         return PlaceSlice(units.read(text, revolute, "place of the slice"))
 
-    if part.slice == "none" or found is None or found.section.grid.flat:
-        return None
     if part.slice != "axis":
-        label = f"Place of the slice, {part.slice}"
-        at = form.field("at", units.text(part.offset, False), label, partial(typed, False))
-        return row(f"{part.slice} =", tag("label.option.sc-at", at, tag("i", units.length_unit)))
+        label = f"Place of the slice, {part.slice} in {units.length_unit}"
+        return tag("div.over-slider", form.field("at", units.text(part.offset, False), label, partial(typed, False)))
     revolute = found.section.joint.revolute
     shown = units.text(slice_at(state, found), revolute)
-    at = form.field("at", shown, "Place of the slice", partial(typed, revolute))
+    label = f"Place of the slice in {units.unit(revolute)}"
+    at = form.field("at", shown, label, partial(typed, revolute))
     hint = "The slice follows the tool"
     follow = form.chip("follow", "With the tool", PlaceSlice(None), hint, part.turn is None)
-    return row("at", (tag("label.option.sc-at", at, tag("i", units.unit(revolute))), follow))
+    return tag("div.over-slider", at), row("", follow)
 
 
 def _picked(found: Found, x: float, y: float, _drag: int) -> Command:

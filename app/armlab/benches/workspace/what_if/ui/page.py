@@ -28,7 +28,7 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised
-from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import row
 from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.units import Units, units_of
@@ -93,8 +93,7 @@ def exact_markup(form: Form, part: WhatIf, units: Units) -> Markup:
 
     field = form.field("value", thought, f"{name}, {NAMED[part.field]}, in {units.unit(angle)}", typed)
     now = f"now {with_unit(value_of(part.arm, part.row, part.field), angle, units)}"
-    number = tag("label.option.wi-exact", field, tag("i", f"{units.unit(angle)},"))
-    return row(f"{name} =", (number, tag("span.dim", now)), hint=capitalised(NAMED[part.field]))
+    return joined(tag("div.over-slider", field), row("", tag("span.dim", now), hint=capitalised(NAMED[part.field])))
 
 
 def told_markup(form: Form, state: State, units: Units) -> Inside:

@@ -22,9 +22,9 @@ from armlab.ui.units import Units
 NAMES = {"low": "from", "high": "to"}
 LEGEND = {
     "kept": "in both",
-    "thought": "what if",
-    "gained": "gained: reached only with the change",
-    "lost": "lost: reached only without the change",
+    "thought": "as proposed",
+    "gained": "gained: reached only as proposed",
+    "lost": "lost: reached only as it is",
 }
 
 
@@ -121,7 +121,7 @@ def figures_markup(found: Compared, units: Units) -> Inside:
     rows = [(title, *(_size_of(each) + end for each, end in zip(sides, ends, strict=True)))]
     rows += _reach_rows(found, all(flat), units)
     width = 1 if found.same else 2
-    heads = [tag("th", head) for head in ("", "as it is", "what if")[: width + 1]]
+    heads = [tag("th", head) for head in ("", "as it is", "proposed")[: width + 1]]
     body = [_row(name, cells[:width]) for name, *cells in rows]
     refined = all(each.refined for each in sides)
     kind = "from the boundary of the section" if refined else "of samples so far"
@@ -159,7 +159,7 @@ def legend_markup(found: Compared) -> Markup:
         names = ("kept", "gained", "lost") if found.finished else ("kept", "thought")
     texts = {**LEGEND, "kept": "as it is" if not found.finished or found.same else LEGEND["kept"]}
     dots = [tag("span", dot(css(COLOURS[name])), texts[name]) for name in names]
-    line = tag("span", tag("u", style=f"background:{css(THOUGHT)}"), "the arm with the changes")
+    line = tag("span", tag("u", style=f"background:{css(THOUGHT)}"), "the arm as proposed")
     return tag("div.wi-legend", dots, None if found.same else line)
 
 
