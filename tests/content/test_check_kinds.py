@@ -53,7 +53,7 @@ def test_a_whole_configuration():
         (33.1, 60): "Joint 1 is at 33.1° and should be at 30.0°.",
         (0, 0): "Joint 1 is at 0.0° and should be at 30.0°. 1 more joint is not there yet.",
         (30, -60): "Joint 2 is at −60.0° and should be at 60.0°. The sign is wrong",
-        (-30, -60): "All joints have the right size and the wrong sign.",
+        (-30, -60): "All joint values have the right size and the wrong sign.",
         (60, 30): "The values of joints 1 and 2 are exchanged.",
         (90, -60): "The tool is in the right place, but the arm gets there in another way: this is another branch.",
         (30, math.radians(60)): "Joint 2 is at 1.0° and should be at 60.0°. That is the number of radians",
@@ -94,8 +94,8 @@ P = [0.4, 0.1, 0.9]
     ("R", "says"),
     [
         (rotation_about("z", -math.pi / 2), "the rotation is the transposed one"),
-        (rotation_about("x", math.pi / 2), "it is turned about x instead of z."),
-        (rotation_about("y", -math.pi / 2), "it is turned about y instead of z."),
+        (rotation_about("x", math.pi / 2), "it is rotated about x instead of z."),
+        (rotation_about("y", -math.pi / 2), "it is rotated about y instead of z."),
         (rotation_about("z", 1.2), "its x axis points 21.2° away from where it should."),
         (rotation_about("z", math.pi / 2) @ rotation_about("x", math.pi), "its axes y and z point the wrong way"),
         (rotation_about("z", math.pi / 2) @ rotation_about("y", math.pi), "its axes x and z point the wrong way"),
@@ -210,7 +210,7 @@ def test_a_line_a_circle_and_a_plane():
     on_line = check('kind = "on_line"\npoint = [1, 5, 0]\ndirection = [0, 2, 0]\ntolerance_m = 0.02')
     assert on_line.is_met(seen([0, 90]))
     assert on_line.is_met(seen([60, 240]))
-    assert on_line.says(seen([0, 0])) == "The tool is 1.000 m away from the line: it needs less x."
+    assert on_line.says(seen([0, 0])) == "The tool is 1.000 m away from the line: its x has to be smaller."
     circle = check(
         'kind = "on_line"\nshape = "circle"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 1\ntolerance_m = 0.02'
     )

@@ -299,7 +299,7 @@ def test_the_page_says_what_keeps_a_motion_from_being_run_or_from_being_faster()
     assert re.search(r"None is reached: as fast as allowed, the motion would take \d\.\d\d s\.", slow)
     fast = said(state_of("puma560", None, LastFor(0.5)))
     assert "✕ Joints 1, 2, 3, 4, 5 and 6 exceed their acceleration limits from 0.00 to" in fast
-    assert "Within the limits this way takes" in fast
+    assert "Within the limits this path takes" in fast
     for reached, head in ((0, "✕ There is nothing to plot."), (1, "✕ The motion cannot be run to its end")):
         blocked = out_of_reach(reached)
         assert head in said(blocked)

@@ -72,7 +72,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     steps = {
         "2. Edit and check": CHECKED,
         "3. Show it to a class": TO_A_CLASS,
-        "4. Judge work that is handed in": HANDED_IN,
+        "4. Judge what is handed in": HANDED_IN,
     }
     gui.html([(tag("h3", title), _step(*step)) for title, step in steps.items()])
     problems = gui.html()
