@@ -13,13 +13,17 @@ NARROW = (1024, 850)
 MOST = 1040
 """Pixels of the longest page; the window shows 835 at once."""
 
+ROWS = 2
+"""Most rows of the names of a tab's pages."""
+
 SIZES = """() => {
   const every = [...document.querySelectorAll('[data-dock-region=right] .al')];
   let pane = every.find(each => each.getClientRects().length);
   while (!/auto|scroll/.test(getComputedStyle(pane).overflowY)) pane = pane.parentElement;
-  return [pane.scrollHeight, pane.scrollWidth - pane.clientWidth];
+  const names = [...document.querySelectorAll('[data-dock-region=right] .page')].filter(name => name.offsetParent);
+  return [pane.scrollHeight, pane.scrollWidth - pane.clientWidth, new Set(names.map(name => name.offsetTop)).size];
 }"""
-"""Height of the open page, and how far it goes beyond its sides."""
+"""Height of the open page, how far it goes beyond its sides, and how many rows the names of its tab's pages take."""
 
 
 def test_no_page_is_a_barrier_or_much_longer_than_the_window_or_wider_than_its_panel(visit):
@@ -28,8 +32,9 @@ def test_no_page_is_a_barrier_or_much_longer_than_the_window_or_wider_than_its_p
     found = {"around": findings(lab)}
     for k, key in enumerate(every_page(lab)):
         found[key] = [*findings(lab, ("light", "dark")[: 1 + k % 2], whole=False), *lab.errors]
-        height, beyond = lab.page.evaluate(SIZES)
+        height, beyond, rows = lab.page.evaluate(SIZES)
         found[key] += [f"{height} px long"] * (height > MOST) + [f"{beyond} px too wide"] * (beyond > 1)
+        found[key] += [f"{rows} rows of pages"] * (rows > ROWS)
     assert {key: bad for key, bad in found.items() if bad} == {}
 
 

@@ -107,7 +107,7 @@ def test_a_jog_ends_when_the_pointer_leaves_the_button_and_at_the_limit(visit):
     lab.press("jog-turn 5")
     lab.page.locator('button[data-cell="jog 0 plus"]').hover()
     lab.page.mouse.down()
-    lab.until(lambda: lab.page.get_by_text("Limit of joint 1 at 160.0°.").is_visible())
+    lab.until(lambda: lab.page.get_by_text("Joint 1 is at its limit of 160.0°.").is_visible())
     lab.page.mouse.up()
     assert lab.slider_value(1) == 160.0
 

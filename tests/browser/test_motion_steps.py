@@ -29,7 +29,7 @@ def test_the_steps_are_drawn_one_on_the_other_and_few_samples_show_how_far_the_t
     lab.open_tab("Motion")
     lab.press("space-cartesian")
     lab.press("motion_steps")
-    lab.page.get_by_text("poses the tool is to pass").wait_for()
+    lab.page.get_by_text("poses of the tool to pass through").wait_for()
     lab.press("step 3")
     lab.type_into("samples", "0")
     assert "expected a whole number" in lab.page.locator("p.no[role=alert]").inner_text()
@@ -41,7 +41,7 @@ def test_the_steps_are_drawn_one_on_the_other_and_few_samples_show_how_far_the_t
         lab.until(lambda drawn=drawn: drawn <= shown(lab))
         assert shown(lab) & set().union(*DRAWN.values()) == drawn
     numbers = lab.page.locator(".kv").last.inner_text().replace("\N{NO-BREAK SPACE}", " ")
-    far = re.search(r"farthest apart\s+([\d.]+) mm at s = ([\d.]+)", numbers)
+    far = re.search(r"largest distance\s+([\d.]+) mm at s = ([\d.]+)", numbers)
     assert far is not None
     k = found.apart.worst
     np.testing.assert_allclose(

@@ -39,7 +39,7 @@ def test_pick_and_place_with_plots_and_csv_takes_few_clicks_from_a_fresh_start(v
     lab.open_tab("Motion")
     lab.press("motion_pick")
     lab.press("pick-place")
-    lab.page.locator(".al .verdict", has_text="1 of 3 boxes at the goal in the end").wait_for()
+    lab.page.locator(".al .verdict", has_text="1 of 3 boxes at the goal at the end").wait_for()
     assert lab.page.locator('select[data-cell^="at-"]').count() == 4
     np.testing.assert_allclose(box(lab), places_at(state, 0.0)[0], atol=1e-3)
     lab.press("play-motion")
@@ -64,7 +64,7 @@ def test_the_box_is_carried_wherever_the_film_is_moved_to(visit):
     lab = visit("robot/scara")
     lab.open_tab("motion_pick")
     lab.press("pick-place")
-    lab.page.locator(".al .verdict", has_text="at the goal in the end").wait_for()
+    lab.page.locator(".al .verdict", has_text="at the goal at the end").wait_for()
     lab.press("play-motion")
     lab.page.locator('.al-time button[data-cell="play"][title^="Play"]').wait_for()
     for share in (0.7, 0.45, 0.9, 0.05, 0.6):

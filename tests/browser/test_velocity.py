@@ -66,7 +66,7 @@ def test_turning_says_what_a_singular_angle_loses(visit):
     lab = visit()
     lab.open_tab("Velocity")
     lab.page.locator("button.page[data-cell=turning]").click()
-    lab.page.locator(".verdict", has_text="Regular").wait_for()
+    lab.page.locator(".verdict", has_text="Well conditioned").wait_for()
     lab.type_into("angles 1", "90")
     lab.page.locator(".verdict", has_text="Singular").wait_for()
     lab.page.locator('button[data-cell="shown laws"]').click()

@@ -342,7 +342,7 @@ def test_no_arm_is_announced_where_a_question_hides_it(visit):
     lab.page.reload()
     lab.page.wait_for_function("() => document.querySelector('.ask .dim')")
     lab.page.wait_for_function("() => document.querySelector('.al-coming').textContent === ''")
-    assert lab.page.evaluate("() => window.said") == ["The lab is on its way …", ""]
+    assert lab.page.evaluate("() => window.said") == ["The lab is starting …", ""]
 
 
 def test_after_a_lesson_one_press_leads_back_to_the_former_arm(visit):

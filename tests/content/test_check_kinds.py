@@ -53,7 +53,7 @@ def test_a_whole_configuration():
         (33.1, 60): "Joint 1 is at 33.1° and should be at 30.0°.",
         (0, 0): "Joint 1 is at 0.0° and should be at 30.0°. 1 more joint is not there yet.",
         (30, -60): "Joint 2 is at −60.0° and should be at 60.0°. The sign is wrong",
-        (-30, -60): "All joints have the right size and the wrong sign.",
+        (-30, -60): "All joint values have the right size and the wrong sign.",
         (60, 30): "The values of joints 1 and 2 are exchanged.",
         (90, -60): "The tool is in the right place, but the arm gets there in another way: this is another branch.",
         (30, math.radians(60)): "Joint 2 is at 1.0° and should be at 60.0°. That is the number of radians",
@@ -94,8 +94,8 @@ P = [0.4, 0.1, 0.9]
     ("R", "says"),
     [
         (rotation_about("z", -math.pi / 2), "the rotation is the transposed one"),
-        (rotation_about("x", math.pi / 2), "it is turned about x instead of z."),
-        (rotation_about("y", -math.pi / 2), "it is turned about y instead of z."),
+        (rotation_about("x", math.pi / 2), "it is rotated about x instead of z."),
+        (rotation_about("y", -math.pi / 2), "it is rotated about y instead of z."),
         (rotation_about("z", 1.2), "its x axis points 21.2° away from where it should."),
         (rotation_about("z", math.pi / 2) @ rotation_about("x", math.pi), "its axes y and z point the wrong way"),
         (rotation_about("z", math.pi / 2) @ rotation_about("y", math.pi), "its axes x and z point the wrong way"),
@@ -210,7 +210,7 @@ def test_a_line_a_circle_and_a_plane():
     on_line = check('kind = "on_line"\npoint = [1, 5, 0]\ndirection = [0, 2, 0]\ntolerance_m = 0.02')
     assert on_line.is_met(seen([0, 90]))
     assert on_line.is_met(seen([60, 240]))
-    assert on_line.says(seen([0, 0])) == "The tool is 1.000 m away from the line: it needs less x."
+    assert on_line.says(seen([0, 0])) == "The tool is 1.000 m away from the line: its x has to be smaller."
     circle = check(
         'kind = "on_line"\nshape = "circle"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 1\ntolerance_m = 0.02'
     )
@@ -268,7 +268,7 @@ def test_degrees_written_as_radians_are_named_where_they_are_less_than_a_turn():
         ({"i": 2, "alpha": math.pi / 6, "theta": 0.0}, "Row 2, α: α and θ have changed places."),
         ({"i": 2, "theta": math.pi / 6 + math.pi}, "Row 2, θ: half a turn off"),
         ({"i": 2, "a": 0.7}, "Row 2, a: 0.700 m is not right."),
-        ({"i": 3, "kind": "R"}, "Row 3, joint type: the joint should slide."),
+        ({"i": 3, "kind": "R"}, "Row 3, joint type: the joint should be prismatic."),
         ({"i": 3, "d": -0.25, "theta": 1.0}, "Row 3, d: the sign is wrong."),
     ],
 )
@@ -292,16 +292,15 @@ def test_a_table_of_the_other_convention():
     asked = check(R3)
     assert asked.says(of_rows(ROWS[:2])) == "The table has 2 rows; it should have 3 rows."
     assert (
-        asked.says(of_rows(ROWS, "modified")) == "The table is in the modified convention; the standard one is asked."
+        asked.says(of_rows(ROWS, "modified"))
+        == "The table is in the modified convention; the standard one is asked for."
     )
     moved = converted(of_rows(ROWS).arm, "modified").rows
-    assert asked.says(of_rows(moved)).startswith(
-        "The columns a and α are shifted by a row: so they stand in the modified"
-    )
+    assert asked.says(of_rows(moved)).startswith("The columns a and α are shifted by a row, as in the modified")
     craig = check(R3.replace('"table_is"\n', '"table_is"\nconvention = "modified"\n'))
     assert craig.is_met(of_rows(ROWS, "modified"))
     back = [Row("R", 0.8, 0, 0.6), Row("R", 0.5, 0, 0, math.pi / 6), Row("P", 0, 0, 0.25)]
-    assert "shifted by a row: so they stand in the standard" in craig.says(of_rows(back, "modified"))
+    assert "shifted by a row, as in the standard" in craig.says(of_rows(back, "modified"))
 
 
 def test_no_other_robot_has_the_table_of_one(robot):

@@ -64,7 +64,7 @@ def test_the_angle_of_the_tool_counts_when_it_is_asked_for():
     assert asked.is_met(seen([90.5, -89.5]))
     assert not asked.is_met(seen([0, 90]))
     assert asked.says(seen([0, 90])) == (
-        "The position is right; the angle φ is not: turn the tool 90.0° clockwise. "
+        "The position is right; the angle φ is not: rotate the tool 90.0° clockwise. "
         "The arm stands in the mirror branch: bend the elbow the other way."
     )
     with pytest.raises(ContentError, match="tolerance_deg: expected phi_deg with it"):

@@ -78,12 +78,12 @@ def test_a_broken_check_is_a_sentence(text, says):
 
 def test_the_sentence_says_what_is_and_what_is_asked():
     asked = check("value = [1, 2]\ntolerance = 0.1")
-    assert asked.says(seen((1.0, 3.0), "N")) == "The thing: (1, 3) N. Asked: (1, 2) N ± 0.1 N."
+    assert asked.says(seen((1.0, 3.0), "N")) == "The thing: (1, 3) N. Required: (1, 2) N ± 0.1 N."
     assert asked.says(seen((1.0, 2.0), "N")) == "The thing: (1, 2) N."
     assert asked.says(seen(None)) == "The thing: not known yet."
     assert asked.says(Observation.of(ROBOT.arm, [0, 0])) == "Tab.page.fact: not known yet."
     both = check("component = 1\nat_least = 1\nat_most = 2")
-    assert both.says(seen((0.0,))) == "The thing, component 1: 0. Asked: at least 1 and at most 2."
+    assert both.says(seen((0.0,))) == "The thing, component 1: 0. Required: at least 1 and at most 2."
 
 
 def test_lengths_and_angles_are_in_the_units_of_the_screen():

@@ -30,7 +30,7 @@ def test_ten_degrees_to_every_limit_are_asked_of_every_joint(joint, side):
     assert check.is_met(seen(q))
     q[joint] = PUMA.arm.limits[joint, side] + 0.9 * inward
     assert not check.is_met(seen(q))
-    assert check.says(seen(q)) == f"Joint {joint + 1} is 9.0° from its limit; at least 10.0° are wanted."
+    assert check.says(seen(q)) == f"Joint {joint + 1} is 9.0° from its limit; at least 10.0° are required."
 
 
 def test_sliding_joints_have_a_distance_of_their_own():

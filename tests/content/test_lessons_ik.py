@@ -221,7 +221,7 @@ def seen(*q_deg):
         ((33, -48, 0), "Joints 1 and 2 are right, joint 3 is not yet."),
         ((33, 47.7, 20), "Joints 1 and 3 are right, joint 2 is not yet. The sign is wrong: positive angles"),
         ((0.581, 0, 0), "No joint is where it should be yet. That is the number of radians, taken for degrees."),
-        ((-33.3, 47.7, -20.2), "All joints have the right size and the wrong sign."),
+        ((-33.3, 47.7, -20.2), "All joint values have the right size and the wrong sign."),
     ],
 )
 def test_values_to_be_found_are_not_told(found, q_deg, says):

@@ -170,8 +170,8 @@ def test_a_motion_that_runs():
     assert asked.is_met(seen())
     assert asked.says(seen()) == "The motion runs to its end in 1.32 s, within all limits."
     cases = (
-        (None, {}, "The motion is not worked out yet."),
-        (RUNS, {"planned": False}, "The motion is not worked out yet."),
+        (None, {}, "The motion has not been planned yet."),
+        (RUNS, {"planned": False}, "The motion has not been planned yet."),
         (RUNS, {"whole": False}, "The motion cannot be run to its end."),
         (
             RUNS,
@@ -187,21 +187,21 @@ def test_a_motion_that_runs():
 
 def test_a_motion_in_time():
     asked = check('kind = "motion_runs"\nat_most_s = 1.1\nat_least_s = 0.9')
-    assert asked.says(seen()) == "The motion takes 1.32 s; at most 1.10 s is wanted."
-    assert asked.says(seen(duration=0.5)) == "The motion takes 0.50 s; at least 0.90 s is wanted."
+    assert asked.says(seen()) == "The motion takes 1.32 s; at most 1.10 s is required."
+    assert asked.says(seen(duration=0.5)) == "The motion takes 0.50 s; at least 0.90 s is required."
     assert [asked.is_met(seen(duration=t)) for t in (0.89, 0.897, 1.0, 1.104, 1.11)] == [0, 1, 1, 1, 0]
 
 
 def test_a_motion_with_more_to_it():
     words = Words(length=lambda value: f"{1000 * value:.1f} mm")
     many = check('kind = "motion_runs"\nwaypoints = 4')
-    assert many.says(seen()) == "The motion has 3 waypoints; at least 4 are wanted."
+    assert many.says(seen()) == "The motion has 3 waypoints; at least 4 are required."
     assert many.is_met(seen(waypoints=5))
     straight = check('kind = "motion_runs"\ndeviation_m = 0.001')
-    assert straight.says(seen(), words) == "The tool leaves its path by 2.1 mm; at most 1.0 mm is wanted."
+    assert straight.says(seen(), words) == "The tool leaves its path by 2.1 mm; at most 1.0 mm is required."
     assert straight.is_met(seen(deviation=0.001))
     gentle = check('kind = "motion_runs"\nvelocity_percent = 96\nacceleration_percent = 50')
-    assert gentle.says(seen()) == "A joint uses 100 % of its limit of acceleration; at most 50 % is wanted."
+    assert gentle.says(seen()) == "A joint uses 100 % of its limit of acceleration; at most 50 % is required."
     assert gentle.is_met(seen(acceleration=0.5))
     assert not gentle.is_met(seen(acceleration=0.5, velocity=0.97))
 
@@ -212,21 +212,22 @@ def test_a_move_of_a_kind():
     assert second.is_met(seen(planned=False))
     assert second.says(seen()) == "The moves are as they should be."
     assert (
-        second.says(seen(moves=(SPACE, JOINT))) == "The move 2 → 3 is in joint space; one in Cartesian space is wanted."
+        second.says(seen(moves=(SPACE, JOINT)))
+        == "The move 2 → 3 is in joint space; one in Cartesian space is required."
     )
     assert second.says(seen(moves=(SPACE,))) == "There is no waypoint 3."
     assert not second.is_met(seen(moves=(SPACE,)))
     every = check('kind = "move_is"\nlaw = "quintic"')
     assert not every.is_met(seen())
     assert every.says(seen()) == (
-        "The move 1 → 2 has the law “Trapezoid of speed (bang-coast-bang)”; “Quintic” is wanted."
+        "The move 1 → 2 has the law “Trapezoid of speed (bang-coast-bang)”; “Quintic” is required."
     )
     assert every.is_met(seen(moves=(SPACE, SPACE)))
     assert not every.is_met(seen(moves=()))
     assert every.says(seen(moves=())) == "There is no move."
     assert not every.is_met(seen(None))
     path = check('kind = "move_is"\nto = 2\npath = "spline"')
-    assert path.says(seen()) == "The move 1 → 2 has the path “Straight line”; “Cubic spline” is wanted."
+    assert path.says(seen()) == "The move 1 → 2 has the path “Straight line”; “Cubic spline” is required."
 
 
 @pytest.mark.parametrize(
@@ -251,7 +252,7 @@ def test_a_motion_that_was_played():
     assert not asked.is_met(seen(played=True, whole=False))
     assert asked.says(seen()) == "Play the motion to its end."
     assert asked.says(seen(time=0.5)) == "Play the motion to its end: it is at 0.50 s of 1.32 s."
-    assert asked.says(seen(None)) == asked.says(seen(planned=False)) == "The motion is not worked out yet."
+    assert asked.says(seen(None)) == asked.says(seen(planned=False)) == "The motion has not been planned yet."
     assert asked.says(seen(whole=False, trouble="move 1 → 2: no")).endswith("to its end: move 1 → 2: no.")
 
 

@@ -152,7 +152,7 @@ def test_a_fact_is_checked_while_the_student_works(benches):
     met, says = check_line(state)
     torques = np.abs(observed(state).facts["velocity.statics.torques"].value)
     assert not met
-    assert says == f"The largest torque of a joint: {torques.max():.4g} N m. Asked: at most 5 N m."
+    assert says == f"The largest torque of a joint: {torques.max():.4g} N m. Required: at most 5 N m."
     state = done(state, force(2.0))
     assert "Less torque" in state[LessonPart].progress.met
 
@@ -202,7 +202,7 @@ def test_of_what_is_told_nothing_is_believed(benches):
     for k, change in enumerate((other_wrench, other_speeds, other_end)):
         found = forged(state, change)
         assert [met for met, _ in found] == [i != k for i in range(3)]
-        assert "Asked:" in found[k][1]
+        assert "Required:" in found[k][1]
 
 
 def test_other_joint_values_give_other_facts(benches):
@@ -212,7 +212,7 @@ def test_other_joint_values_give_other_facts(benches):
 
     assert forged(solved(), straight)[0] == (
         False,
-        "The largest torque of a joint: 6 N m. Asked: at most 5 N m.",
+        "The largest torque of a joint: 6 N m. Required: at most 5 N m.",
     )
 
 

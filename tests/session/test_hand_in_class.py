@@ -66,7 +66,7 @@ def test_work_in_the_variant_of_another_does_not_count(fresh, own):
     assert [one.problem for one in marked] == [
         "",
         "This is variant 3; given was 4.",
-        "Nobody of this name is in the list.",
+        "There is nobody of this name in the list.",
         "The work is not signed.",
     ]
     assert [one.passed for one in marked] == [3, 0, 0, 0]

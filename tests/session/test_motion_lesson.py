@@ -190,7 +190,7 @@ def test_planning_goes_on_after_the_check_only_for_a_text(own):
 
 def test_the_check_looks_again_when_the_plan_is_delivered(corners):
     begun = after(worked(after(corners, GoToStep(2))), LastFor(10.0))
-    assert check_line(begun) == (False, "The motion is not worked out yet.")
+    assert check_line(begun) == (False, "The motion has not been planned yet.")
     assert check_line(worked(begun)) == (True, "")
     fast = worked(after(corners, GoToStep(2), LastFor(1.0)))
     met, says = check_line(fast)
@@ -268,7 +268,7 @@ def test_a_lesson_is_done_by_its_solution(own):
         ('path = "overfly"\n\n[[do]]', 'path = "line"\n\n[[do]]', 2, "has the path “Straight line”"),
         ('\n\n[[do]]\nkind = "motion"', "", 2, "Play the motion to its end."),
         ('name = "motion/corner_stop"', 'name = "motion/corner"', 5, "action 6 of its solution is refused: example of"),
-        ("seconds = 10", "seconds = 9", 3, "The motion takes 9.00 s; at least 10.00 s is wanted."),
+        ("seconds = 10", "seconds = 9", 3, "The motion takes 9.00 s; at least 10.00 s is required."),
         ("at_least_s = 10\nat_most_s = 10\n", "", 3, "its check is met already when the step begins"),
         ("to = 3\nlaw", "to = 9\nlaw", 5, "action 9 of its solution is refused: waypoint: expected 1 to 6, got 9"),
         (
@@ -307,7 +307,7 @@ def test_the_work_can_be_handed_in_and_is_judged_again(own):
     assert forged("Slowly", motion={**seen["motion"], "duration": 3.0, "whole": False}).passed == 4
     report = forged("Slowly", plan={**seen["plan"], "duration": 12.0})
     assert report.passed == 3
-    assert report.steps[2].says == "The motion takes 12.00 s; at most 10.00 s is wanted."
+    assert report.steps[2].says == "The motion takes 12.00 s; at most 10.00 s is required."
     fast = [100.0 * v for v in seen["plan"]["velocity"]]
     assert (
         "limit of velocity of joint 1 was raised"

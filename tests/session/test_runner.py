@@ -182,7 +182,7 @@ def test_work_that_fails_is_said_and_the_rest_lives_on(running, desk):
     session.apply(MoveJoint(0, 0.5), 0.0)
     runner.follow(session, OPEN)
     desk.until(lambda: desk.told)
-    assert desk.told[0] == "The made-up work has failed inside the lab. The rest works on."
+    assert desk.told[0] == "The made-up work has failed inside the lab. The rest of the lab still works."
     session.apply(MoveJoint(0, 0.25), 0.0)
     runner.follow(session, OPEN)
     desk.until(lambda: desk.found)

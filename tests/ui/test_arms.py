@@ -135,7 +135,7 @@ def test_a_lesson_that_keeps_its_arm_shows_the_name_and_says_why_it_is_no_switch
         browser = await student(url, path="/lesson/ik_2r")
         await browser.until(lambda: "arm-name" in browser.html())
         assert 'data-cell="arms"' not in browser.html()
-        assert "kept by the lesson" in browser.html()
+        assert "set by the lesson" in browser.html()
         assert "Two elbows for one point” is about this arm" in browser.html()
         await browser.close()
 

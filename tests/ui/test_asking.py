@@ -75,7 +75,7 @@ def test_several_options_are_gathered_and_handed_in(url):
     async def main():
         browser = await in_lesson(url, "questions")
         await to_step(browser, 2)
-        assert "Choose all that hold." in browser.html()
+        assert "Choose all that apply." in browser.html()
         for option in ("2", "3"):
             await browser.press(f"lesson-choice-{option}")
             await browser.until(lambda option=option: int(option) in pressed(browser))

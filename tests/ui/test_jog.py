@@ -78,14 +78,14 @@ def test_what_cannot_be_jogged_is_off():
 @pytest.mark.parametrize(
     ("mode", "ended", "says"),
     [
-        ("joints", Ended(1, "limit", (0,)), "Limit of joint 1 at 160.0°."),
+        ("joints", Ended(1, "limit", (0,)), "Joint 1 is at its limit of 160.0°."),
         ("joints", Ended(1, "held", (1, 2)), "Joint 2 and joint 3 are held."),
-        ("tool", Ended(1, "limit", (0,)), "Limit of joint 1 at 160.0°: the tool cannot take this step."),
+        ("tool", Ended(1, "limit", (0,)), "Joint 1 is at its limit of 160.0°: the tool cannot take this step."),
         ("base", Ended(1, "reach"), "Out of reach: the tool cannot take this step."),
         (
             "base",
             Ended(1, "singular", (3, 5)),
-            "joint 4 and joint 6 would have to move by more than 20.0° in this step; take smaller ones.",
+            "joint 4 and joint 6 would have to move by more than 20.0° in this step; choose smaller steps.",
         ),
     ],
 )
@@ -122,7 +122,7 @@ def test_a_page_jogs_a_joint_is_told_of_its_limit_and_takes_the_jog_back(url):
         await browser.set_value(browser.slider(1), 158.0)
         await settled(browser)
         await browser.press("jog", f"{jog + 1}:1,0,0,0,0,0")
-        await browser.until(lambda: "Limit of joint 1 at 160.0°." in browser.html())
+        await browser.until(lambda: "Joint 1 is at its limit of 160.0°." in browser.html())
         assert f'data-ended="{jog + 1}"' in browser.html()
         await browser.close()
 

@@ -150,7 +150,7 @@ def test_another_arm_by_hand_and_back(url):
         await browser.open("robot")
         await browser.until(lambda: 'data-cell="planar_3r"' in browser.html())
         await browser.press("planar_3r")
-        await browser.until(lambda: "Another arm is on the table" in browser.html())
+        await browser.until(lambda: "Another arm has been chosen" in browser.html())
         assert "about the Planar 2R" in browser.html()
         await browser.press("lesson-arm")
         await browser.until(lambda: "Not there yet" in browser.html())

@@ -53,7 +53,7 @@ def test_a_check_is_met_by_the_plan_although_another_tab_is_open(url):
         await browser.until(lambda: 'data-cell="time-given"' in browser.html())
         await browser.press("time-given")
         await browser.until(lambda: 'data-cell="duration"' in browser.html())
-        await browser.until(lambda: "; at least 10.00 s is wanted." in piece(browser, "verdict todo"))
+        await browser.until(lambda: "; at least 10.00 s is required." in piece(browser, "verdict todo"))
         await browser.open("joints")
         await browser.press("duration", "10")
         await browser.until(lambda: "✓ Done" in browser.html())

@@ -103,7 +103,7 @@ def judge_file(path: Path, shown: str, key: str) -> Judged:
         return Judged(file, None, f"cannot be read: {error.strerror}")
     except Exception as error:
         # Nobody can list what a forged file may raise, and it must not be in the way of the others.
-        return Judged(file, None, f"this is no work saved by the lab ({type(error).__name__})")
+        return Judged(file, None, f"this is not work saved by the lab ({type(error).__name__})")
 
 
 def _is_work(entry: Path) -> bool:
@@ -121,7 +121,7 @@ def _read(path: Path) -> str:
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise InputError("this is no work saved by the lab: it is not text in UTF-8") from None
+        raise InputError("this is not work saved by the lab: it is not text in UTF-8") from None
 
 
 def _names(paths: Sequence[Path]) -> list[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from armlab.kin.conditioning import POOR
+from armlab.kin.conditioning import NEAR, POOR
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,8 @@ TERMS: tuple[Term, ...] = (
         "Condition number",
         "The largest singular value of the Jacobian over the smallest; the inverse condition is its reciprocal. Metres "
         "and radians are first made comparable, or only rows of one unit are taken. A configuration is called poorly "
-        f"conditioned where the inverse condition is below {POOR:g}.",
+        f"conditioned where the inverse condition is below {POOR:g}, and near a singularity where it is below "
+        f"{NEAR:g}.",
         r"\kappa=\sigma_{max}/\sigma_{min}",
         "microscope",
         ("inverse condition", "well conditioned", "poorly conditioned"),

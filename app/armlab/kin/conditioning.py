@@ -15,6 +15,10 @@ SINGULAR = 1e-9
 POOR = 0.1
 """Inverse condition below which it is poorly conditioned."""
 
+NEAR = 0.03
+"""Inverse condition below which it is called near a singularity: a joint of a poorly conditioned arm then needs a speed
+some thirty times as large for the worst direction as for the best."""
+
 Conditioning = Literal["singular", "poor", "good"]
 
 TITLES: dict[Conditioning, str] = {

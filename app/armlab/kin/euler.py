@@ -25,8 +25,8 @@ SEQUENCES: tuple[str, ...] = TAIT_BRYAN + PROPER
 
 NAMES: Mapping[tuple[str, bool], str] = MappingProxyType(
     {
-        ("zyx", False): "yaw, pitch, roll about moving axes; the same as xyz fixed",
-        ("xyz", True): "roll, pitch, yaw about fixed axes; the same as zyx moving",
+        ("zyx", False): "yaw, pitch, roll about current axes; the same as XYZ about fixed axes",
+        ("xyz", True): "roll, pitch, yaw about fixed axes; the same as ZYX about current axes",
         ("xyz", False): "Cardan angles",
         ("zxz", False): "Euler angles of classical mechanics",
         ("zyz", False): "Euler angles of most robotics books, and of a spherical wrist",

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
+from armlab.kin.conditioning import NEAR
 from armlab.kin.ik.branches import branch_names, features
 from armlab.kin.ik.closed_form import known_structure
 from armlab.kin.spare import task_jacobian
@@ -15,9 +16,8 @@ Branch = tuple[str, ...]
 BORDER = ("straight", "folded", "above", "beside", "beside the axis")
 """Words for being on neither side of a border."""
 
-NEAR, STILL_NEAR = 0.03, 0.045
-"""Smallest singular values of the task Jacobian, with lengths in length scales: below the first a singularity is near,
-and it stays near below the second; 5 and 8 degrees of a wrist."""
+STILL_NEAR = 1.5 * NEAR
+"""Inverse condition below which a singularity stays near that was nearer before, so that no sentence flickers."""
 
 SHARE = 0.3
 """Part of a unit of joint motion from which a joint contributes to a singularity."""
@@ -68,10 +68,13 @@ def crossed(before: Branch, now: Branch) -> str:
 
 
 def near_singularity(arm: Arm, q: NDArray[np.float64], least: float = NEAR) -> str:
-    """Return a sentence on the singularity that a configuration (n,) is near; empty when it is near none."""
+    """Return a sentence on the singularity that a configuration (n,) is near; empty when it is near none.
+
+    It is near one where the inverse condition of the task Jacobian, with lengths in length scales, is below ``least``.
+    """
     J = _scaled(arm, q)
     _, sizes, motions = np.linalg.svd(J, full_matrices=False)
-    if len(sizes) < J.shape[0] or float(sizes[-1]) >= least:
+    if len(sizes) < J.shape[0] or float(sizes[-1]) >= least * float(sizes[0]):
         return ""
     return _named(arm, np.abs(motions[-1]))
 

@@ -228,7 +228,7 @@ class PasteTable(Command):
         if not self.text.strip():
             raise InputError("table: expected a table in CSV, Markdown, LaTeX or TOML, got nothing")
         if re.search(r"[\ud800-\udfff]", self.text):
-            raise InputError("table: expected text that can be written in UTF-8, got halves of characters")
+            raise InputError("table: expected text that can be written in UTF-8, got broken characters")
         if FILE.search(self.text):
             robot = parse_robot(OWN, self.text, "pasted file", proven=False)
         else:
@@ -275,7 +275,7 @@ class RestoreTable(Command):
         """Return the state with the arm of the file."""
         part = state[RobotPart]
         if not part.own or not part.origin:
-            raise InputError("this table did not begin with a robot file; choose an arm from the list")
+            raise InputError("this table does not come from a robot file; choose an arm from the list")
         robot = catalogue()[part.origin]
         same = np.array_equal(robot.arm.revolute, part.robot.arm.revolute)
         return state.with_edited(robot, _same(robot.arm)) if same else state.with_robot(robot)

@@ -48,7 +48,7 @@ def hand_in(state: State) -> str:
     part = state[LessonPart]
     found = part.lesson
     if found is None:
-        raise InputError("lesson: none is open")
+        raise InputError("lesson: no lesson is open")
     data = {
         "format": FORMAT,
         "armlab": VERSION,
@@ -194,11 +194,11 @@ def _loaded(text: str) -> dict[str, Json]:
     try:
         data: dict[str, Json] = json.loads(text)
     except (ValueError, RecursionError):
-        raise InputError("this is no work saved by the lab: it is not JSON") from None
+        raise InputError("this is not work saved by the lab: it is not JSON") from None
     kinds = {"format": int, "student": str, "lesson": str, "variant": int, "digest": str, "progress": dict}
     for name, kind in kinds.items():
         if not isinstance(data, dict) or type(data.get(name)) is not kind:
-            raise InputError(f"this is no work saved by the lab: {name} is missing or not usable")
+            raise InputError(f"this is not work saved by the lab: {name} is missing or not usable")
     if data["format"] != FORMAT:
         raise InputError(f"this file has format {data['format']}; this lab reads format {FORMAT}")
     return data
@@ -267,7 +267,7 @@ def _check_again(found: Lesson, step: Step, evidence: Json, plans: bool) -> tupl
     if not met:
         return False, plain(says)
     noted = " and ".join(step.check.noted)
-    return True, f"Noted only, not judged: {noted}." if noted else ""
+    return True, f"Recorded only, not judged: {noted}." if noted else ""
 
 
 def _answer_again(

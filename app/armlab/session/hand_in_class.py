@@ -40,10 +40,10 @@ def _not_assigned(report: Report, students: Mapping[int, str]) -> str:
     name = _plain(report.student)
     given = [number for number, student in students.items() if _plain(student) == name]
     if not given:
-        return "Nobody of this name is in the list." if name else "The work is not signed."
+        return "There is nobody of this name in the list." if name else "The work is not signed."
     if not lessons()[report.lesson].varies or report.variant in given:
         return ""
-    return f"This is variant {report.variant}; given was {' or '.join(map(str, given))}."
+    return f"This is variant {report.variant}; the one given was {' or '.join(map(str, given))}."
 
 
 def _plain(name: str) -> str:

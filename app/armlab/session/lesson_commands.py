@@ -183,7 +183,7 @@ class Answer(Command):
         if step is None or step.question is None:
             raise InputError("answer: there is no question here")
         if step.question.hide and name in progress.answers:
-            raise InputError("Your prediction is noted; the first one counts.")
+            raise InputError("Your prediction is noted; only the first one counts.")
         verdict = step.question.judge(typed)
         if step.question.hide and verdict.name == "unreadable":
             raise InputError("This cannot be read as an answer; your prediction is still open.")
@@ -200,5 +200,5 @@ class Answer(Command):
 def _lesson(state: State) -> Lesson:
     lesson = state[LessonPart].lesson
     if lesson is None:
-        raise InputError("lesson: none is open")
+        raise InputError("lesson: no lesson is open")
     return lesson

@@ -156,7 +156,9 @@ class Runner(threading.Thread):
             task.pieces = None
         except Exception:
             log.exception("job %s failed", task.job.key)
-            self._post(task.session, Refuse(f"{task.job.title} has failed inside the lab. The rest works on."))
+            self._post(
+                task.session, Refuse(f"{task.job.title} has failed inside the lab. The rest of the lab still works.")
+            )
             task.pieces = None
         else:
             if found is not None:

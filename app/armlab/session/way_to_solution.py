@@ -74,16 +74,16 @@ def another_way(arm: Arm, T: NDArray[np.floating], q: Vector, locked: Sequence[b
 
 def _why_not(found: IkSolutions, others: list[int], q: Vector) -> str:
     if not others:
-        return f"There is no other way. {found.sentence}"
+        return f"There is no other solution. {found.sentence}"
     nearest = min(others, key=lambda k: float(np.linalg.norm(gap(found.arm, found.q[k], q))))
     count = "The only other solution is" if len(others) == 1 else f"All {len(others)} other solutions are"
-    return f"{count} out of limits. {found.names[nearest].capitalize()}: {found.how_far_out[nearest]} its limit."
+    return f"{count} outside the limits. {found.names[nearest].capitalize()}: {found.how_far_out[nearest]} its limit."
 
 
 def _searched(arm: Arm, T: NDArray[np.floating], q: Vector, locked: Sequence[bool], method: str) -> Vector:
     reached = ik.judge(arm, T, q, locked).reached
     if reached and known_structure(arm).free and not any(locked):
-        raise InputError("The arm is there already, and in infinitely many ways: see the page Solutions.")
+        raise InputError("The arm has reached the target, which has infinitely many solutions: see the page Solutions.")
     rng = np.random.default_rng(0)
     for _ in range(OTHER_STARTS):
         start = np.where(locked, q, rng.uniform(arm.limits[:, 0], arm.limits[:, 1]))
@@ -91,4 +91,4 @@ def _searched(arm: Arm, T: NDArray[np.floating], q: Vector, locked: Sequence[boo
         if found.success and float(np.abs(gap(arm, found.q, q)).max()) > HERE:
             return np.asarray(found.q, dtype=np.float64)
     held = " with these joints held" if any(locked) else ""
-    raise InputError(f"No other way to the target was found from {OTHER_STARTS} random starts{held}.")
+    raise InputError(f"No other solution was found from {OTHER_STARTS} random starts{held}.")

@@ -16,7 +16,7 @@ log = logging.getLogger(__name__)
 TURN = 0.02
 """Time, seconds, after which the next student's turn comes, when the present command is done."""
 
-TOO_MANY = "More was asked for than the lab can do at a time; what came last was not done."
+TOO_MANY = "More was asked for than the lab can do at one time; the last request was not carried out."
 
 
 @dataclass

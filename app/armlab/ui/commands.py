@@ -93,7 +93,7 @@ _FIXED: tuple[Shortcut, ...] = (
         "Random pose", "R", "R", lambda view: view.post(RandomPose()), name="random", about=("random joint values",)
     ),
     Shortcut(
-        "Target back to the tool",
+        "Reset the target to the tool",
         "B",
         "B",
         lambda view: view.post(TargetToTool()),

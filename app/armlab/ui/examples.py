@@ -51,6 +51,6 @@ def examples(
         Returns how an example's sentences are set.
     """
     titles = {"": "Choose …", **{key: example.title for key, example in known.items()}}
-    chooser = form.select("example", "Example", titles, chosen, action, "Put one in place")
+    chooser = form.select("example", "Example", titles, chosen, action, "Load an example")
     look = tag("p.kit-look", written(known[chosen].says)) if chosen in known else None
     return joined(tag("div.kit-head", tag("span.dim", label), chooser), look)

@@ -18,17 +18,20 @@ from armlab.ui.markup import row
 from armlab.ui.units import Units, units_of
 
 HINTS = {
-    "joints": "Each joint by steps: click for one, hold to go on",
-    "base": "The tool along and about the axes of frame 0, by inverse kinematics",
-    "tool": "The tool along and about its own axes, by inverse kinematics",
+    "joints": "Move each joint in steps: click for one step, hold to continue",
+    "base": "Move the tool along and about the axes of frame {0}, by inverse kinematics",
+    "tool": "Move the tool along and about its own axes, by inverse kinematics",
 }
 
 KEYS = (
-    ("1 … 9", "jog joint 1 … 9, or the tool along x y z and about them; with Shift the other way; hold to go on"),
+    (
+        "1 … 9",
+        "jog joint 1 … 9, or the tool along and about x, y and z; Shift reverses the direction; hold to continue",
+    ),
     (
         "gamepad",
         "jog: left stick along x and y, right stick along and about z, cross about x and y; A: joints, base or tool; "
-        "shoulder buttons: which joint the left stick moves",
+        "shoulder buttons: choose the joint that the left stick moves",
     ),
 )
 """Keys while the buttons of Jog are seen."""
@@ -49,7 +52,7 @@ def jog_markup(form: Form, state: State, wide: bool = False) -> Inside:
             title,
             Set(Jog, "mode", "" if key == part.mode else key),
             "chip",
-            f"{HINTS[key]}{'. Press again to put the buttons away' if key == part.mode else ''}",
+            f"{HINTS[key]}{'. Press again to hide the buttons' if key == part.mode else ''}",
             pressed=key == part.mode,
             data_jog_mode=key,
         )
@@ -103,9 +106,9 @@ def _pair(form: Form, state: State, units: Units, k: int, offered: bool) -> Mark
         said = f"{'along' if k < 3 else 'about'} {letter}"
     ends = []
     for sign, word, key in (("−", "minus", "Shift+"), ("+", "plus", "")):
-        hint = f"{capitalised(said)}, {word} one step; hold to go on ({key}{k + 1})"
+        hint = f"{capitalised(said)}, {word} one step; hold to continue ({key}{k + 1})"
         if not offered:
-            hint = f"Joint {k + 1} is held" if part.mode == "joints" else "This arm does not control it"
+            hint = f"Joint {k + 1} is held" if part.mode == "joints" else "The task of this arm does not include it"
         ends.append(
             form.button(
                 f"jog {k} {word}", sign, (), "", hint, f"Jog {said} {word}", None, not offered, data_jog=f"{k},{sign}1"
@@ -139,16 +142,17 @@ def ended_words(ended: Ended, state: State, units: Units) -> str:
     if ended.why == "held":
         return f"{capitalised(' and '.join(named))} {'is' if len(named) == 1 else 'are'} held."
     if ended.why == "limit":
-        at = " and ".join(f"{name} at {_limit(joints, i, units)}" for name, i in zip(named, ended.joints, strict=True))
-        return f"Limit of {at}{'' if state[Jog].mode == 'joints' else ': the tool cannot take this step'}."
+        limits = (_limit(joints, i, units) for i in ended.joints)
+        at = " and ".join(f"{name} is at its limit of {limit}" for name, limit in zip(named, limits, strict=True))
+        return f"{capitalised(at)}{'' if state[Jog].mode == 'joints' else ': the tool cannot take this step'}."
     if ended.why == "reach":
         return "Out of reach: the tool cannot take this step."
     near = near_singularity(joints.arm, joints.q)
     turns = joints.arm.revolute[list(ended.joints)]
     sizes = ((units.angle(FARTHEST), turns.any()), (units.length(FARTHEST * joints.arm.length_scale), not turns.all()))
     most = " or ".join(size for size, used in sizes if used)
-    why = f"{' and '.join(named)} would have to move by more than {most} in this step; take smaller ones"
-    return f"{capitalised(near)}: {why}." if near else f"Beside a singularity: {why}."
+    why = f"{' and '.join(named)} would have to move by more than {most} in this step; choose smaller steps"
+    return f"{capitalised(near)}: {why}." if near else f"The step is too large: {why}."
 
 
 def _limit(joints: Joints, i: int, units: Units) -> str:

@@ -22,7 +22,7 @@ _SIGN: Markup = tag(
 
 def large_button(form: Form, action: Pressed, cell: str = "large") -> Markup:
     """Return the button that shows a plot large."""
-    return form.button(cell, _SIGN, action, "copy", "Large, below the scene (X)", "Enlarge", data_key=KEY)
+    return form.button(cell, _SIGN, action, "copy", "Show large, below the scene (X)", "Enlarge", data_key=KEY)
 
 
 class LargeChart:

@@ -34,7 +34,7 @@ class Notices:
     def replaced(self, now: RobotPart, before: RobotPart) -> None:
         """Tell that an example has put its own arm on the table."""
         if now.replaced and now is not before:
-            text = f"The example is about the {now.robot.name}. Undo (Ctrl+Z) brings back the {now.replaced}."
+            text = f"This example uses the {now.robot.name}. Undo (Ctrl+Z) brings back the {now.replaced}."
             self._say("Another arm", text, "blue")
 
     def elsewhere(self, lesson: Lesson | None) -> None:

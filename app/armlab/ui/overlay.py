@@ -160,8 +160,8 @@ class Overlay:
         """Return the arm's name, which is the switch to another one unless a lesson keeps the arm."""
         name, lesson = name_of(state[RobotPart]), state[LessonPart].lesson
         if lesson is not None and "robot" in lesson.locked:
-            why = f"The lesson “{lesson.title}” is about this arm. Your own sandbox, in the lesson, has all of them."
-            return tag("span.arm-name", tag("b", name), tag("small", "kept by the lesson"), title=why)
+            why = f"The lesson “{lesson.title}” is about this arm. Its button “My sandbox” lets you choose any arm."
+            return tag("span.arm-name", tag("b", name), tag("small", "set by the lesson"), title=why)
         inside = tag("b", name), tag("span", "▾", aria_hidden="true")
         about = f"{name}: choose another arm, or make a new one"
         return self._form.button("arms", inside, self._open_arms, "arm-name", about, about, aria_haspopup="dialog")
@@ -176,7 +176,7 @@ class Overlay:
             says, way = "A shared arm", self._form.button("own", "‹ Back to my work", BackFromShared(), "chip")
         elif former is not None:
             back = f"‹ Back to {former.name}" if former.name.startswith("My ") else f"‹ Back to my {former.name}"
-            stay = "Stay with the lesson's arm"
+            stay = "Keep the lesson's arm"
             says = "The lesson is closed"
             way = (
                 self._form.button("former", back, BackToFormer(), "chip"),

@@ -30,7 +30,7 @@ NOTATION = {
     "angle": Setting(
         "Angles in",
         {"deg": "°", "rad": "rad"},
-        "Labels only: nothing is computed differently",
+        "Only what is shown changes, not what is computed",
         {"deg": ("degrees", "units"), "rad": ("radians", "units")},
     ),
     "length": Setting(
@@ -48,13 +48,13 @@ NOTATION = {
     "book": Setting(
         "Table as in",
         {key: book.title for key, book in BOOKS.items()},
-        "Order of the columns and letters; standard or modified is chosen with the table",
+        "Order and letters of the columns; standard or modified is chosen with the table",
         dict.fromkeys(BOOKS, ("textbook", "notation", "DH table")),
     ),
     "notes": Setting(
         "Course notes",
         {"off": "Off", "on": "On"},
-        "Equation numbers and errata of the course notes beside what they are about",
+        "Show equation numbers and errata of the course notes where they belong",
         dict.fromkeys(("off", "on"), ("equation numbers", "errata", "references")),
     ),
 }

@@ -44,14 +44,14 @@ class Switch:
 SKELETON = Switch(
     "skeleton",
     "Skeleton",
-    "Textbook symbols instead of bodies: cylinders turn, boxes slide.",
+    "Textbook symbols instead of bodies: cylinders are revolute joints, boxes prismatic ones.",
     "K",
     about=("stick figure", "schematic"),
 )
 SHADOWS = Switch(
     "shadows",
     "Shadows",
-    "Without them the picture moves twice as fast on a weak graphics processor.",
+    "Without shadows the picture is drawn twice as fast on a weak graphics processor.",
     default=True,
     about=("slow picture", "graphics"),
 )

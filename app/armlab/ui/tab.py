@@ -158,7 +158,7 @@ class Tab:
         self._show = None
         self._gui.clear()
         name = self.pages[self._built].name
-        self._gui.html(verdict_box("no", f"{name} has failed", "The rest works on."))
+        self._gui.html(verdict_box("no", f"{name} has failed", "The rest of the lab still works."))
         return None
 
 

@@ -63,8 +63,8 @@ class Picture:
     drawn : sequence of Drawn
         What comes later lies above.
     levels : sequence of Level
-    marks : sequence of float
-        Values of x at which a thin line stands, such as the ends of legs.
+    marks : sequence of (str, float)
+        Name and value of x of thin upright lines, such as one at a cutoff frequency.
     across, up : (float, float) or None
         Ranges that are seen at first; None lets the page choose them.
     log : bool
@@ -79,7 +79,7 @@ class Picture:
     x: str
     drawn: Sequence[Drawn]
     levels: Sequence[Level] = ()
-    marks: Sequence[float] = ()
+    marks: Sequence[tuple[str, float]] = ()
     across: Range | None = None
     up: Range | None = None
     log: bool = False
@@ -114,7 +114,7 @@ class Picture:
             "x": self.x,
             "curves": curves,
             "levels": [{"name": at.name, "value": at.value, "colour": list(at.colour)} for at in self.levels],
-            "marks": [float(at) for at in self.marks],
+            "marks": [{"name": name, "value": float(at)} for name, at in self.marks],
             "across": self.across,
             "up": self.up,
             "log": self.log,

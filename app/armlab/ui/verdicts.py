@@ -37,7 +37,7 @@ def _shortfall(verdict: Verdict, units: Units) -> str:
     if verdict.position_error >= 5e-5:
         said.append(f"{units.length(verdict.position_error)} short")
     if verdict.rotation_error >= math.radians(0.05):
-        said.append(f"{units.angle(verdict.rotation_error)} turned away")
+        said.append(f"orientation error {units.angle(verdict.rotation_error)}")
     return ", ".join(said) or f"within {units.length(1e-4)} and {units.angle(math.radians(0.1))}"
 
 

@@ -13,7 +13,7 @@ from armlab.ui.form import Form
 from armlab.ui.html import Markup, tag
 
 LESSONS = {
-    "joint_types": ("Joints that turn or slide", "Read a chain from the table to the hand."),
+    "joint_types": ("Joints that turn or slide", "Read a kinematic chain from its base to its tool."),
     "first_arm": ("Where is the hand?", "Two angles, and the point they lead to."),
     "ik_2r": ("Two elbows for one point", "The way back: from the point to the angles."),
 }
@@ -46,25 +46,25 @@ STOPS = (
     Stop(
         "handle",
         "Drag the handle",
-        "Pull one of its arrows: the arm follows by inverse kinematics. The line at the bottom says whether the tool "
-        "gets there, and what stops it.",
+        "Pull one of its arrows: the arm follows by inverse kinematics. The line at the bottom says whether the "
+        "tool reaches the target and, if not, why.",
     ),
     Stop(
         "sliders",
         "Move single joints",
-        "One slider for each joint. Undo with Ctrl+Z whatever you do.",
+        "There is one slider for each joint. Ctrl+Z undoes whatever you do.",
         opens="joints",
         tab="joints",
     ),
     Stop(
         "arm",
         "Choose an arm",
-        "The name is the switch: all arms of the lab as pictures, and New arm for one of your own.",
+        "Press the name to see pictures of all arms of the lab, and New arm for one of your own.",
     ),
     Stop(
         "lessons",
         "Learn with lessons",
-        "They ask, look at what you do on the arm, and give hints. Your progress is kept.",
+        "Lessons ask questions, check what you do with the arm, and give hints. Your progress is saved.",
         tab="lessons",
     ),
 )
@@ -89,14 +89,14 @@ def _card(form: Form) -> Markup:
         for key, (title, about) in LESSONS.items()
     ]
     tour = form.button("start-tour", "Show me around", tour_from(0), "main", f"A tour of {len(STOPS)} stops")
-    shut = form.button("welcome-leave", "✕", LeaveWelcome(), "chip", "Close; Help has it again", "Close")
+    shut = form.button("welcome-leave", "✕", LeaveWelcome(), "chip", "Close; you will find it again in Help", "Close")
     head = tag("header", tag("h2", "Start here"), shut)
     return tag("section.al-over.al-card", head, lessons, tour, aria_label="Start here")
 
 
 def _stop(form: Form, number: int) -> Markup:
     stop, last = STOPS[number], number == len(STOPS) - 1
-    leave = "Leave the tour; Help has it again"
+    leave = "Leave the tour; you will find it again in Help"
     shut = form.button("welcome-leave", "✕", LeaveWelcome(), "chip", leave, "Leave the tour")
     back = form.button("tour-back", "‹ Back", tour_from(number - 1), "chip") if number else None
     word, way = ("Done", (LeaveWelcome(),)) if last else ("Next ›", tour_from(number + 1))

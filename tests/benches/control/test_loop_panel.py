@@ -3,6 +3,7 @@
 import math
 import re
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from armlab.benches.control.exponential.ui.plane import plane
 from armlab.benches.control.loop.examples import EXAMPLES, ChooseLoopExample
 from armlab.benches.control.loop.state import Loop
 from armlab.benches.control.loop.ui import page as loop
+from armlab.benches.control.loop.ui.large import Responses
 from armlab.benches.control.loop.ui.pictures import bode, diagram
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -171,3 +173,11 @@ def test_the_frequency_response_is_drawn_from_edge_to_edge():
     assert [name in picture for name in (">dB<", ">°<", ">ω, rad/s<")] == [True] * 3
     assert ">−90<" in picture
     assert ">−1.57<" in bode(part, Units(Notation(angle="rad")))
+
+
+def test_the_line_at_the_cutoff_frequency_says_what_it_is():
+    part, units, charts = Loop(), Units(Notation()), []
+    Responses(SimpleNamespace(enlarges=charts.append), units).show(part)
+    assert bode(part, units).count(">cutoff K/M<") == len(charts) == 2
+    for chart in charts:
+        assert chart.picture().described(100)[0]["marks"] == [{"name": "cutoff 10 rad/s", "value": 10.0}]

@@ -225,7 +225,7 @@ def test_the_fastest_intervals_are_found_and_taken(url):
         await browser.until(lambda: "need both v_max and a_max" in browser.html())
         await choose(browser, "fastest")
         await browser.press("fastest")
-        await browser.until(lambda: "With h<sub>k</sub> by distance" in browser.html())
+        await browser.until(lambda: "With h<sub>k</sub> in proportion" in browser.html())
         assert "T = Σh 4 3.932" in " ".join(text_of(browser.html()).split())
         await browser.press("take-fastest")
         await browser.until(lambda: "✓ Curve 1 keeps the limits." in text_of(browser.html()))
@@ -257,7 +257,7 @@ def test_the_curves_are_plotted_with_their_knots_and_saved(url):
 def test_what_was_given_to_a_curve_is_said_with_units():
     scale = Scale("rad")
     blends, law = part_of("blends").curves[1], part_of("degree_15").curves[0]
-    assert "blend time: 1.6 s; at the first and last knot: already moving, as in the notes" in lowered(
+    assert "blend time: 1.6 s; at the first and last knot: already moving⟦, as in the notes⟧" in lowered(
         text_of(_summary(blends, scale)).strip()
     )
     assert "Velocity at the start: 0.7 rad/s; velocity at the end: −0.4 rad/s" in _summary(

@@ -105,10 +105,10 @@ def test_trapezoid_and_triangle_are_told_apart_in_words():
     just = bench(ChooseLawExample("triangle"), SetQuantity("distance", 1.0))
     assert "L = 1 = V²/A = 1" in phases_text(just, 0)
     without = bench(ChooseLawExample("triangle"), SetQuantity("speed", None))
-    assert phases_text(without, 0).startswith("Triangle: there is no V to reach")
+    assert phases_text(without, 0).startswith("Triangle: there is no limit V")
     ends = example("end_speeds")
     assert (
-        phases_text(ends, 0) == "Trapezoid of speed: speeds up for 0.35 s, goes on at 1 1/s for 1.112 s, slows "
+        phases_text(ends, 0) == "Trapezoid of speed: speeds up for 0.35 s, moves at 1 1/s for 1.112 s, slows "
         "down for 0.2 s."
     )
     assert phases_text(ends, 1) == ""
@@ -145,7 +145,7 @@ def test_the_optimal_time_scaling_both_ways(truth, name, key):
     assert scaled.stretched.duration == pytest.approx(expected["T_s"], abs=10 * tol)
     assert example(key).k == pytest.approx(expected["k"], abs=tol)
     assert ("slower" in optimal_text(part)) == (expected["k"] > 1.0)
-    assert "V is met exactly" in optimal_text(part)
+    assert "V is just reached" in optimal_text(part)
 
 
 def test_time_scaling_divides_accelerations_by_k_squared(truth):

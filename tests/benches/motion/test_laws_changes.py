@@ -54,7 +54,7 @@ def test_laws_are_added_chosen_and_taken_away():
     # The law that is stretched stays the same one where its place changes.
     assert after(Set(Laws, "scaled", 1), RemoveLaw(0), state=state)[Laws].scaled == 0
     one = after(Set(Laws, "scaled", 2), RemoveLaw(1), RemoveLaw(0), state=state)
-    with pytest.raises(InputError, match="the last law stays"):
+    with pytest.raises(InputError, match="the last law cannot be removed"):
         apply(one, RemoveLaw(0))
     assert apply(one, AddLaw())[Laws].entries[1].colour == 0
     assert apply(one, ChooseLaw(0, one[Laws].entries[0].chosen.key)) is one
@@ -237,7 +237,7 @@ def test_limits_a_law_needs_are_asked_for():
         apply(fast, ChooseLaw(0, "double_s"))
     with pytest.raises(InputError, match="at least one of velocity, acceleration and jerk"):
         after(SetQuantity("speed", None), SetQuantity("acceleration", None), AsFastAsAllowed(True))
-    assert "V, A, J: none is given" in optimal_text(bench(ChooseLawExample("same_time")))
+    assert "V, A, J: no limit is given" in optimal_text(bench(ChooseLawExample("same_time")))
     with pytest.raises(InputError, match="none is given"):
         after(ChooseLawExample("same_time"), StretchOptimally())
 

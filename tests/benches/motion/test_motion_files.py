@@ -176,7 +176,8 @@ def test_a_table_is_read_made_waypoints_of_and_taken_back(url):
         await browser.press("read-motion", text)
         await browser.until(lambda: 'data-cell="by-shape"' in browser.html())
         await browser.press("count", "1")
-        await browser.until(lambda: "waypoints: expected a whole number from 2 to 20, got &#39;1&#39;" in browser.html())
+        refusal = "waypoints: expected a whole number from 2 to 20, got &#39;1&#39;"
+        await browser.until(lambda: refusal in browser.html())
         await browser.press("count", "5")
         await browser.until(lambda: 'value="5"' in browser.html())
         await browser.press("by-time")

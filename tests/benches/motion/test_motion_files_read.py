@@ -59,7 +59,7 @@ def test_a_table_has_units_in_its_header_and_the_motion_in_its_rows():
 
 def test_too_many_samples_are_refused_with_their_number():
     state = opened()
-    with pytest.raises(InputError, match=rf"10000 make \d+ rows of 20 s; expected at most {MOST_SAMPLES} rows"):
+    with pytest.raises(InputError, match=rf"10000 give \d+ rows for 20 s; expected at most {MOST_SAMPLES} rows"):
         table(with_planned(apply(state, LastFor(20.0))), 10_000.0)
     for rate in (0.0, -1.0, float("nan"), float("inf"), 10_001.0):
         with pytest.raises(InputError, match="samples a second: expected more than 0 and at most 10000"):
@@ -158,7 +158,7 @@ WRONG = {
     "t,q1\n0,0\n1,0": "row 1: no column q2; there are: t, q1",
     "t,q1,q2,q3\n0,0,0,0": "row 1, column q3: there is no joint 3; this arm has joints 1 to 2",
     "t,q1,q2,q2_deg\n0,0,0,0": "row 1: joint 2 is there twice, in columns q2 and q2_deg",
-    "t,q1_mm,q2\n0,0,0": "column q1_mm: expected joint 1, which turns, in rad, deg, degrees, °, got 'mm'",
+    "t,q1_mm,q2\n0,0,0": "column q1_mm: expected joint 1, which is revolute, in rad, deg, degrees, °, got 'mm'",
     "t_h,q1,q2\n0,0,0": "column t_h: expected the time in s, sec, seconds, ms, got 'h'",
     "0,0,0,0\n1,0,0,0": "expected the names time, q1 to q2, or 3 numbers in this order, got 4 numbers",
     "t,q1,q2\n0,0,0\n\n1,nan,0": "row 4, column q1: expected a finite number, got 'nan'",

@@ -106,7 +106,7 @@ BROKEN = [
     ('{"format": "other"}', 'expected a file with "format": "armlab plan"'),
     (("version",), 2, "expected version 1 of the format, got 2"),
     (("robot",), "pumpa560", "unknown name 'pumpa560'"),
-    (("robot",), {"toml": "nonsense"}, "plan: the file does not hold what a plan needs"),
+    (("robot",), {"toml": "nonsense"}, "plan: the file lacks what a plan needs"),
     (("plan",), [], "plan: expected waypoints and moves by name"),
     (("plan", "waypoints"), [], "expected 1 to 100 waypoints"),
     (("plan", "waypoints"), {}, "plan, waypoints: expected a list"),

@@ -292,15 +292,15 @@ def test_the_page_says_what_keeps_a_motion_from_being_run_or_from_being_faster()
         return status(planned, planned.figures, planned.overruns)
 
     assert "being planned" in status(None, None, ())
-    assert "One waypoint is no motion" in said(state_of("planar_2r", [[0.1, 0.2]]))
+    assert "A motion needs two waypoints" in said(state_of("planar_2r", [[0.1, 0.2]]))
     assert "✓ All limits are kept" in said(state_of("puma560"))
     assert "The velocity limit of joint 1 keeps the motion from being faster." in said(state_of("puma560"))
     slow = said(state_of("puma560", None, LastFor(20.0)))
-    assert re.search(r"None is met: as fast as allowed the motion takes \d\.\d\d s\.", slow)
+    assert re.search(r"None is reached: as fast as allowed, the motion would take \d\.\d\d s\.", slow)
     fast = said(state_of("puma560", None, LastFor(0.5)))
     assert "✕ Joints 1, 2, 3, 4, 5 and 6 exceed their acceleration limits from 0.00 to" in fast
-    assert "Within the limits this way takes" in fast
-    for reached, head in ((0, "✕ There is nothing to plot."), (1, "✕ Only the moves before can be run")):
+    assert "Within the limits this path takes" in fast
+    for reached, head in ((0, "✕ There is nothing to plot."), (1, "✕ The motion cannot be run to its end")):
         blocked = out_of_reach(reached)
         assert head in said(blocked)
         assert f"Move {reached + 1} → {reached + 2}: " in said(blocked)
@@ -326,11 +326,11 @@ def test_the_comparison_says_who_is_faster_and_why():
         return comparison(planned, planned.figures, other, other.figures, UNITS)
 
     slides = said("cartesian_3p")
-    assert "all joints slide, so that a straight line in joint space is a straight line of the tool" in slides
+    assert "all joints are prismatic, so that a straight line in joint space is a straight line of the tool" in slides
     puma = said("puma560")
     assert re.search(r"Joint moves are faster: [\d.]+ s instead of [\d.]+ s, although the tool goes farther\.", puma)
     assert "Cartesian moves are held back by the acceleration limit of joint" in puma
-    assert "way, mm" in puma
+    assert "tool path, mm" in puma
     given = said("puma560", LastFor(9.0))
     assert "Within the limits joint moves are faster" in given
     assert "<td>within limits, s</td>" in given

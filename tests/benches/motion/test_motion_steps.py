@@ -77,7 +77,7 @@ def test_the_numbers_of_the_steps_are_those_of_the_plan():
     assert " ".join(f"{q:.1f}" for q in np.degrees(found.knot_q[0])).replace("-", "−") in knots
     assert "point to point" in knots
     length = np.linalg.norm(found.knot_poses[1, :3, 3] - found.knot_poses[0, :3, 3])
-    assert f"length of the way {1e3 * length:.1f} mm" in path
+    assert f"length of the path {1e3 * length:.1f} mm" in path
     assert "straight between" not in path
     assert f"turns through {np.degrees(found.turn):.1f}°" in path
     assert f"farthest neighbours {1e3 * length / 3:.1f} mm" in sampling
@@ -86,17 +86,17 @@ def test_the_numbers_of_the_steps_are_those_of_the_plan():
     assert "solved 4 of 4 samples" in inverse
     assert found.branch in inverse
     k = found.apart.worst
-    assert f"farthest apart {1e3 * found.apart.distance[k]:.1f} mm at s = {found.apart.s[k]:.2f}" in joints
+    assert f"largest distance {1e3 * found.apart.distance[k]:.1f} mm at s = {found.apart.s[k]:.2f}" in joints
     assert f"drawn {found.larger:g} times as large" in joints
     assert f"takes {found.leg.motion.duration:.2f} s" in joints
 
 
 def test_what_is_drawn_larger_or_exact_is_said_so():
     exact = texts(words.joints(looked("cartesian_3p", SetMove(1, space="cartesian")), UNITS, COLOURS))
-    assert "farthest apart 0 mm but for rounding" in exact
+    assert "largest distance 0 mm, apart from rounding" in exact
     assert "times as large" not in exact
     dense = texts(words.joints(looked("planar_2r", SetMove(1, space="cartesian")), UNITS, COLOURS))
-    assert re.search(r"farthest apart \d\.\d·10⁻. mm at s", dense)
+    assert re.search(r"largest distance \d\.\d·10⁻. mm at s", dense)
     assert "times as large" not in dense
 
 
@@ -106,7 +106,7 @@ def test_a_joint_move_says_what_it_leaves_out():
     assert "nothing is interpolated in space" in path
     assert "nothing to sample" in sampling
     assert "solved 2 times" in inverse
-    assert f"farthest apart {1e3 * found.apart.distance.max():.1f} mm" in joints
+    assert f"largest distance {1e3 * found.apart.distance.max():.1f} mm" in joints
     heads = [texts(words.head_of(k, found)) for k in (1, 2, 3, 4, 5)]
     assert ["left out" in head for head in heads] == [False, True, True, False, False]
 
@@ -115,8 +115,8 @@ def test_a_knot_that_is_reached_in_another_way_than_it_was_stored_is_told():
     arms = {
         key: texts(words.inverse(looked(key, SetMove(1, space="cartesian")), UNITS)) for key in ("panda", "puma560")
     }
-    assert "Waypoint 2 is reached on the branch the move began on" in arms["panda"]
-    assert "not as it was stored" not in arms["puma560"]
+    assert "Waypoint 2 is reached on the branch on which the move began" in arms["panda"]
+    assert "not in its stored configuration" not in arms["puma560"]
 
 
 def test_a_path_that_cannot_be_followed_says_where_and_why():
@@ -124,7 +124,7 @@ def test_a_path_that_cannot_be_followed_says_where_and_why():
     *_, inverse, joints = (texts(each) for each in everything(found))
     assert f"✕ {found.followed.stops[0].sentence}" in inverse
     assert f"solved {found.followed.reached.sum()} of 201 samples" in inverse
-    assert "not one motion" in inverse
+    assert "not form one motion" in inverse
     assert "There is no motion of the joints." in joints
     assert "out of reach" in joints
 
@@ -302,8 +302,8 @@ def test_a_joint_move_leaves_steps_out_and_draws_straight_lines(url):
         await browser.until(lambda: scene.shown() >= {"path", "arms", "result", "gap"})
         found = looked("scara")
         assert f"{1e3 * found.apart.distance.max():.1f} mm apart" in scene.texts
-        assert "Turning joints, °" in browser.html()
-        assert "Sliding joints, mm" in browser.html()
+        assert "Revolute joints, °" in browser.html()
+        assert "Prismatic joints, mm" in browser.html()
         await browser.close()
 
     run(main())
@@ -315,7 +315,7 @@ def test_one_waypoint_makes_no_motion(url):
         await browser.open("motion")
         await browser.press("remove-1")
         await browser.open("motion_steps")
-        await browser.until(lambda: "One waypoint makes no motion" in browser.html())
+        await browser.until(lambda: "A motion needs two waypoints" in browser.html())
         await browser.close()
 
     run(main())

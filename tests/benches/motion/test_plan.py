@@ -121,7 +121,7 @@ def test_a_given_time_is_kept_and_what_it_exceeds_is_said():
     said = judged(planned)
     assert said.kind == "no"
     assert any("velocity" in line for line in said.lines)
-    least = re.search(r"takes ([\d.]+) s at least", " ".join(said.lines))
+    least = re.search(r"takes at least ([\d.]+) s", " ".join(said.lines))
     assert planned.fastest <= float(least[1]) < planned.fastest + 0.01
     assert judged(worked_out(after(state, LastFor(float(least[1]))))).kind == "ok"
     assert Feasible.OVER_LIMIT in planned.legs[0].worth
@@ -301,7 +301,7 @@ def test_a_dragged_waypoint_follows_and_out_of_reach_it_is_kept_and_said():
         ((LimitJerk(-1.0),), "jerk time: expected a positive number"),
         ((SampleBy(1),), "samples: expected a whole number from 2"),
         ((SetMove(1, path="circle"),), "takes 3 waypoints"),
-        ((SetMove(1, path="helix"),), "is none in joint space"),
+        ((SetMove(1, path="helix"),), "is not available in joint space"),
         ((SetMove(0, law="cubic"),), "waypoint 1: the motion begins there"),
         ((SetMoveOption(1, "law", "ramp", 0.7),), "ramp"),
         ((SetMoveOption(1, "path", "nonsense", 1.0),), "nonsense"),

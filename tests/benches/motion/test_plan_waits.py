@@ -81,7 +81,7 @@ def test_a_given_time_is_that_of_the_whole_and_waits_keep_theirs():
     assert found.legs[1].start - found.legs[0].arrival == pytest.approx(1.5)
     said = judged(worked_out(after(state, LastFor(1.5))))
     assert said.kind == "no"
-    assert said.lines[0] == "duration: the motion is to last 1.5 s, and the waits alone take 1.5 s"
+    assert said.lines[0] == "duration: expected more than the 1.5 s of the waits, got 1.5 s"
 
 
 def test_what_is_out_of_range_or_unknown_is_refused_in_words_and_nothing_changes():

@@ -100,7 +100,7 @@ def test_a_curve_with_times_of_its_own_is_moved_in_them():
         ((TypeFormula(0, "1/s"),), r"x\(s\) at s = 0: .*division by zero"),
         ((TypeFormula(0, "sin(3000 s)"),), "changes too quickly"),
         ((TypeFormula(0, ""),), r"x\(s\): expected a formula"),
-        ((TypeFormula(0, "2"), TypeFormula(1, "2"), TypeFormula(2, "2")), "stays in one point"),
+        ((TypeFormula(0, "2"), TypeFormula(1, "2"), TypeFormula(2, "2")), "stays at one point"),
         ((Set(SpaceCurve, "duration", 0.0),), "T: expected 0.05 to 120 s, got 0"),
         ((Set(SpaceCurve, "duration", math.nan),), "duration: expected"),
         ((ChooseCurve("nothing"),), "unknown name"),

@@ -100,7 +100,7 @@ def test_the_turn_is_shown_with_both_ways_and_takes_the_tool(url):
     async def main():
         browser = await at_geometry(url)
         await browser.press("example", "wander")
-        await browser.until(lambda: "whole angle" in browser.html())
+        await browser.until(lambda: "total angle" in browser.html())
         html = browser.html()
         assert "<td>102.6°</td><td>120.0°</td>" in html
         assert "6.152" not in html

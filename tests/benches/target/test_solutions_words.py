@@ -5,7 +5,8 @@ import math
 import numpy as np
 
 from armlab.benches.target.solutions.state import GoToSolution
-from armlab.session.branch_words import NEAR, STILL_NEAR, near_singularity
+from armlab.kin.conditioning import NEAR
+from armlab.session.branch_words import STILL_NEAR, near_singularity
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.target import DragTarget, Target, _placed, target_pose, verdict
 from armlab.session.state import apply

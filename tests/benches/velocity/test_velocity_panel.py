@@ -28,6 +28,7 @@ from armlab.benches.velocity.turning.ui.numbers import form_markup, laws_markup,
 from armlab.benches.velocity.turning.ui.scene import axes_marks, omega_marks
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
+from armlab.kin.conditioning import POOR
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.notation import Notation
@@ -154,12 +155,20 @@ def test_units_are_those_that_were_chosen():
 
 def test_a_singular_angle_says_what_is_lost():
     regular = rates_markup(opened())
-    assert "✓ Regular" in regular
+    assert "✓ Well conditioned" in regular
     singular = rates_markup(opened("planar_2r", SetTurning("angles", 1, np.pi / 2)))
     assert "✕ Singular" in singular
     assert "no rates turn the body about the axis across" in singular
     near = rates_markup(opened("planar_2r", SetTurning("angles", 1, np.pi / 2 - 0.05)))
-    assert "Rates up to 1/|det T| = 20.0 times" in near
+    assert "◐ Poorly conditioned" in near
+    assert "1/|det T| = 20.0 times as large" in near
+
+
+def test_a_poor_angle_is_poor_by_the_same_number_as_a_poor_jacobian():
+    # Of two axes at an angle θ and one across both, σ_min/σ_max = tan θ/2.
+    border = 2.0 * np.arctan(POOR)
+    for k, says in ((0.99, "Poorly conditioned"), (1.01, "Well conditioned")):
+        assert says in rates_markup(opened("planar_2r", SetTurning("angles", 1, np.pi / 2 - k * border)))
 
 
 def test_the_analytic_jacobian_of_the_tool_is_there_or_says_why_not():

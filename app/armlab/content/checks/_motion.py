@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from armlab.content.check import signed
 
-NOT_PLANNED = "The motion is not worked out yet."
+NOT_PLANNED = "The motion has not been planned yet."
 """Sentence for a motion that is not planned yet, or is being planned."""
 
 

@@ -69,7 +69,7 @@ class PoseGoal:
         asked = self.rotation
         named = self._about_another_axis(R) or self._in_other_order(R)
         if self._near(R, asked.T):
-            return "the rotation is the transposed one, the inverse of what is asked."
+            return "the rotation is the transposed one, the inverse of the one asked for."
         if named:
             return named
         off = np.arccos(np.clip(np.sum(R * asked, axis=0), -1.0, 1.0))
@@ -89,7 +89,7 @@ class PoseGoal:
         signed = float(angle) * float(np.sign(axis[right]))
         for k, name in enumerate("xyz"):
             if k != right and any(self._near(R, rotation_about(name, turn)) for turn in (signed, -signed)):
-                return f"it is turned about {name} instead of {'xyz'[right]}."
+                return f"it is rotated about {name} instead of {'xyz'[right]}."
         return ""
 
     def _in_other_order(self, R: Matrix) -> str:

@@ -48,7 +48,7 @@ FEATURES = (
         ("up", "down"),
         lambda arm: arm.planar or arm.turning,
         Branches.elbow,
-        "a planar arm of two or three turning joints, or one whose axis 1 turns the plane of a shoulder and an elbow",
+        "a planar arm of two or three revolute joints, or one whose axis 1 turns the plane of a shoulder and an elbow",
         "stretched, folded, or straight above its shoulder",
     ),
     Feature(
@@ -92,9 +92,9 @@ class Branch:
         """Return a sentence on the first branch that differs."""
         found = self._first_wrong(observation)
         if found is None:
-            return "The arm stands in the branch that is asked."
+            return "The arm is on the branch that is asked for."
         feature, asked, is_now = found
-        wanted = f"the branch asked is {feature.field} {_word(feature, asked)}"
+        wanted = f"the branch asked for is {feature.field} {_word(feature, asked)}"
         if is_now == "neither":
             return f"The arm is {feature.neither}, between two branches; {wanted}."
         return f"This is {feature.field} {_word(feature, is_now)}, the mirror branch; {wanted}."

@@ -68,7 +68,7 @@ class FactIs:
         title = self.titled(seen.title if seen else self.fact)
         if seen is None or value is None:
             return f"{title[:1].upper()}{title[1:]}: not known yet."
-        asked = "" if self.is_met(observation) else f" Asked: {self.asked(seen.unit, words)}."
+        asked = "" if self.is_met(observation) else f" Required: {self.asked(seen.unit, words)}."
         return f"{title[:1].upper()}{title[1:]}: {said(value, seen.unit, words)}.{asked}"
 
     def titled(self, title: str) -> str:

@@ -38,8 +38,8 @@ class FromLimits:
         j = int(np.flatnonzero(rooms < self.least - ROUNDING)[0])
         written = words.angle if observation.arm.revolute[j] else words.length
         return (
-            f"Joint {j + 1} is {written(float(rooms[j]))} from its limit; at least {written(float(self.least[j]))} are "
-            "wanted."
+            f"Joint {j + 1} is {written(float(rooms[j]))} from its limit; at least "
+            f"{written(float(self.least[j]))} are required."
         )
 
 

@@ -57,7 +57,7 @@ class JointsAt:
     def _mistake(self, observation: Observation) -> str:
         q = observation.q
         if self._is_at(-q):
-            return "All joints have the right size and the wrong sign."
+            return "All joint values have the right size and the wrong sign."
         if self._is_at(q[::-1]) and len(q) > 2:
             return "The values are right, but in reverse order."
         for i, k in combinations(range(len(q)), 2):
@@ -66,7 +66,7 @@ class JointsAt:
             if self.revolute[i] == self.revolute[k] and self._is_at(exchanged):
                 return f"The values of joints {i + 1} and {k + 1} are exchanged."
         if self._missing(q).max() > ANOTHER_BRANCH and self._is_another_branch(observation):
-            return "The tool is in the right place, but the arm gets there in another way: this is another branch."
+            return "The tool is in the right place, but in another configuration of the arm: this is another branch."
         return ""
 
     def _is_another_branch(self, observation: Observation) -> bool:

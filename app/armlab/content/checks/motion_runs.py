@@ -56,22 +56,22 @@ class MotionRuns:
         if not motion.within:
             return f"The motion exceeds a limit; within all limits it takes at least {seconds(motion.fastest)}."
         if motion.waypoints < self.waypoints:
-            return f"The motion has {motion.waypoints} waypoints; at least {self.waypoints} are wanted."
+            return f"The motion has {motion.waypoints} waypoints; at least {self.waypoints} are required."
         return self._wrong_time(motion) or self._too_much(motion, words)
 
     def _wrong_time(self, motion: SeenMotion) -> str:
         takes = f"The motion takes {seconds(motion.duration)};"
         if self.most is not None and motion.duration > self.most + ROUNDING_S:
-            return f"{takes} at most {seconds(self.most)} is wanted."
+            return f"{takes} at most {seconds(self.most)} is required."
         if self.least is not None and motion.duration < self.least - ROUNDING_S:
-            return f"{takes} at least {seconds(self.least)} is wanted."
+            return f"{takes} at least {seconds(self.least)} is required."
         return ""
 
     def _too_much(self, motion: SeenMotion, words: Words) -> str:
         if self.deviation is not None and motion.deviation > self.deviation:
             return (
                 f"The tool leaves its path by {words.length(motion.deviation)}; at most "
-                f"{words.length(self.deviation)} is wanted."
+                f"{words.length(self.deviation)} is required."
             )
         shares = (
             ("velocity", motion.velocity, self.velocity),
@@ -79,7 +79,7 @@ class MotionRuns:
         )
         for name, share, most in shares:
             if most is not None and share > most + ROUNDING:
-                return f"A joint uses {percent(share)} of its limit of {name}; at most {percent(most)} is wanted."
+                return f"A joint uses {percent(share)} of its limit of {name}; at most {percent(most)} is required."
         return ""
 
 

@@ -51,11 +51,11 @@ class MoveIs:
         for k, move in self._asked(motion).items():
             name = f"The move {k - 1} → {k}"
             if self.space and move.space != self.space:
-                yield f"{name} is {_in(move.space)}; one {_in(self.space)} is wanted."
+                yield f"{name} is {_in(move.space)}; one {_in(self.space)} is required."
             if self.path and move.path != self.path:
-                yield f"{name} has the path “{_path(move.path)}”; “{_path(self.path)}” is wanted."
+                yield f"{name} has the path “{_path(move.path)}”; “{_path(self.path)}” is required."
             if self.law and move.law != self.law:
-                yield f"{name} has the law “{_law(move.law)}”; “{_law(self.law)}” is wanted."
+                yield f"{name} has the law “{_law(move.law)}”; “{_law(self.law)}” is required."
 
 
 def _in(space: str) -> str:

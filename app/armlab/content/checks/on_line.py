@@ -45,8 +45,8 @@ class OnLine:
         if distance <= self.within:
             return f"The tool is on the {self.place.name}."
         k = int(np.argmax(np.abs(way)))
-        more = "more" if way[k] > 0.0 else "less"
-        return f"The tool is {words.length(distance)} away from the {self.place.name}: it needs {more} {'xyz'[k]}."
+        more = "larger" if way[k] > 0.0 else "smaller"
+        return f"The tool is {words.length(distance)} away from the {self.place.name}: its {'xyz'[k]} has to be {more}."
 
     def distance(self, p: Vector) -> float:
         """Return the distance of a point in the world, metres."""

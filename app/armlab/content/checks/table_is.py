@@ -50,12 +50,12 @@ class TableIs:
         if arm.n != len(self.rows):
             return f"The table has {_rows(arm.n)}; it should have {_rows(len(self.rows))}."
         if arm.convention != self.convention:
-            return f"The table is in the {arm.convention} convention; the {self.convention} one is asked."
+            return f"The table is in the {arm.convention} convention; the {self.convention} one is asked for."
         if self._is_shifted(arm.rows):
             other = next(convention for convention in CONVENTIONS if convention != self.convention)
             return (
-                f"The columns a and α are shifted by a row: so they stand in the {other} convention; the "
-                f"{self.convention} one is asked."
+                f"The columns a and α are shifted by a row, as in the {other} convention; the {self.convention} "
+                f"one is asked for."
             )
         for i, (row, got) in enumerate(zip(self.rows, arm.rows, strict=True), start=1):
             mistake = self._mistake(row, got, words)
@@ -66,7 +66,7 @@ class TableIs:
     def _mistake(self, row: Row, got: Row, words: Words) -> str:
         """Return a sentence on the first wrong cell of a row, or ""."""
         if got.kind != row.kind:
-            return f"joint type: the joint should {'turn' if row.revolute else 'slide'}"
+            return f"joint type: the joint should be {'revolute' if row.revolute else 'prismatic'}"
         wrong = self._wrong_cells(row, got)
         if not wrong:
             return ""

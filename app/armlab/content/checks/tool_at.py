@@ -48,7 +48,7 @@ class ToolAt:
         if turned is None or abs(turned) <= self.phi_within:
             return "The tool is where it should be."
         way = "counter-clockwise" if turned > 0 else "clockwise"
-        says = f"The position is right; the angle φ is not: turn the tool {words.angle(abs(turned))} {way}."
+        says = f"The position is right; the angle φ is not: rotate the tool {words.angle(abs(turned))} {way}."
         other = other_elbow(observation.arm, observation.q)
         if other is not None and self.is_met(Observation.of(observation.arm, other)):
             says += " The arm stands in the mirror branch: bend the elbow the other way."

@@ -26,7 +26,7 @@ class WithinSeconds:
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return a sentence on the time it took."""
         if self.is_met(observation):
-            return f"In time: {observation.seconds:.0f} s of {self.most:g} s."
+            return f"In time: {observation.seconds:.0f} s of the {self.most:g} s allowed."
         return f"It took {observation.seconds:.0f} s; at most {self.most:g} s are allowed. Begin the step again."
 
 

@@ -11,7 +11,7 @@
   word.className = 'al-coming';
   word.setAttribute('role', 'status');
   const say = text => { if (word.textContent !== text) word.textContent = text; };
-  say('The lab is on its way …');
+  say('The lab is starting …');
 
   const stands = () => Object.keys(window.__viserMutable?.nodeRefFromName ?? {}).some(name => name.endsWith('/body'));
   let known = null; // when the lab was heard of first

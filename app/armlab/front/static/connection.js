@@ -3,7 +3,7 @@
   'use strict';
 
   const PATIENCE = 1500; // ms; a short break heals before anybody would have read a sentence
-  const TEXT = 'The connection to the lab is lost. It is tried again and again; your work is kept.';
+  const TEXT = 'The connection to the lab is lost. The page keeps trying to reconnect; your work is kept.';
   let was = false; // whether there has been a connection
   let since = null;
 

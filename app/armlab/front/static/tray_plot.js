@@ -162,8 +162,12 @@
       word(right, bottom + 30, picture.x, 'end', colours.ink);
       word(4, 12, this.unit, 'start', colours.ink);
       part.push(`<g clip-path="url(#${clip})">`);
-      for (const at of picture.marks) line(`M${X.at(at).toFixed(1)} ${TOP}V${bottom}`, colours.dim, 'opacity=".5"');
       const named = [];
+      for (const { name, value } of picture.marks) {
+        const px = X.at(value), before = px + 10 + LETTER * name.length > right; // a name keeps within the plot
+        line(`M${px.toFixed(1)} ${TOP}V${bottom}`, colours.dim, 'opacity=".5"');
+        word(px + (before ? -5 : 5), bottom - 6, name, before ? 'end' : 'start');
+      }
       for (const level of picture.levels) {
         const at = Y.at(level.value), colour = legible(level.colour, colours.ground);
         if (at < TOP - 1 || at > bottom + 1) continue;

@@ -62,7 +62,7 @@ PATH = PathType(
             "at the first and last waypoint",
             "choice",
             "rest",
-            choices=(("rest", "blend from and to rest"), ("moving", "already moving, as in the notes")),
+            choices=(("rest", "blend from and to rest"), ("moving", "already moving⟦, as in the notes⟧")),
         ),
         SHAPE,
         *TIMES,

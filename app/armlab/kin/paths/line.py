@@ -25,5 +25,5 @@ PATH = PathType(
     least=2,
     most=2,
     formula=r"X(s)=X_A+s\,(X_B-X_A)",
-    says="Notes 6.1.",
+    says="Each coordinate changes in proportion to s⟦ (notes 6.1)⟧.",
 )

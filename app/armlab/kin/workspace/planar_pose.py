@@ -111,7 +111,7 @@ def _senses(arm: Arm) -> Floats:
 def _links(arm: Arm) -> NDArray[np.complex128]:
     """Return the links at q = 0 as complex numbers in the plane, shape (n,), metres."""
     if lengths_of(arm) is None:
-        raise InputError("arm: expected a planar arm of two or three links with turning joints")
+        raise InputError("arm: expected a planar arm of two or three links with revolute joints")
     screws = screws_of(arm)
     points = np.vstack([screws.o, screws.home[:3, 3]])
     axes = arm.base[:3, :3].T @ first_joint(arm).axes

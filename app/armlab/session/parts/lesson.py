@@ -321,7 +321,7 @@ def refuse_locked(found: Lesson, before: State, now: State) -> None:
     if robot.robot is not was.robot:
         edited = robot.own and robot.origin == was.origin
         if ("table" if edited else "robot") in found.locked:
-            raise _kept("the DH table as it is" if edited else f"the {found.robot_used.name} on the table")
+            raise _kept("the DH table as it is" if edited else f"the {found.robot_used.name}")
         return
     joints, stood = now[Joints], before[Joints]
     held = [j - 1 for j in found.locked_joints]
@@ -339,4 +339,4 @@ def refuse_locked(found: Lesson, before: State, now: State) -> None:
 
 
 def _kept(what: str) -> InputError:
-    return InputError(f"This lesson keeps {what}. In your own sandbox everything is free.")
+    return InputError(f"This lesson keeps {what}. In your own sandbox you can change everything.")

@@ -122,11 +122,9 @@ class ToSandbox(Command):
         if shelf.place == SHARED:
             raise InputError("sandbox: a shared state is open; go back to your work first")
         if not state[LessonPart].open:
-            raise InputError("sandbox: no lesson is open, so the arm is yours already")
+            raise InputError("sandbox: no lesson is open, so the arm is already your own")
         if state[LessonPart].hides:
-            raise InputError(
-                "Your prediction is still open, and the sandbox would show what it is about: answer first."
-            )
+            raise InputError("Your prediction is still open, and the sandbox would give it away: answer first.")
         parked = _left(state)
         found = parked.pop(SANDBOX, None) or without_lesson(parked[HOME]).replace(Former())
         return _arrived(state, found, Shelf(SANDBOX, parked=_frozen(parked)))

@@ -12,13 +12,14 @@ from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.kin import ik
 from armlab.kin.arm import Arm
+from armlab.kin.conditioning import NEAR
 from armlab.kin.ik.search import problem_of
 from armlab.kin.ik.solve import come_closer
 from armlab.kin.ik.target import feasible
 from armlab.kin.ik.verdict import free_joints
 from armlab.kin.transforms import as_pose
 from armlab.session.asked import ASKED, ASKS, FAVOURS, asked_arm, turned_like, weights_of
-from armlab.session.branch_words import NEAR, STILL_NEAR, Branch, branch_of, crossed, followed, near_singularity
+from armlab.session.branch_words import STILL_NEAR, Branch, branch_of, crossed, followed, near_singularity
 from armlab.session.fields import FieldPart, choice, own
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, Json, PartType, State
@@ -94,7 +95,7 @@ class Target(FieldPart):
     axes: Axes = choice("axes of the handle", "world", AXES)
     handle: Handle = choice("what dragging does", "move", HANDLES, kept="edits")
     method: str = own("method", "dls", lambda key: ik.method_named(key).key)
-    asks: str = choice("what counts of the target", "", ASKS, kept="edits")
+    asks: str = choice("part of the target that counts", "", ASKS, kept="edits")
     favours: str = choice("which error is kept smaller", "", FAVOURS, kept="edits")
     branch: Branch = ()
     crossing: Said | None = None
@@ -245,7 +246,7 @@ class AskFor(Command):
 
     asks: str | None = None
     favours: str | None = None
-    label: ClassVar[str] = "what counts of the target"
+    label: ClassVar[str] = "part of the target that counts"
 
     def apply(self, state: State) -> State:
         """Return the state with the choice made."""

@@ -45,7 +45,7 @@ def choice_markup(
         if entries:
             sections.append(tag("section", tag("h3", family[0].upper() + family[1:]), tag("div.arms", entries)))
     if not sections:
-        sections.append(tag("p.dim", "No arm fits. Try a name, a maker, a family, RRP or 7 joints."))
+        sections.append(tag("p.dim", "No arm was found. Try a name, a maker, a family, RRP or 7 joints."))
     return sections, broken_files("robot", catalogue().problems)
 
 
@@ -96,7 +96,7 @@ def _entry(form: Form, family: str, robot: Robot, present: Robot, choose: Callab
     inside = (
         tag(f"span.pic.al-pic-{name}", aria_hidden="true"),
         tag("b", robot.name),
-        tag("i", f"{_joints(robot)} · {kinds_of(robot)}", title="R turns, P slides"),
+        tag("i", f"{_joints(robot)} · {kinds_of(robot)}", title="R: revolute, P: prismatic"),
         tag("span", robot.summary),
     )
     return form.button(f"arm-{name}", inside, choose, "arm", aria_current="true" if robot is present else "")

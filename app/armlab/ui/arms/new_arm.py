@@ -21,8 +21,10 @@ from armlab.ui.units import NAMES
 BOOKS = {"standard": "Standard (Siciliano, Spong)", "modified": "Modified (Craig)"}
 KINDS = {"R": "R", "P": "P"}
 PLACEHOLDER = "a\talpha\td\ttheta\n0.3\t90\t0.2\tq1\n0.25\t0\t0\tq2 + 30"
-NOTHING = "Nothing is taken over from the {name}: no tool, no limits, no name. Undo brings it back."
-LIMITS = "Joints turn by ±180° and slide from 0 to 1 m; other limits are typed on the page DH table."
+NOTHING = "The new arm takes nothing over from the {name}: neither tool nor limits nor name. Undo brings the "
+"{name} back."
+LIMITS = "Revolute joints get limits of ±180° and prismatic ones of 0 to 1 m; other limits can be typed on the "
+"page DH table."
 
 
 class NewArmForm:
@@ -45,10 +47,10 @@ class NewArmForm:
         form, draft = self._form, self._draft
         named = form.field("new-name", draft.name, "Name", self._named, inputmode="", placeholder="My arm")
         heads = [tag("th", draft.units.column(name, draft.convention)) for name in draft.units.book.order]
-        head = tag("tr", tag("th", "joint"), tag("th", "R turns, P slides"), heads, tag("th"))
+        head = tag("tr", tag("th", "joint"), tag("th", "R: revolute, P: prismatic"), heads, tag("th"))
         rows = [self._row(typed, i) for i, typed in enumerate(draft.rows)]
         full = len(draft.rows) == MAX_JOINTS
-        add = form.chip("new-add", "+ joint", self._add, "A row at the end", off=full)
+        add = form.chip("new-add", "+ joint", self._add, "Add a row at the end", off=full)
         return (
             line("Name", named, wide=True),
             line("Table", form.chips("new-book", BOOKS, draft.convention, "", self._book), wide=True),
@@ -57,12 +59,12 @@ class NewArmForm:
             tag("div.bar", add, tag("span.dim", LIMITS)),
             self._paste_box(),
             tag("p.dim", NOTHING.format(name=present)),
-            tag("div.bar", form.button("new-make", "Put it on the table", self._make, "main")),
+            tag("div.bar", form.button("new-make", "Use this arm", self._make, "main")),
         )
 
     def _row(self, typed: TypedRow, i: int) -> list[Markup]:
         form, draft = self._form, self._draft
-        kind = form.chips(f"new-{i}-kind", KINDS, typed.kind, "R turns, P slides", partial(self._kind, i))
+        kind = form.chips(f"new-{i}-kind", KINDS, typed.kind, "R: revolute, P: prismatic", partial(self._kind, i))
         remove, off = f"Remove joint {i + 1}", len(draft.rows) == 1
         gone = form.button(f"new-{i}-gone", "✕", partial(self._gone, i), "copy", remove, remove, off=off)
         name = tag("td", dot(css(joint_colour(i))), str(i + 1))

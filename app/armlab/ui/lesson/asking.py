@@ -143,7 +143,7 @@ def _choices(
         chosen, said = k in draft.chosen, Markup(kind.options[k - 1])
         return form.button(f"{CHOICE}{k}", said, lambda: draft.choose(k), "choice", pressed=chosen, off=settled)
 
-    hint = tag("p.dim", "Choose all that hold.") if kind.several else None
+    hint = tag("p.dim", "Choose all that apply.") if kind.several else None
     return hint, tag("div.choices", map(offered, order or range(1, len(kind.options) + 1))), check
 
 
@@ -175,5 +175,5 @@ def said(verdict: Verdict | None, settled: bool = False, stays: str = "") -> Mar
     if verdict.right:
         return verdict_box("ok", Markup(verdict.says), role="status")
     head = "Not as predicted" if settled else "Not right" if stays else "Not yet"
-    kept = tag("p.dim", f"Your answer {stays} was right and counts: the step stays done.") if stays else None
+    kept = tag("p.dim", f"Your earlier answer {stays} was right and counts: the step remains done.") if stays else None
     return verdict_box("no", head, Markup(verdict.says), kept, role="status")

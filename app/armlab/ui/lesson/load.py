@@ -10,6 +10,6 @@ from armlab.ui.html import Markup, tag
 
 def load_work(form: Form) -> Markup:
     """Return the button."""
-    hint = "Go on with work that you have saved, also at another computer"
+    hint = "Continue work that you have saved, also on another computer"
     chosen = tag("input", type="file", accept=".json", data_most=MOST, **form.bound("lesson-load", OpenWork))
     return tag("label.chip", "Open saved work", chosen, title=hint)

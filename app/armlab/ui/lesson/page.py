@@ -71,7 +71,7 @@ class LessonPage:
 
     def fail(self) -> None:
         """Show that the lesson has failed, and remove the fields, which may be outdated."""
-        self._text.show(verdict_box("no", "The lesson has failed", "The rest works on."))
+        self._text.show(verdict_box("no", "The lesson has failed", "The rest of the lab still works."))
         for fields in (self._task, self._question):
             fields.show()
 
@@ -98,7 +98,7 @@ class LessonPage:
         again = OpenLesson(key, anew=True, variant=int(variant) if variant else None)
         self._gui.confirm(
             "Begin again?",
-            "Your answers in this lesson are forgotten, and the arm goes to its start.",
+            "Your answers in this lesson will be deleted, and the arm will return to its start.",
             "Begin again",
             lambda: self._post(again),
         )
@@ -150,7 +150,7 @@ def _task(form: Form, state: State, lesson: Lesson) -> Markup | None:
     if not has_its_arm(state):
         name = lesson.robot_used.name
         back = form.chip("lesson-arm", f"Bring back the {name}", TakeLessonArm())
-        return verdict_box("warn", "Another arm is on the table", f"This lesson is about the {name}. ", back)
+        return verdict_box("warn", "Another arm has been chosen", f"This lesson is about the {name}. ", back)
     step = state[LessonPart].step
     if step is None or step.check is None:
         return None
@@ -160,7 +160,7 @@ def _task(form: Form, state: State, lesson: Lesson) -> Markup | None:
     if met:
         return verdict_box("ok", "Done", role="status")
     if not state[LessonPart].progress.tried:  # nobody has moved anything, so nothing is wrong yet
-        return verdict_box("todo", "To do", "What is still missing is said here as soon as you begin.")
+        return verdict_box("todo", "To do", "As soon as you begin, this card says what is still missing.")
     return verdict_box("todo", "Not there yet", Markup(says))
 
 
@@ -186,7 +186,11 @@ def _hint(form: Form, lesson: Lesson, part: LessonPart, i: int) -> Markup | None
 def _end(form: Form, last: int, passed: frozenset[int]) -> Inside:
     missing = [str(k + 1) for k in range(last + 1) if k not in passed]
     if missing:
-        return tag("span.dim", f"{len(missing)} to do", title=f"Not done yet: step {', '.join(missing)}")
+        return tag(
+            "span.dim",
+            f"{len(missing)} to do",
+            title=f"Not done yet: step{'s' if len(missing) > 1 else ''} {', '.join(missing)}",
+        )
     return tag("b.ok", "✓ Lesson done"), form.button("lesson-close", "Close", CloseLesson(), "way on")
 
 
@@ -205,10 +209,11 @@ def _more(form: Form, lesson: Lesson, part: LessonPart, save: Callable[[], Wish]
     name = form.field(
         "lesson-name", part.student, "Your name", SignAs, inputmode="", placeholder="your name", maxlength="80"
     )
-    again, own = "Arm and example as this step finds them; your answers stay", "An arm of your own; the lesson waits"
+    again = "Restore the arm and the example of this step; your answers are kept"
+    own = "Try things with an arm of your own; the lesson waits"
     chips = tag(
         "div.chips",
-        form.chip("lesson-save", "Save my work", save, "A file to hand in or to go on with"),
+        form.chip("lesson-save", "Save my work", save, "Save a file to hand in, or to continue from later"),
         load_work(form),
         form.chip("lesson-setup", "Set up again", TakeLessonArm(), again),
         form.chip("lesson-sandbox", "My sandbox", ToSandbox(), own),

@@ -93,6 +93,10 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 
 SWITCH = Switch(
-    "angles", "Joint angles", "θ of each joint, from x of the frame before to its own x; d of a slide.", "G"
+    "angles",
+    "Joint angles",
+    "The angle θ of each revolute joint, from the x axis of the frame before to its "
+    "own, and the length d of each prismatic joint.",
+    "G",
 )
 LAYER = Layer("angles", order=81, watches=(Notation,), build=build, switch=SWITCH, hides=("names",))

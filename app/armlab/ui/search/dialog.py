@@ -177,7 +177,7 @@ def _said(query: str, count: int, is_topic: bool) -> str:
     if is_topic:
         return "No lesson, page or function of the lab is about it."
     shown = query.strip()[:40]
-    return f"Nothing is found for “{shown}”. Try another word, an arm (UR5), a section (4.1) or an equation (3.66)."
+    return f"Nothing was found for “{shown}”. Try another word, an arm (UR5), a section (4.1) or an equation (3.66)."
 
 
 def _bring(offer: Offer) -> str:

@@ -7,7 +7,7 @@ PAGE = Page(
     "curves",
     "Interpolation",
     "CHART_LINE",
-    41,
+    44,
     tab="motion",
     about=(
         "S6.0-cubic-quintic",

@@ -68,22 +68,24 @@ EXAMPLES: Registry[Example] = Registry(
                 ("cubic", {"v_start": [0.7], "v_end": [-0.4]}),
                 ("quintic", {"v_start": [0.7], "v_end": [-0.4]}),
             ),
-            "Both leave at 0.7 and arrive at −0.4; only the quintic can also begin and end without acceleration.",
+            "Both start with velocity 0.7 and end with velocity −0.4; only the quintic can also start and end "
+            "with zero acceleration.",
         ),
         Example(
             "quintic",
             "Quintic with six conditions",
             ((0.0, 0.3), (3.0, 2.0)),
             (("quintic", {"v_start": [0.5], "v_end": [-1.0], "a_start": [1.5], "a_end": [2.0]}),),
-            "It goes beyond its end and comes back, because it has to arrive backwards: see the overshoot.",
+            "It goes beyond its end and comes back, because it has to arrive with a negative velocity: see the "
+            "overshoot.",
         ),
         Example(
             "one_to_four",
             "From 1 to 4 in 2 s",
             ((0.0, 1.0), (2.0, 4.0)),
             (("cubic", {}), ("quintic", {})),
-            "The cubic starts with an acceleration of 4.5 out of rest, a jump; the quintic starts softly, and is "
-            "faster in the middle for it: above 2.5.",
+            "From rest, the acceleration of the cubic jumps to 4.5; that of the quintic starts at zero, and in "
+            "return its velocity exceeds 2.5 in the middle.",
             v_max=2.5,
             a_max=5.0,
         ),
@@ -92,8 +94,8 @@ EXAMPLES: Registry[Example] = Registry(
             "Degree 15: cubic with quintic timing",
             ((0.0, 0.0), (4.0, math.pi)),
             (("cubic", {}), ("cubic", {})),
-            "The same path by two laws: with the quintic s(t) it is a polynomial of degree 3 · 5 = 15 in t, slow at "
-            "both ends and fast between.",
+            "The same path with two laws: with the quintic s(t) it is a polynomial of degree 3 · 5 = 15 in t, "
+            "slow at both ends and fast in between.",
             ("quintic",),
         ),
         Example(
@@ -101,15 +103,16 @@ EXAMPLES: Registry[Example] = Registry(
             "Harmonic, cycloidal, exponential",
             ((0.0, 0.0), (2.0, 1.0)),
             (("harmonic", {}), ("cycloidal", {}), ("exponential", {})),
-            "Only the cycloidal course starts without a jump of acceleration; the exponential one starts even with a "
-            "jump of velocity.",
+            "Only the cycloidal curve starts without a jump in acceleration; the exponential one even starts "
+            "with a jump in velocity.",
         ),
         Example(
             "lts",
             "Lift-off, travel, set-down (4-3-4)",
             ((0.0, 0.0), (1.0, 0.2), (3.0, 1.8), (4.0, 2.0)),
             (("lts_434", {}), ("spline", {})),
-            "Both are smooth up to the acceleration; with degrees 4, 3, 4 it is also zero at both ends: 14 equations "
+            "Both are continuous up to the acceleration; with degrees 4, 3, 4 it is also zero at both ends: 14 "
+            "equations "
             "for 5 + 4 + 5 coefficients.",
         ),
         Example(
@@ -121,14 +124,14 @@ EXAMPLES: Registry[Example] = Registry(
                 ("blends", {"blend": [1.6], "ends": "moving"}),
                 ("blends", {"blend": [1.6], "ends": "moving", "shape": "quartic"}),
             ),
-            "A longer blend needs less acceleration and passes farther from the knot: type other blend times.",
+            "A longer blend needs less acceleration and passes farther from the knot: try other blend times.",
         ),
         Example(
             "wandering",
             "Eleven knots: polynomial against spline",
             RUNGE,
             (("interpolating", {}), ("spline", {"ends": "natural"})),
-            "The one polynomial of degree 10 wanders between the outer knots; the spline stays near them.",
+            "The single polynomial of degree 10 wanders between the outer knots; the spline stays near them.",
         ),
         Example(
             "ends",
@@ -139,14 +142,16 @@ EXAMPLES: Registry[Example] = Registry(
                 ("spline", {"ends": "natural"}),
                 ("spline", {"ends": "both", "virtual": [0.5, 2.5]}),
             ),
-            "Clamped starts with an acceleration, natural with a velocity, and two virtual knots make both zero.",
+            "The clamped spline starts with an acceleration and the natural one with a velocity; two virtual "
+            "knots make both zero.",
         ),
         Example(
             "fastest",
             "Uneven intervals, and the fastest ones",
             ((0.0, 0.0), (0.5, 1.0), (1.7, 0.5), (2.1, 2.0), (4.0, 1.0)),
             (("spline", {}),),
-            "Short intervals break both limits: press “Fastest intervals” and see which ones become longer.",
+            "Because of its short intervals the curve exceeds both limits: press “Fastest intervals” and see "
+            "which ones become longer.",
             v_max=2.0,
             a_max=6.0,
         ),

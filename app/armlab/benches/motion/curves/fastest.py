@@ -39,7 +39,7 @@ class Asked:
             raise InputError(f"knots: intervals are optimised for at most {MOST_KNOTS}, there are {len(self.knots)}")
         for k in range(1, len(self.knots)):
             if self.knots[k][1] == self.knots[k - 1][1]:
-                raise InputError(f"knot {k + 1}: the same q as knot {k}; the least time between them is none")
+                raise InputError(f"knot {k + 1}: the same q as knot {k}; there is no least time between them")
 
 
 @dataclass(frozen=True)

@@ -57,7 +57,7 @@ def free_options(kind: PathType) -> tuple[Field, ...]:
 def why_not(kind: PathType, knots: tuple[Knot, ...]) -> str:
     """Return in a few words why a kind cannot go through these knots; empty if it can."""
     if kind.dimensions and 1 not in kind.dimensions:
-        return "not for one coordinate"
+        return "needs several coordinates"
     count = len(knots)
     if count < kind.least or (kind.most is not None and count > kind.most):
         if kind.most == kind.least:

@@ -1,4 +1,4 @@
-"""The page Import & export of the lab."""
+"""The page Export of the lab."""
 
 from armlab.page import Export, Page
 
@@ -7,8 +7,9 @@ PAGE = Page(
     "motion_files",
     "Import & export",
     "FILE_EXPORT",
-    45,
+    43,
     tab="motion",
+    page="Export",
     about=(
         "S6.0-pipeline",
         "export",

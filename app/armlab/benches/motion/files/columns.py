@@ -131,7 +131,7 @@ def _read(arm: Arm, index: int, name: str, row: int) -> tuple[int, Column] | Non
     if not 1 <= number <= arm.n:
         raise InputError(f"{where}: there is no joint {number}; this arm has joints 1 to {arm.n}")
     turns = bool(arm.revolute[number - 1])
-    what = f"joint {number}, which {'turns' if turns else 'slides'},"
+    what = f"joint {number}, which is {'revolute' if turns else 'prismatic'},"
     return number, Column(index, name, *_factor(joint[2], TURNS if turns else SLIDES, where, what))
 
 

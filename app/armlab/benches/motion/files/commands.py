@@ -77,7 +77,7 @@ class ReadPlan(PlanCommand):
             raise InputError(f"plan, row {mistake.lineno}, column {mistake.colno}: {mistake.msg}") from None
         except Exception as error:
             # Nobody can list what a damaged file may raise, and it must not be more than a refusal.
-            text = "plan: the file does not hold what a plan needs; it is damaged, or something else"
+            text = "plan: the file lacks what a plan needs; it is damaged, or of another kind"
             raise InputError(text) from error
 
 

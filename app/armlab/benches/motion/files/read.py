@@ -100,7 +100,7 @@ def refuse_long(duration: float, rate: float) -> None:
     count = count_of(duration, checked_rate(rate))
     if count > MOST_SAMPLES:
         raise InputError(
-            f"samples a second: {rate:g} make {count} rows of {duration:.4g} s; expected at most {MOST_SAMPLES} rows"
+            f"samples a second: {rate:g} give {count} rows for {duration:.4g} s; expected at most {MOST_SAMPLES} rows"
         )
 
 

@@ -7,7 +7,7 @@ PAGE = Page(
     "laws",
     "Timing laws",
     "WAVE_SINE",
-    42,
+    45,
     tab="motion",
     about=(
         "S1.3-accel-profile",

@@ -54,7 +54,7 @@ class RemoveLaw(Command):
         part = state[Laws]
         entry = _entry(part, self.place)
         if len(part.entries) == 1:
-            raise InputError("the last law stays: choose another one for it")
+            raise InputError("the last law cannot be removed; choose another one in its place")
         entries = tuple(each for each in part.entries if each is not entry)
         scaled = part.scaled - (part.scaled > self.place)
         return _with(state, entries=entries, scaled=min(scaled, len(entries) - 1))
@@ -252,7 +252,7 @@ def optimal(part: Laws) -> Scaling:
         if limit < math.inf
     )
     if not any(held):
-        raise InputError("V, A, J: none is given that holds this law back, so no k is the optimal one")
+        raise InputError("V, A, J: no limit is given that this law could reach, so no k is optimal")
     return optimal_scaling(Limits(*limits), law.peak_speed, law.peak_acceleration, jerk)
 
 

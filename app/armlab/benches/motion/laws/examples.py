@@ -76,7 +76,8 @@ EXAMPLES: Registry[Example] = Registry(
             "Accelerations ±1 on [0, 8]⟦ (1.40–1.42)⟧",
             (("table", {"rows": _rows(PLUS_MINUS_ONE), "as_typed": True}),),
             Timing(duration=8.0, speed=None, acceleration=None, jerk=None),
-            "The areas under s̈ cancel, so ṡ(8) = 0, and those under ṡ too, so s(8) = 0: the motion comes back to where "
+            "The areas under s̈ cancel, so ṡ(8) = 0, and those under ṡ too, so s(8) = 0: the motion comes back "
+            "to where "
             "it began, at rest.",
         ),
         Example(
@@ -84,15 +85,15 @@ EXAMPLES: Registry[Example] = Registry(
             "Bang-coast-bang, L = 2, V = A = 1",
             (("trapezoidal", {}), ("table", {"rows": _rows(BANG_COAST_BANG), "as_typed": True})),
             Timing(True, 3.0, 2.0, 1.0, 1.0, None),
-            "Full acceleration for T_s = V/A = 1 s, constant speed, full deceleration; the same accelerations typed as "
-            "a table give the same law.",
+            "Full acceleration for T_s = V/A = 1 s, constant speed, full deceleration; the same accelerations "
+            "entered as a table give the same law.",
         ),
         Example(
             "triangle",
             "Too short for V: the triangle, L = 0.5",
             (("trapezoidal", {}),),
             Timing(True, 2.0, 0.5, 1.0, 1.0, None),
-            "The way is shorter than V²/A = 1, so the speed turns at √(LA) = 0.7071 1/s before it reaches V.",
+            "The distance is shorter than V²/A = 1, so the speed peaks at √(LA) = 0.7071 1/s and does not reach V.",
         ),
         Example(
             "same_time",
@@ -115,7 +116,8 @@ EXAMPLES: Registry[Example] = Registry(
             "Trapezoid, cubic and quintic within the same limits",
             (("trapezoidal", {}), *_REST),
             Timing(True, 2.0, 1.0, 1.0, 2.0, None),
-            "Within the same V and A the trapezoid arrives first; the polynomials meet one limit only for a moment.",
+            "Within the same V and A the trapezoid arrives first; the polynomials reach one limit, and only for "
+            "an instant.",
         ),
         Example(
             "double_s",
@@ -143,11 +145,11 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "slower",
-            "Time scaling: slower until V and A hold⟦ (6.163)⟧",
+            "Time scaling: slower until V and A are kept⟦ (6.163)⟧",
             (("quintic", {}),),
             Timing(False, 1.0, 2.0, 2.0, 8.0, None),
-            "In 1 s the peak speed 3.75 1/s is too much for V = 2; with k = 1.875 it is met, and the acceleration "
-            "falls to 1/k² of what it was.",
+            "In 1 s the peak speed of 3.75 1/s is too much for V = 2; with k = 1.875 it equals V, and the "
+            "acceleration falls to 1/k² of its value.",
             k=1.875,
         ),
         Example(
@@ -155,7 +157,8 @@ EXAMPLES: Registry[Example] = Registry(
             "Time scaling: faster up to the limits⟦ (6.163)⟧",
             (("quintic", {}),),
             Timing(False, 4.0, 2.0, 2.0, 8.0, None),
-            "In 4 s no limit is met; k = 0.46875 is less than 1 and speeds the law up until its speed meets V = 2.",
+            "In 4 s no limit is reached; k = 0.46875 is less than 1 and speeds the law up until its peak speed "
+            "equals V = 2.",
             k=0.46875,
         ),
         Example(
@@ -168,7 +171,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "no_bound",
-            "A bound of acceleration that cannot be met⟦ (6.33)⟧",
+            "A bound of acceleration that cannot be kept⟦ (6.33)⟧",
             _REST,
             Timing(False, 4.0, 1.0, 0.5, None, None),
             "At V = 1/2 the bends of the path alone take more than a_max = 1 of joint 2: A = −0.125; press “Lower V”.",

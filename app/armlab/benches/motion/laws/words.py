@@ -73,7 +73,7 @@ def phases_text(part: Laws, i: int) -> str:
         return _fastest_text(found, part.timing)
     kind = "Triangle" if found.triangle else "Trapezoid"
     steps = [f"speeds up for {amount(found.up, 's')}"] if found.up else []
-    steps += [f"goes on at {amount(found.peak, '1/s')} for {amount(found.coast, 's')}"] if found.coast else []
+    steps += [f"moves at {amount(found.peak, '1/s')} for {amount(found.coast, 's')}"] if found.coast else []
     steps += [f"slows down for {amount(found.down, 's')}"] if found.down else []
     return f"{kind} of speed: {', '.join(steps)}."
 
@@ -82,7 +82,7 @@ def _fastest_text(found: Phases, timing: Timing) -> str:
     L, A = timing.distance, timing.limit(2)
     total = found.up + found.coast + found.down
     if math.isinf(timing.limit(1)):
-        reason = "there is no V to reach"
+        reason = "there is no limit V"
     else:
         least = timing.limit(1) ** 2 / A
         sign = ">" if found.coast else "=" if math.isclose(L, least) else "<"
@@ -135,7 +135,7 @@ def optimal_text(part: Laws) -> str:
     order = ("velocity", "acceleration", "jerk").index(found.quantity) + 1
     change = "slower" if found.k > 1.0 + 1e-9 else "faster" if found.k < 1.0 - 1e-9 else "neither slower nor faster"
     power = ("", "peak/V", "√(peak/A)", "∛(peak/J)")[order]
-    return f"Optimal k = {amount(found.k)} ({change}): the largest is {power}, so {LETTERS[order]} is met exactly."
+    return f"Optimal k = {amount(found.k)} ({change}): the largest is {power}, so {LETTERS[order]} is just reached."
 
 
 def stretch_rows(part: Laws) -> tuple[tuple[str, str, float, float, str], ...]:
@@ -152,9 +152,9 @@ def stretch_rows(part: Laws) -> tuple[tuple[str, str, float, float, str], ...]:
 
 def bounds_text(bounded: Bounded, bounds: LawBounds) -> tuple[str, str]:
     """Return ``ok`` or ``no``, and the bounds in words."""
-    who = f"joint {bounds.V_joint} decides" if bounds.V_joint else "chosen below the largest"
+    who = f"joint {bounds.V_joint} decides" if bounds.V_joint else "chosen below the largest possible value"
     if not bounded.a_max:
-        return "ok", f"V = {amount(bounds.V, '1/s')}, {who}. Give a_max for a bound of s̈."
+        return "ok", f"V = {amount(bounds.V, '1/s')}, {who}. Type a_max to get a bound of s̈."
     by = f"; A: joint {bounds.A_joint} decides" if bounds.A_joint else ""
     head = f"V: {who}{by}. "
     return ("ok" if bounds.possible else "no"), head + bounds.explanation

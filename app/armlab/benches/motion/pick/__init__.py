@@ -7,7 +7,7 @@ PAGE = Page(
     "motion_pick",
     "Pick & place",
     "BOX",
-    46,
+    40,
     tab="motion",
     about=(
         "pick and place",

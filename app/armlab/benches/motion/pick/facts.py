@@ -39,7 +39,7 @@ FACTS = Facts(
     {
         "boxes": Fact("the number of boxes", lambda s: len(s[Pick].boxes), kind="count"),
         "picked": Fact("the number of boxes that the gripper takes", _picked, kind="count"),
-        "placed": Fact("the number of boxes at the goal in the end", _placed, kind="count"),
+        "placed": Fact("the number of boxes at the goal at the end", _placed, kind="count"),
         "missed": Fact("the distance by which the gripper first misses a box", _missed, "m"),
         "from_goal": Fact("the distance of the nearest box from the goal in the end", _apart, "m"),
         "waits": Fact("the sum of the waits at waypoints", _waits, "s"),

@@ -92,7 +92,8 @@ def table_of(robot: Robot) -> Table:
     arm = robot.arm
     if len(arm.task.position) < 2:
         raise InputError(
-            f"pick and place: {arm.name} does not bring its tool to places in a plane or in space, so it has no boxes"
+            f"pick and place: {arm.name} does not position its tool in a plane or in space, so there are no "
+            f"boxes for it"
         )
     home = np.array(robot.home, dtype=float)
     for down, (boxes, goal, back) in itertools.product(_orientations(arm), _places(arm, home)):
@@ -106,8 +107,8 @@ def table_of(robot: Robot) -> Table:
             points, moves = _along_lines(arm, found)
             return Table(tuple(map(_point, there[:MOST_BOXES])), _point(goal), points, moves)
     raise InputError(
-        f"pick and place: no place was found where {arm.name} reaches boxes, the places above them and a goal; type "
-        "waypoints of its own, and put a box at one of them"
+        f"pick and place: no place was found at which {arm.name} reaches boxes, the places above them and a "
+        f"goal; type waypoints of your own, and put a box at one of them"
     )
 
 

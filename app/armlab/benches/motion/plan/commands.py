@@ -114,8 +114,8 @@ class SetMove(PlanCommand):
             first -= 1
         if last - first < kind.least - 1:
             raise InputError(
-                f"move {first + 1} → {last + 1}: {kind.title} takes {kind.least} waypoints, with moves of one kind "
-                f"between them; here are {last - first + 1}. Add waypoints, or make the moves alike first"
+                f"move {first + 1} → {last + 1}: {kind.title} takes {kind.least} waypoints with moves of one kind "
+                f"between them, and there are {last - first + 1}. Add waypoints, or make the moves alike first"
             )
         if kind.most is not None and kind.least > 2:
             last = min(last, first + kind.most - 1)
@@ -129,7 +129,7 @@ class SetMove(PlanCommand):
         if self.path is not None and self.path != move.path.key:
             path = Chosen.of(path_types(), self.path)
             if move.space not in path_types()[path.key].spaces:
-                raise InputError(f"path: {path_types()[path.key].title} is none in {move.space} space")
+                raise InputError(f"path: {path_types()[path.key].title} is not available in {move.space} space")
             # A path that has its own time, and rests at its ends, keeps it: the parameter runs evenly.
             kind = path_types()[path.key]
             own = kind.rests and "duration" in {field.key for field in kind.fields}
@@ -189,7 +189,7 @@ def checked_index(part: Plan, k: int) -> int:
 def _moves_of(part: Plan, k: int) -> tuple[int, int]:
     """Return the first move, and the one after the last, of the stretch that ends at a waypoint."""
     if checked_index(part, k) == 0:
-        raise InputError("waypoint 1: the motion begins there, no move comes to it")
+        raise InputError("waypoint 1: the motion begins there, and no move leads to it")
     stretch = part.stretch_to(k)
     return stretch.first, stretch.last
 

@@ -96,8 +96,8 @@ EXAMPLES: Registry[Example] = Registry(
             "ur10e",
             ((40.0, -70.0, 95.0, -115.0, -90.0, 0.0), (-60.0, -60.0, 85.0, -115.0, -90.0, 0.0)),
             (LINE,),
-            "The joint move is straight in joint space, and the tool swings along an arc. The pale way is the "
-            "Cartesian line between the same waypoints: shorter for the tool, and slower for the joints.",
+            "The joint move is straight in joint space, and the tool swings along an arc. The thin line is the "
+            "Cartesian move between the same waypoints: shorter for the tool, but slower for the joints.",
             compared=True,
         ),
         Example(
@@ -106,16 +106,16 @@ EXAMPLES: Registry[Example] = Registry(
             "puma560",
             (PUMA,),
             (SPACE_LINE,),
-            "Straight lines that end in a corner must stop there, or the velocity would have to jump.",
+            "Along straight lines the motion must stop at each corner, or the velocity would have to jump.",
             shifts=SQUARE,
         ),
         Example(
             "corner_fly",
-            "The same square, flown over",
+            "The same square with over-fly",
             "puma560",
             (PUMA,),
             (Move("cartesian", Chosen("overfly")),),
-            "Parabolas over the corners: the tool never stops, and misses each corner by a little.",
+            "Parabolas replace the corners: the tool never stops, and passes each corner at a small distance.",
             shifts=SQUARE,
         ),
         Example(
@@ -124,7 +124,7 @@ EXAMPLES: Registry[Example] = Registry(
             "puma560",
             (PUMA,),
             (Move("cartesian", Chosen("circle"), Chosen("trapezoidal")),),
-            "Three waypoints, one arc; the tool turns about one axis from each to the next.",
+            "Three waypoints, one arc; from each to the next the tool rotates about one axis.",
             shifts=((0.0, 0.2, 0.2), (0.0, 0.4, 0.0)),
         ),
         Example(
@@ -139,7 +139,7 @@ EXAMPLES: Registry[Example] = Registry(
                 (40.0, 80.0, -160.0, 0.0, -62.0, 0.0),
             ),
             (Move("joint", Chosen("spline"), Chosen("constant")),),
-            "The arm does not stop at the waypoints between: position, velocity and acceleration go on without a jump.",
+            "The arm does not stop at the inner waypoints: position, velocity and acceleration are continuous there.",
         ),
         Example(
             "out_of_reach",
@@ -147,8 +147,8 @@ EXAMPLES: Registry[Example] = Registry(
             "planar_2r_unequal",
             ((20.0, 120.0), (150.0, 120.0)),
             (SPACE_LINE,),
-            "Both ends can be reached, and so can all of the joint move between them. The straight line comes too near "
-            "to the base: it is red before anything has moved.",
+            "Both ends can be reached, and so can every point of the joint move between them. The straight line "
+            "comes too close to the base, and is red before anything has moved.",
             compared=True,
         ),
         Example(
@@ -157,8 +157,8 @@ EXAMPLES: Registry[Example] = Registry(
             "puma560",
             ((-15.0, 63.0, -154.0, -50.0, -27.0, -12.0), (-5.0, 63.0, -149.0, 100.0, -27.0, -162.0)),
             (SPACE_LINE,),
-            "Near the singularity joints 4 and 6 turn fast for a small motion of the tool: the whole line has to be "
-            "run slowly for the sake of one place.",
+            "Near the singularity joints 4 and 6 rotate fast for a small motion of the tool: because of one "
+            "place, the whole line has to be run slowly.",
             compared=True,
         ),
         Example(
@@ -176,8 +176,9 @@ EXAMPLES: Registry[Example] = Registry(
             "ur10e",
             ((0.0, -70.0, 95.0, -115.0, -90.0, 0.0), (120.0, -50.0, 70.0, -110.0, -90.0, 90.0)),
             (Move(law=Chosen("quintic")),),
-            "The time is too short: the way is red where a limit is exceeded. Uniform time scaling by k divides "
-            "velocities by k and accelerations by k²; As fast as allowed takes the k that meets one limit.",
+            "The time is too short: the path is red where a limit is exceeded. Uniform time scaling by k "
+            "divides velocities by k and accelerations by k²; “As fast as allowed” uses the smallest k that "
+            "keeps all limits.",
             duration=0.9,
         ),
     ),

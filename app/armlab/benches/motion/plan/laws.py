@@ -31,8 +31,11 @@ RAMPS = {"ramp", "rounding"}
 """Options that shape a law in a given time; a law that is as fast as allowed is shaped by the limits."""
 
 JERK_JUMPS = "the acceleration jumps, so the limit of jerk cannot be kept"
-SPEED_JUMPS = "the speed jumps where it begins or ends: no motor can do that. Take a law that rests there"
-CORNERS = "the velocity jumps at a corner: no motor can do that. Fly over it, or take the time-optimal law, which stops"
+SPEED_JUMPS = "the speed jumps at its ends, which no motor can follow; choose a law that starts and ends at rest"
+CORNERS = (
+    "the velocity jumps at a corner, which no motor can follow; fly over the corner, or choose the time-optimal law, "
+    "which stops there"
+)
 
 
 def fastest(question: Question, stretch: Stretch, path: Path) -> Trajectory:

@@ -24,9 +24,9 @@ Turning = Literal["axis", "euler", "kept", "wrist"]
 
 TURNINGS: dict[Turning, str] = {
     "axis": "about one axis",
-    "euler": "Euler angles zyx",
-    "kept": "kept as it is",
-    "wrist": "apart, by the wrist",
+    "euler": "Euler angles ZYX",
+    "kept": "kept constant",
+    "wrist": "separately, by the wrist",
 }
 """Rotations of the tool during a Cartesian move, in words."""
 

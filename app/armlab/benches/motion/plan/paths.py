@@ -69,7 +69,7 @@ def _orientation(stretch: Stretch, position: Path, points: Floats, R: Floats, tu
         if len(R) > 2:
             raise InputError(
                 f"move {stretch.title}: Euler angles go from one waypoint to the next; stop at waypoint "
-                f"{stretch.first + 2}, or turn about one axis"
+                f"{stretch.first + 2}, or rotate about one axis"
             )
         return by_euler_angles(R[0], R[1], EULER_AXES)
     if len(R) == 2:
@@ -132,7 +132,7 @@ def refuse_coincident(arm: Arm, waypoints: Sequence[Waypoint], parts: Sequence[S
                 same = np.allclose(here[:3, 3], there[:3, 3], rtol=0.0, atol=1e-9 * arm.length_scale)
                 what = "at the same place as"
             if same:
-                more = "" if stretch.move.space == "joint" else "; to turn on the spot, make a joint move"
+                more = "" if stretch.move.space == "joint" else "; to rotate the tool in place, use a joint move"
                 raise InputError(f"waypoint {k + 2}: {what} waypoint {k + 1}; move or remove one of them{more}")
 
 

@@ -17,6 +17,7 @@ from armlab.benches.motion.plan.question import LONGEST, SHORTEST, Feasible, Leg
 from armlab.benches.motion.plan.recorded import recorded_motion
 from armlab.benches.motion.plan.samples import DRAWN, drawn_leg, exceeded, sampled, spans_of, too_fast
 from armlab.errors import InputError
+from armlab.kin.conditioning import NEAR
 from armlab.kin.ik.branches import branch_names
 from armlab.kin.motion import (
     Followed,
@@ -29,10 +30,6 @@ from armlab.kin.motion import (
 )
 
 Floats = NDArray[np.float64]
-
-NEARLY_SINGULAR = 0.03
-"""Ratio of smallest to largest singular value of the task Jacobian below which a path is marked: joints are fast
-there."""
 
 APART = 1e-6
 """Distance from a waypoint's configuration, radians or length scales, below which a leg has reached it."""
@@ -114,7 +111,7 @@ def _in_space(question: Question, stretch: Stretch, q: Floats) -> Leg:
 
 
 def _worth(found: Followed) -> NDArray[np.int_]:
-    near = np.where(np.nan_to_num(found.singular_value) < NEARLY_SINGULAR, Feasible.NEAR_SINGULAR, Feasible.YES)
+    near = np.where(np.nan_to_num(found.singular_value) < NEAR, Feasible.NEAR_SINGULAR, Feasible.YES)
     return np.where(found.reached, near, Feasible.NOT_REACHED).astype(int)
 
 
@@ -142,7 +139,10 @@ def _other_way(question: Question, stretch: Stretch, q: Floats) -> tuple[str, ..
         return ()
     names = branch_names(arm, np.stack([q, stored]))
     how = f": {names[0]} instead of {names[1]}" if names[0] != names[1] and not names[0].startswith("solution") else ""
-    return (f"waypoint {stretch.last + 1} is reached on the branch the move began on{how}, not as it was stored",)
+    return (
+        f"waypoint {stretch.last + 1} is reached on the branch on which the move began{how}, not in its "
+        f"stored configuration",
+    )
 
 
 def _together(question: Question, legs: Sequence[Leg]) -> Planned:
@@ -192,9 +192,7 @@ def _lasting(question: Question, leg: Leg, within: float, waits: float) -> Leg:
     if question.duration is None or leg.stretch is None or leg.path is None:
         return leg
     if question.duration - waits < SHORTEST:
-        raise InputError(
-            f"duration: the motion is to last {question.duration:g} s, and the waits alone take {waits:g} s"
-        )
+        raise InputError(f"duration: expected more than the {waits:g} s of the waits, got {question.duration:g} s")
     share = (question.duration - waits) * _motion(leg).duration / within
     return replace(leg, motion=lasting(leg.stretch, leg.path, _motion(leg), share))
 

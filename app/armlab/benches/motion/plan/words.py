@@ -27,7 +27,7 @@ def judged(planned: Planned) -> Said:
     """Return the verdict on a planned motion: whether it can be run within its limits, and further remarks."""
     remarks = tuple(_with_move(leg, remark) for leg in planned.legs for remark in leg.remarks)
     if not planned.legs:
-        return Said("warn", "no motion yet", ("move the arm and add where it stands: a motion needs two waypoints",))
+        return Said("warn", "no motion yet", ("a motion needs two waypoints: move the arm and add its current pose",))
     troubles = tuple(leg.trouble for leg in planned.legs if leg.trouble)
     if troubles:
         return Said("no", "cannot be run to its end", (*troubles, *remarks))
@@ -36,7 +36,7 @@ def judged(planned: Planned) -> Said:
         least = (
             ()
             if np.isnan(planned.fastest) or planned.question.duration is None
-            else (f"within the limits it takes {rounded_up(planned.fastest):.2f} s at least",)
+            else (f"within the limits it takes at least {rounded_up(planned.fastest):.2f} s",)
         )
         return Said("no", "exceeds limits", (*over, *least, *remarks))
     return Said("ok", f"runs in {planned.duration:.2f} s within all limits", remarks)

@@ -7,7 +7,7 @@ PAGE = Page(
     "motion_plots",
     "Plots of the motion",
     "CHART_LINE",
-    40,
+    41,
     tab="motion",
     page="Plots",
     about=(

@@ -7,7 +7,7 @@ PAGE = Page(
     "space_curve",
     "Path geometry",
     "VECTOR_BEZIER_2",
-    44,
+    46,
     tab="motion",
     about=(
         "S6.0-line",

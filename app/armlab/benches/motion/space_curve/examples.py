@@ -83,8 +83,8 @@ EXAMPLES: Registry[Example] = Registry(
         Example(
             "frenet",
             "A plane curve⟦ (6.142)⟧",
-            "It bends most at its start, κ(0) = 1/10 per metre, and its binormal b = (0.8, 0, 0.6) never turns: the "
-            "torsion is 0, the curve stays in a plane.",
+            "It bends most at its start, κ(0) = 1/10 per metre, and its binormal b = (0.8, 0, 0.6) never "
+            "changes: the torsion is 0, and the curve stays in a plane.",
             _typed("6s+2", "5s^2", "-8s"),
         ),
         Example(
@@ -115,19 +115,19 @@ EXAMPLES: Registry[Example] = Registry(
         Example(
             "centripetal",
             "Tangential and centripetal acceleration",
-            "While the law coasts the tangential part p′s̈ is zero, and what is left points to the centre: κ v².",
+            "While ṡ is constant, the tangential part p′s̈ is zero, and what is left points to the centre: κ v².",
             {**_through("circle", _RING, "trapezoidal", full=True), "by_length": True, "arrows": True, "frame": False},
         ),
         Example(
             "clothoid",
             "Clothoid: from straight to curved",
-            "The curvature grows from zero in proportion to the distance gone, so the centripetal acceleration begins "
+            "The curvature grows from zero in proportion to the arc length, so the centripetal acceleration begins "
             "without a jump; at s = 0 there is no normal.",
             _through("clothoid", ((-0.6, -0.2, 0.4), (-0.2, 0.0, 0.4)), "constant", turn=math.pi),
         ),
         Example(
             "square",
-            "Square: stop in the corners",
+            "Square: stop at the corners",
             "At each corner t jumps: the velocity would jump with it, so a motion has to stop there, or fly over.",
             _through("polyline", _SQUARE, "constant"),
         ),
@@ -158,14 +158,14 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "cusp",
-            "Cusp: it turns back in a point",
-            "At s = 0.5 the curve stands still and t turns round at once; beside it the curvature grows beyond bounds.",
+            "Cusp: the curve turns back at a point",
+            "At s = 0.5 p′ is zero and t reverses at once; near that point the curvature grows without bound.",
             _typed("-0.4+(2s-1)^3/4", "-0.1", "0.3+(2s-1)^2/3"),
         ),
         Example(
             "spline",
             "Spline through points in space",
-            "Position, direction and curvature are continuous at the points, the torsion jumps.",
+            "Position, direction and curvature are continuous at the points; the torsion jumps.",
             _through(
                 "spline",
                 ((-0.6, -0.1, 0.3), (-0.5, -0.25, 0.6), (-0.3, 0.1, 0.45), (-0.15, -0.15, 0.3)),
@@ -174,34 +174,34 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "wander",
-            "Turn: Euler angles wander⟦ (6.150)⟧",
-            "From the same A to the same B: about one axis every tip runs on an arc of a circle, by ZXZ angles they "
-            "wander off, and the whole angle is larger.",
+            "Orientation: Euler angles wander⟦ (6.150)⟧",
+            "From the same A to the same B: about one axis every tip moves along an arc of a circle; by ZXZ "
+            "angles the tips wander off, and the total angle is larger.",
             _turn("zxz", (0.0, 60.0, 0.0), (120.0, 60.0, -120.0)),
         ),
         Example(
             "wander_far",
-            "Turn: nearly twice as far",
-            "By yaw, pitch and roll it turns through 245° to get where one axis takes it in 132°; in between both are "
-            "half a turn apart.",
+            "Orientation: nearly twice as far",
+            "By yaw, pitch and roll it rotates through 245° to where a rotation about one axis leads in 132°; "
+            "in between, both are half a turn apart.",
             _turn("zyx", (0.0, 40.0, 0.0), (150.0, 40.0, -120.0)),
         ),
         Example(
             "agree",
-            "Turn: where both are the same",
-            "Only one angle changes, so both turn about the same axis and do not differ.",
+            "Orientation: where both are the same",
+            "Only one angle changes, so both rotate about the same axis and do not differ.",
             _turn("zyx", (0.0, 0.0, 0.0), (120.0, 0.0, 0.0)),
         ),
         Example(
             "half_turn",
-            "Turn: half a turn, r or −r",
-            "θ is 180°: about r and about −r the way is as short; try “the other way”.",
+            "Orientation: half a turn, r or −r",
+            "θ is 180°: the rotations about r and about −r are equally short; try “the other way”.",
             _turn("zyx", (0.0, 0.0, 0.0), (60.0, 0.0, 180.0)),
         ),
         Example(
             "many_turns",
-            "Turn: angles that go round too far",
-            "Headings 350° apart are orientations 10° apart: an angle that is taken as typed goes nearly once round.",
+            "Orientation: angles that go round too far",
+            "Headings 350° apart are orientations 10° apart: an angle that is taken as typed goes nearly once around.",
             _turn("zyx", (0.0, 20.0, 0.0), (350.0, 20.0, 0.0)),
         ),
     ),

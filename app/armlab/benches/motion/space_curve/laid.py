@@ -176,7 +176,7 @@ def laid(question: Question) -> Laid:
     if not np.abs(points).max() <= FARTHEST:
         raise InputError(f"curve: a point of it is farther than {FARTHEST:g} m away")
     if np.ptp(points, axis=0).max() <= LEAST:
-        raise InputError(f"curve: it stays in one point, within {1e6 * LEAST:g} µm")
+        raise InputError(f"curve: it stays at one point, within {1e6 * LEAST:g} µm")
     # Raises where it stands still.
     path = ByLength(given) if question.by_length else given
     motion = Trajectory(path, law)

@@ -7,7 +7,7 @@ PAGE = Page(
     "motion_steps",
     "Planning steps",
     "STAIRS",
-    43,
+    42,
     tab="motion",
     about=(
         "S6.0-planning",

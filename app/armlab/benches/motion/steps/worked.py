@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 
 from armlab.benches.motion.plan.moves import Stretch, Waypoint
 from armlab.benches.motion.plan.paths import places
-from armlab.benches.motion.plan.planning import NEARLY_SINGULAR
 from armlab.benches.motion.plan.question import Feasible, Leg, Question
 from armlab.benches.motion.plan.samples import DRAWN
 from armlab.benches.motion.plan.state import Plan, last_planned
 from armlab.kin.arm import Arm
+from armlab.kin.conditioning import NEAR
 from armlab.kin.ik.branches import branch_names
 from armlab.kin.motion import Followed, Path, ToolPath, swept
 from armlab.kin.rotations import axis_angle
@@ -178,7 +178,7 @@ class Steps:
         if self.followed is None:
             return np.zeros(0, dtype=int)
         found = self.followed
-        near = np.where(np.nan_to_num(found.singular_value) < NEARLY_SINGULAR, Feasible.NEAR_SINGULAR, Feasible.YES)
+        near = np.where(np.nan_to_num(found.singular_value) < NEAR, Feasible.NEAR_SINGULAR, Feasible.YES)
         return np.where(found.reached, near, Feasible.NOT_REACHED).astype(int)
 
     @cached_property

@@ -68,7 +68,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "sliding",
-            "RRP: a sliding joint⟦ (5.57)⟧",
+            "RRP: a prismatic joint⟦ (5.57)⟧",
             "polar_rrp",
             (math.radians(20.0), math.radians(30.0), 0.7),
             (0.0, math.radians(30.0), 0.2),

@@ -118,13 +118,13 @@ EXAMPLES: Registry[Example] = Registry(
             "SCARA: press downwards",
             "scara",
             (),
-            "Only the sliding joint points along the force. The others would be free to move: a force along their "
+            "Only the prismatic joint points along the force. The others would be free to move: a force along their "
             "axes needs no torque.",
             force=(0.0, 0.0, -30.0),
         ),
         Example(
             "slide",
-            "Polar arm: a sliding joint gives a force",
+            "Polar arm: a prismatic joint gives a force",
             "polar_rrp",
             (),
             "Joints 1 and 2 answer with torques in N m, the sliding one with the part of the force along it, in N.",

@@ -161,7 +161,7 @@ def _held_off(state: State, q: NDArray[np.float64]) -> list[int]:
 def _lengths(state: State) -> tuple[float, ...]:
     lengths = lengths_of(state[Joints].arm)
     if lengths is None:
-        raise InputError("arm: expected a planar arm of two or three links with turning joints")
+        raise InputError("arm: expected a planar arm of two or three links with revolute joints")
     return lengths
 
 

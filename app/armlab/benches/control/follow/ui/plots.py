@@ -44,7 +44,7 @@ class JointPlot(Plot):
         unit = f"{units.unit(turns)}{suffix}"
         curves = [Curve(f"joint {i + 1}, {unit}", joint_colour(int(i))) for i in self.joints]
         mixed = bool(arm.revolute.any()) and not bool(arm.revolute.all())
-        kind = (" of turning joints" if turns else " of sliding joints") if mixed else ""
+        kind = (" of revolute joints" if turns else " of prismatic joints") if mixed else ""
         title = tag("span", name, f"{kind}, {unit}")
         super().__init__(gui, title, "t, s", curves, file, limits=2, height=HEIGHT, clip=CLIP_KEY)
 
@@ -75,7 +75,7 @@ class Plots:
         self._make_errors(gui, kinds)
         for turns in kinds:
             self._each["speed"].append(JointPlot(gui, arm, units, turns, (("Speeds ", mathml(DOT)), "/s", "speeds")))
-        which = "joint" if len(kinds) == 1 else "turning joint"
+        which = "joint" if len(kinds) == 1 else "revolute joint"
         fastest = f"Fastest {which} of all runs, {units.unit(kinds[0])}/s"
         self._across["speed"].append(RunPlot(gui, fastest, "fastest", self._fastest(kinds[0]), True, clip=CLIP_KEY))
         for turns in kinds:

@@ -8,6 +8,7 @@ import numpy as np
 
 from armlab.benches.control.loop.state import Loop
 from armlab.benches.control.loop.ui.pictures import frequencies
+from armlab.session.amounts import amount
 from armlab.ui.colours import BLUE, GREY, PURPLE
 from armlab.ui.curve import Curve
 from armlab.ui.form import Form
@@ -47,11 +48,16 @@ class Responses:
             Drawn(Curve("asymptotes, dB", GREY, 1.2, dash=(4, 3)), omega, lines),
             Drawn(Curve("|W(jω)|, dB", BLUE, 2.0), omega, 20.0 * np.log10(part.loop.closed_gain(omega))),
         )
-        return Picture(self._gain.title, "ω, rad/s", drawn, marks=(cutoff,), across=across, log=True)
+        return Picture(self._gain.title, "ω, rad/s", drawn, marks=(_cutoff(part),), across=across, log=True)
 
     def _drawn_phase(self, part: Loop) -> Picture:
         across, unit = frequencies(part), self._units.angle_unit
         omega = np.geomspace(*across, POINTS)
         phase = part.loop.phase(omega) / self._units.factor(True)
         drawn = (Drawn(Curve(f"phase, {unit}", PURPLE, 2.0), omega, phase),)
-        return Picture(self._phase.title, "ω, rad/s", drawn, marks=(part.loop.cutoff,), across=across, log=True)
+        return Picture(self._phase.title, "ω, rad/s", drawn, marks=(_cutoff(part),), across=across, log=True)
+
+
+def _cutoff(part: Loop) -> tuple[str, float]:
+    """Return the name of the line at the cutoff frequency, and the frequency."""
+    return f"cutoff {amount(part.loop.cutoff, 'rad/s')}", part.loop.cutoff

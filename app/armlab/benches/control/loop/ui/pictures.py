@@ -118,11 +118,11 @@ def _response(
     cutoff = part.loop.cutoff
     omega = np.geomspace(*chart.x, POINTS)
     x = chart.px(cutoff)
-    side, beside = ("end", x - 3) if x > WIDTH - 60 else ("start", x + 3)
+    side, beside = ("end", x - 3) if x > WIDTH - 100 else ("start", x + 3)
     shapes = [
         chart.grid(),
         chart.upright(cutoff, "cut"),
-        svg.text("tick", beside, 11, "K/M", side),
+        svg.text("tick", beside, 11, "cutoff K/M", side),
         more,
         chart.line(zip(omega.tolist(), at(omega).tolist(), strict=True), stroke=css(colour), stroke_width="1.8"),
     ]

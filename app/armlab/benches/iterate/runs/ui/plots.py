@@ -142,7 +142,7 @@ def _steps_plot(gui: Gui, turns: bool, units: Units) -> RunPlot:
     def lengths(film: Film) -> Array:
         return film.step_lengths[0 if turns else 1] / units.factor(turns)
 
-    title = f"Length of the step of {'turning' if turns else 'sliding'} joints, {units.unit(turns)}"
+    title = f"Length of the step of {'revolute' if turns else 'prismatic'} joints, {units.unit(turns)}"
     return RunPlot(gui, title, f"step_{'turning' if turns else 'sliding'}", lengths, True)
 
 

@@ -69,7 +69,11 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     gui.heading("1. Save as lesson")
     form = gui.form(post)
     file = gui.html()
-    steps = {"2. Edit and check": CHECKED, "3. Show it to a class": TO_A_CLASS, "4. Judge what is handed in": HANDED_IN}
+    steps = {
+        "2. Edit and check": CHECKED,
+        "3. Show it to a class": TO_A_CLASS,
+        "4. Judge what is handed in": HANDED_IN,
+    }
     gui.html([(tag("h3", title), _step(*step)) for title, step in steps.items()])
     problems = gui.html()
 

@@ -31,16 +31,24 @@ def facts(part: Curves) -> Markup | None:
     of = part.unit
     heads = [(dot(css(COLOURS[made.drawn.colour])), f"{i + 1}") for i, made in every]
     rows: list[tuple[str, str, Callable[[Made], str]]] = [
-        ("Class", "Of continuity between first and last knot", lambda made: class_text(made.trajectory.continuity)),
+        (
+            "Class",
+            "Of continuity, between the first and the last knot",
+            lambda made: class_text(made.trajectory.continuity),
+        ),
         (
             "Class from rest",
-            "Standing still before and after",
+            "Of continuity, if the joint is at rest before and after",
             lambda made: class_text(made.trajectory.continuity_from_rest),
         ),
         (f"max |{SYMBOLS[1]}|, {unit(1, of)}", "", lambda made: _peak(made, 1)),
         (f"max |{SYMBOLS[2]}|, {unit(2, of)}", "∞ where the velocity jumps", lambda made: _peak(made, 2)),
         (f"max |{SYMBOLS[3]}|, {unit(3, of)}", "∞ where the acceleration jumps", lambda made: _peak(made, 3)),
-        (f"Overshoot, {of}", "Beyond the range of the knots, at most", lambda made: figures(made.overshoot, 3)),
+        (
+            f"Overshoot, {of}",
+            "How far it goes beyond the range of the knots",
+            lambda made: figures(made.overshoot, 3),
+        ),
         (f"∫{SYMBOLS[2]}² dt, {of}²/s³", "Least for a natural spline", _bending),
     ]
     lines = [
@@ -100,11 +108,17 @@ def _span(start: float, end: float) -> str:
 def fastest_markup(form: Form, part: Curves) -> Markup:
     """Return the button that looks for the fastest intervals, and the result."""
     ends = {"clamped": "from rest to rest", "natural": "with natural ends", "both": "with two virtual knots"}[part.ends]
-    find = form.button("fastest", "Fastest intervals", FindFastest(), "main", "Times of the knots that make T smallest")
+    find = form.button(
+        "fastest",
+        "Fastest intervals",
+        FindFastest(),
+        "main",
+        "Find the times of the knots that make T as small as possible",
+    )
     said = tag("span.dim", "searching …") if part.asked is not None else None
     return joined(
         tag("h3", "Minimum time by the intervals ", with_indices("h_k")),
-        tag("p.dim", f"Of a spline {ends} through these ", with_indices("q_k"), ", within both limits."),
+        tag("p.dim", f"For a spline {ends} through these ", with_indices("q_k"), ", within both limits."),
         tag("div.bar", find, said),
         _found(form, part, part.fastest) if part.fastest is not None else None,
     )
@@ -113,7 +127,7 @@ def fastest_markup(form: Form, part: Curves) -> Markup:
 def _found(form: Form, part: Curves, found: Fastest) -> Markup:
     before = [later[0] - first[0] for first, later in zip(found.asked.knots, found.asked.knots[1:], strict=False)]
     taken = part.knots != found.asked.knots
-    hint = "Put them into the table above"
+    hint = "Enter them in the table of knots"
     take = None if taken else form.button("take-fastest", "Use these times", TakeFastest(), "chip", hint)
     rows = [
         line(figures(old), figures(new), name=subscript("h", k + 1))
@@ -122,6 +136,6 @@ def _found(form: Form, part: Curves, found: Fastest) -> Markup:
     total = line(figures(found.before), tag("b", figures(found.duration)), name="T = Σh")
     return joined(
         tag("table.cu-facts", head_line("", "before, s", "fastest, s"), rows, total),
-        tag("p.dim", "With ", with_indices("h_k"), f" by distance: {figures(found.by_distance)} s."),
+        tag("p.dim", "With ", with_indices("h_k"), f" in proportion to the distances: {figures(found.by_distance)} s."),
         tag("div.bar", take),
     )

@@ -43,7 +43,9 @@ def knots_markup(form: Form, part: Curves, as_text: bool, turn: Callable[[], Non
     names = {name: name for name in UNITS}
     hint = "Unit of the coordinate; the numbers stay"
     units = form.chips("unit", names, part.unit, hint, partial(Set, Curves, "unit"))
-    switch = form.button("as-text", "As table" if as_text else "As text", turn, "copy", "Another way to type the knots")
+    switch = form.button(
+        "as-text", "As table" if as_text else "As text", turn, "copy", "Another way to enter the knots"
+    )
     head = tag("h3", "Knots", tag("span.copies", units, switch))
     return joined(head, _text(form, part) if as_text else _table(form, part))
 
@@ -55,7 +57,13 @@ def _table(form: Form, part: Curves) -> Markup:
         time = _cell(form, part, k, "t", t, f"Time of knot {k + 1} in s")
         place = _cell(form, part, k, "q", q, f"q of knot {k + 1} in {part.unit}")
         more = form.button(
-            f"add-knot {k}", "+", AddKnot(k), "copy", "One more after this", f"Add after knot {k + 1}", off=full
+            f"add-knot {k}",
+            "+",
+            AddKnot(k),
+            "copy",
+            "Insert a knot below",
+            f"Add after knot {k + 1}",
+            off=full,
         )
         less = form.button(f"remove-knot {k}", "✕", RemoveKnot(k), "copy", "Remove", f"Remove knot {k + 1}", off=last)
         rows.append(line(time, place, (more, less), name=f"{k + 1}"))
@@ -77,13 +85,13 @@ def _text(form: Form, part: Curves) -> Markup:
     """Return the knots in a field of several lines, into which a table can be pasted."""
     own = "\n".join(f"{t:.10g} {q:.10g}" for t, q in part.knots)
     typed = form.area("rows", own, "Knots: t and q in each line", 6, lambda text: SetKnots(read_rows(text)))
-    return joined(tag("div.cu-text", typed), tag("p.dim", f"t in s and q in {part.unit}, one knot a line."))
+    return joined(tag("div.cu-text", typed), tag("p.dim", f"t in s and q in {part.unit}, one knot per line."))
 
 
 def curves_markup(form: Form, part: Curves) -> Markup:
     """Return all curves, and a button that adds one."""
     full = len(part.curves) == MOST_CURVES
-    hint = f"At most {MOST_CURVES}" if full else "One more through the same knots"
+    hint = f"At most {MOST_CURVES}" if full else "Draw another curve through the same knots"
     more = form.button("add-curve", "+ Curve", AddCurve(), "chip", hint, off=full)
     curves = [_curve(form, part, i) for i in range(len(part.curves))]
     return joined(tag("h3", "Curves", tag("span.copies", more)), curves)
@@ -157,7 +165,7 @@ def _kinds(part: Curves, drawn: Drawn) -> list[Markup]:
 
 def _dropped(drawn: Drawn) -> Markup | None:
     """Return a note on options that were removed so that the curve goes through other knots."""
-    text = "◐ Its virtual times lay outside the first and last interval, and were left out."
+    text = "◐ The times of its virtual knots lay outside the first and last intervals, and were left out."
     return tag("p.warn", text) if drawn.dropped else None
 
 
@@ -168,8 +176,8 @@ def _said(outcome: Made | InputError, of: str) -> Markup | None:
     missed = outcome.missed()
     if missed <= 1e-9 * max(1.0, max(abs(q) for _, q in outcome.knots)):
         return None
-    why = "" if outcome.drawn.law.key == "constant" else ": the law decides when it meets them"
-    text = f"At the times of the knots it is up to {missed:.3g} {of} away from them{why}."
+    why = "" if outcome.drawn.law.key == "constant" else ", because the timing law decides when it reaches them"
+    text = f"At the times of the knots the curve is up to {missed:.3g} {of} away from them{why}."
     return tag("p.dim", text.replace("-", MINUS))
 
 

@@ -63,7 +63,7 @@ def solved_markup(part: Curves) -> Markup:
         count = path.degree + 1
         said.append(tag("p", f"Degree {path.degree}: {count} conditions for {count} coefficients."))
     elif len(made.knots) == 2:
-        said.append(tag("p", _indices("Nothing to solve: q = q_i + Δq f(s), with the course f of this kind.")))
+        said.append(tag("p", _indices("Nothing to solve: q = q_i + Δq f(s), where the kind of curve gives f.")))
     if made.trajectory.degree is not None and made.drawn.law.key != "constant":
         degrees = f"{path.degree} · {made.trajectory.law.degree} = {made.trajectory.degree}"
         said.append(tag("p", f"Over time q(s(t)) is a polynomial of degree {degrees}."))
@@ -86,7 +86,7 @@ def _matrix(title: str, values: Floats, rule: int | None = None) -> Markup:
     """Return a matrix that can be copied, and is shown if it is not too large."""
     head = tag("h3", title, tag("span.copies", copy_buttons(values)))
     if len(values) > MOST_ROWS + 2:
-        return joined(head, tag("p.dim", f"{len(values)} rows: too many to be read here; copy them."))
+        return joined(head, tag("p.dim", f"{len(values)} rows are too many to be shown here; they can be copied."))
     return joined(head, tag("div.scroll.cu-matrix", matrix(values, 3, rule)))
 
 
@@ -94,7 +94,7 @@ def _spline(solved: SplineSolved, of: str) -> Inside:
     n, parts = len(solved.right), []
     if solved.virtual:
         where = " and ".join(f"{number(float(solved.times[k - 1]), 3)} s" for k in solved.virtual)
-        parts.append(tag("p", f"Two virtual knots at {where}; where they lie is found with the rest."))
+        parts.append(tag("p", f"Two virtual knots at {where}; their positions are found with the other unknowns."))
     counted = " + ".join(f"{count}" for count, _ in solved.conditions)
     meaning = "; ".join(f"{count}: {words}" for count, words in solved.conditions)
     cubics = len(solved.times) - 1
@@ -102,12 +102,12 @@ def _spline(solved: SplineSolved, of: str) -> Inside:
     equations = f"{cubics} cubics with {law} = {solved.unknowns} coefficients; as many equations: {counted} "
     parts.append(tag("p", equations, tag("span.dim", f"({meaning})"), "."))
     if n:
-        edge = f" First and last row: 1 and {unit(1, of)}." if solved.first == 1 else ""
+        edge = f" The first and last rows are in 1 and {unit(1, of)}." if solved.first == 1 else ""
         names = [subscript("v", solved.first + k) for k in range(n)]
         unknowns = ", ".join(names) if n < 4 else f"{names[0]} … {names[-1]}"
         augmented = np.column_stack([solved.matrix, solved.right])
-        shown = f"Shown is [ A | b ], A in s and b in {of}, of the unknown velocities {unknowns}.{edge} "
-        sure = "Tridiagonal and diagonally dominant: there is one solution."
+        shown = f"This is [ A | b ], A in s and b in {of}; the unknowns are the velocities {unknowns}.{edge} "
+        sure = "A is tridiagonal and diagonally dominant, so there is exactly one solution."
         parts += [_matrix("A(h) v = b", augmented, rule=n), tag("p.dim", shown, sure)]
     columns = (solved.times.tolist(), solved.positions.tolist(), solved.velocities.tolist())
     rows = [
@@ -128,7 +128,7 @@ def _lts(solved: LtsSolved, of: str) -> Inside:
         tag("p", "6 + 4 + 4 = 14 equations for 5 + 4 + 5 = 14 coefficients."),
         tag("table.cu-facts.cu-said", head_line("", "equation", "= "), rows),
         _matrix("[ A | b ]", augmented, rule=14),
-        tag("p.dim", f"A in powers of s, b in {of}; one row an equation, 14 coefficients and b."),
+        tag("p.dim", f"A in powers of s, b in {of}; each row is an equation with 14 coefficients and b."),
     )
 
 
@@ -172,7 +172,7 @@ def _one(found: OnePolynomial, of: str) -> Inside:
 def _rules_of(found: OnePolynomial, degree: int) -> Markup:
     """Return the rules if they apply: for rest at both ends."""
     if not found.rules.low_zero:
-        return tag("p.dim", "With derivatives given at the ends the rules below need not hold.")
+        return tag("p.dim", "With derivatives given at the ends, the rules below need not hold.")
     return _rules(found.rules, found.normalised, degree)
 
 

@@ -1,1 +1,1 @@
-"""The panel of the page Import & export."""
+"""The panel of the page Export."""

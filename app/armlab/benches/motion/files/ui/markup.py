@@ -20,9 +20,9 @@ from armlab.ui.markup import verdict_box
 from armlab.ui.recording import LONGEST
 
 HINTS = {
-    "csv": "Time, joint values, velocities and accelerations in s, rad and m; one row a sample",
-    "python": "A script that makes the motion again with armlab alone, and writes its samples",
-    "json": "Waypoints, moves, limits and the arm, to be read here again",
+    "csv": "Time, joint values, velocities and accelerations in s, rad and m; one row for each sample",
+    "python": "A script that makes the same motion with the armlab library and writes its samples",
+    "json": "Waypoints, moves, limits and the arm; this file can be read here again",
     "html": f"The arm and the path of its tool in real time, at most {LONGEST:g} s; opens without the lab",
     "viser": "The same recording without the page, for viser's own player",
 }
@@ -111,9 +111,10 @@ def import_markup(form: Form, state: State, shown: Shown, page: Page) -> Markup:
     n = state[Joints].arm.n
     bound = form.bound("read-motion", page.read)
     chosen = tag("input", type="file", accept=".csv,.tsv,.txt,.dat,.json", data_most=MOST_BYTES, **bound)
-    load = tag("label.chip", "Read file", chosen, title="It is read here and sent nowhere else")
+    load = tag("label.chip", "Read file", chosen, title="The lab reads the file and sends it nowhere else")
     says = (
-        f"A plan in JSON, or a table: time and q1 to q{n}. Units as in its header (q1_deg, q1 [rad]); none: s, rad, m. "
+        f"A plan in JSON, or a table: time and q1 to q{n}. Units are those of the header (q1_deg, q1 [rad]); "
+        f"without units, s, rad and m. "
         f"At most {MOST_ROWS} rows, {MOST_BYTES / 1e6:g} MB."
     )
     outcome, motion = _outcome(shown, "import"), _recorded(form, state, shown, page)
@@ -123,7 +124,7 @@ def import_markup(form: Form, state: State, shown: Shown, page: Page) -> Markup:
 def _motion_line(state: State, planned: Planned | None, rate: float) -> Markup:
     """Return a line on the motion, and on the size of its table."""
     if planned is None:
-        return tag("p.dim", "… working it out")
+        return tag("p.dim", "… planning")
     trouble = f"{planned.trouble.rstrip('.')}."
     if planned.motion is None:
         return tag("p.no", f"✕ No motion: {trouble}")
@@ -135,7 +136,7 @@ def _motion_line(state: State, planned: Planned | None, rate: float) -> Markup:
     count = count_of(planned.duration, rate)
     many = f"{count} rows" if count <= MOST_SAMPLES else f"{count} rows are too many (at most {MOST_SAMPLES})"
     line = tag("p.dim", f"{what}, {planned.duration:.2f} s; {many}.")
-    return line if planned.whole else joined(line, tag("p.warn", f"◐ Only what can be run: {trouble}"))
+    return line if planned.whole else joined(line, tag("p.warn", f"◐ Only the part that can be run: {trouble}"))
 
 
 def _recorded(form: Form, state: State, shown: Shown, page: Page) -> Markup | None:
@@ -143,7 +144,12 @@ def _recorded(form: Form, state: State, shown: Shown, page: Page) -> Markup | No
     if state[Plan].recorded is None:
         return None
 
-    back = form.chip("motion-back", "Back to the waypoints", page.back, "They wait as they were")
+    back = form.chip(
+        "motion-back",
+        "Back to the waypoints",
+        page.back,
+        "Remove the motion from the file; the waypoints are as they were",
+    )
     typed = form.field("count", str(shown.count), "How many waypoints", page.set_count)
     count = tag("label.option", typed, tag("i", "waypoints"))
     hint = "Where a polygon through the others is farthest from the motion"
@@ -152,9 +158,9 @@ def _recorded(form: Form, state: State, shown: Shown, page: Page) -> Markup | No
     return verdict_box(
         "todo",
         "A motion from a file",
-        "It stands in place of the waypoints.",
+        "It is used instead of the waypoints.",
         tag("div.bar", back),
-        "Or make of it",
+        "Or convert it to",
         tag("div.bar.made", count, by_shape, by_time),
         sign="",
     )
@@ -163,7 +169,7 @@ def _recorded(form: Form, state: State, shown: Shown, page: Page) -> Markup | No
 def _outcome(shown: Shown, where: str) -> Markup | None:
     """Return the result of the last file."""
     if shown.busy and (shown.busy == "read") == (where == "import"):
-        doing = "Reading the file" if where == "import" else "Making the file"
+        doing = "Reading the file" if where == "import" else "Writing the file"
         return tag("p.dim", f"… {doing}", role="status")
     if shown.refused and shown.refused_at == where:
         return tag("p.no", f"✕ {shown.refused}.", role="alert")

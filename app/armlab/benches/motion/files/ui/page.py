@@ -135,7 +135,7 @@ class MotionFiles:
             self._shown = self._shown.but(refused=str(failure).rstrip("."), refused_at=where)
         elif failure is not None:
             log.error("a file of a motion failed", exc_info=failure)
-            what = "This file has failed inside the lab; nothing was changed"
+            what = "The file could not be handled because of a fault in the lab; nothing was changed"
             self._shown = self._shown.but(refused=what, refused_at=where)
         elif not made.cancelled():
             done(made.result())
@@ -149,7 +149,7 @@ def _runs(state: State) -> Planned:
     """Return the planned motion of a state; `InputError` if it cannot be run."""
     planned = planned_now(state)
     if planned is None:
-        raise InputError("the motion is still being worked out")
+        raise InputError("the motion is still being planned")
     if planned.motion is None:
         raise InputError(f"there is no motion to save: {planned.trouble}")
     return planned

@@ -66,7 +66,7 @@ def head_markup(form: Form, part: Laws) -> Markup:
 
 def _timing(form: Form, part: Laws) -> Markup:
     timing = part.timing
-    hint = "Whether the laws take the duration, or go as fast as the limits allow"
+    hint = "Whether the laws last for the given duration, or are as fast as the limits allow"
     mode = "fast" if timing.fastest else "time"
     how = form.chips("mode", TIMINGS, mode, hint, lambda mode: AsFastAsAllowed(mode == "fast"))
     shown = [field for field in QUANTITIES if not (timing.fastest and field.key == "duration")]
@@ -81,12 +81,12 @@ def _law(form: Form, part: Laws, i: int) -> Markup:
     kind = free_law_types()[entry.chosen.key]
     titles = {key: each.title for key, each in free_law_types().items()}
     chooser = form.select(f"law {i}", f"Law {i + 1}", titles, kind.key, partial(ChooseLaw, i))
-    away = None if last else form.button(f"remove {i}", "✕", RemoveLaw(i), "copy", "Take this law away")
+    away = None if last else form.button(f"remove {i}", "✕", RemoveLaw(i), "copy", "Remove this law")
     typed = None
     if kind.key in AS_TYPED:
-        hint = "Leave times and accelerations as they are typed, or stretch them to the duration and the distance"
+        hint = "Keep times and accelerations as they were typed, or scale them to the duration and the distance"
         left = form.chip(f"typed {i}", "As typed", LeaveAsTyped(i, True), hint, entry.as_typed)
-        fitted = form.chip(f"fitted {i}", "Stretched to T and L", LeaveAsTyped(i, False), hint, not entry.as_typed)
+        fitted = form.chip(f"fitted {i}", "Scaled to T and L", LeaveAsTyped(i, False), hint, not entry.as_typed)
         typed = tag("div.bar", left, fitted)
     options = option_form(form, f"l{i}-", kind.fields, entry.chosen.options, partial(SetLawOption, i))
     given = tag("div.options", options) if options else None
@@ -120,6 +120,8 @@ def scaling_markup(form: Form, part: Laws) -> Markup:
         )
         for i, entry in enumerate(part.entries)
     ]
-    best = form.chip("optimal", "Optimal k", StretchOptimally(), "Slower, or faster, until one limit is met")
-    back = form.chip("unscaled", "k = 1", Stretch(1.0), "Leave the law alone", off=part.k == 1.0)
+    best = form.chip(
+        "optimal", "Optimal k", StretchOptimally(), "Slow the law down or speed it up until it just reaches one limit"
+    )
+    back = form.chip("unscaled", "k = 1", Stretch(1.0), "Leave the law as it is", off=part.k == 1.0)
     return tag("div.bar", which, best, back)

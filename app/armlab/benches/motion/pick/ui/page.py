@@ -58,7 +58,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 def head_markup(form: Form, state: State) -> Markup:
     """Return the button that sets all up, that of the film, and the verdict."""
     runs, boxes = planned_now(state) or last_planned(state), bool(state[Pick].boxes)
-    hint = "Boxes within reach of this arm, and four waypoints that bring the first one to the goal; undo brings back"
+    hint = "Boxes within reach of this arm, and four waypoints that bring one to the goal; undo restores the plan"
     setup = form.button("pick-place", "Set up pick and place", PickAndPlace(), "chip" if boxes else "main", hint)
     off = runs is None or runs.motion is None
     play = play_button(form, state, CLIP_KEY, "motion", kind="main" if boxes else "chip", off=off)
@@ -75,7 +75,7 @@ def _verdict(state: State) -> Markup:
         return tag("p.kit-look", text)
     planned = planned_now(state)
     if planned is None:
-        return verdict_box("dim", "… working it out", sign="")
+        return verdict_box("dim", "… planning", sign="")
     said, run = told(state), judged(planned)
     stopped = (f"the plan {run.head}",) if run.kind == "no" else ()
     lines = [tag("p", f"{capitalised(line)}.") for line in (*stopped, *said.lines)[:MOST_LINES]]
@@ -113,8 +113,8 @@ def _box(form: Form, state: State, which: int) -> Markup:
         return tag("td", form.field(f"box-{which} {axis}", units.text(place[axis], False), title, typed))
 
     held = part.selected == which
-    drag = form.chip(f"drag-{which}", "Drag", SelectBox(None if held else which), f"A handle at {name}", held)
-    gone = form.chip(f"remove-box-{which}", "✕", RemoveBox(which), f"Take {name} off") if which != GOAL else None
+    drag = form.chip(f"drag-{which}", "Drag", SelectBox(None if held else which), f"Put a handle on {name}", held)
+    gone = form.chip(f"remove-box-{which}", "✕", RemoveBox(which), f"Remove {name}") if which != GOAL else None
     return tag("tr", tag("th", capitalised(name)), [cell(axis) for axis in range(3)], tag("td", drag, gone))
 
 
@@ -122,7 +122,9 @@ def waypoints_markup(form: Form, state: State) -> Markup | None:
     """Return the list of waypoints with what is done at each."""
     part = state[Plan]
     if part.recorded is not None:
-        return tag("p.dim", "A motion from a file is on: it has no waypoints at which the gripper opens or closes.")
+        return tag(
+            "p.dim", "The motion was read from a file. It has no waypoints at which the gripper could open or close."
+        )
     if not state[Pick].boxes:
         return None
     rows = [_waypoint(form, state, k) for k in range(len(part.waypoints))]

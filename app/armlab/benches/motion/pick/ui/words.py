@@ -21,7 +21,7 @@ def told(state: State) -> Said:
     count, goal = len(part.boxes), placed(state)
     missed = any(not each.taken for each in found.tries)
     kind = "ok" if goal and not missed else "no" if missed else "warn"
-    return Said(kind, f"{goal} of {count} {'box' if count == 1 else 'boxes'} at the goal in the end", lines)
+    return Said(kind, f"{goal} of {count} {'box' if count == 1 else 'boxes'} at the goal at the end", lines)
 
 
 def tried(found: Try, units: Units) -> str:

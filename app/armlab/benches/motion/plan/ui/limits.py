@@ -40,11 +40,20 @@ def time_markup(form: Form, state: State) -> Markup:
         return LimitJerk(plain_number(text, "jerk time", "a number of seconds") if text.strip() else None)
 
     of_v, of_a = readable(100.0 * v, 2), readable(100.0 * a, 2)
-    speeds, built = f"{units.length_unit}/s", "Time to build up the full acceleration, j = a / t; empty: any jerk"
+    speeds = f"{units.length_unit}/s"
+    built = "Time t to build up the full acceleration a: the jerk is at most a / t; leave empty for no limit"
     limits = (
-        _field(form, "v", "velocities", of_v, "%", "Share of the limits of velocity that is used", velocities),
-        _field(form, "a", "accelerations", of_a, "%", "Share of the limits of acceleration", accelerations),
-        _field(form, "speed", "tool speed", speed, speeds, "Largest speed of the tool; empty: any", tool),
+        _field(form, "v", "velocities", of_v, "%", "Percentage of the velocity limits to use", velocities),
+        _field(
+            form,
+            "a",
+            "accelerations",
+            of_a,
+            "%",
+            "Percentage of the acceleration limits to use",
+            accelerations,
+        ),
+        _field(form, "speed", "tool speed", speed, speeds, "Limit of the tool speed; leave empty for none", tool),
         _field(form, "jerk", "jerk time", jerk, "s", built, build_up),
     )
     within = fold("Limits", tag("div.options", limits), _joints(form, state))
@@ -58,8 +67,14 @@ def _duration(form: Form, state: State) -> Markup:
     as_given = LastFor(part.duration or max(rounded_up(now), 0.01))
     fastest = part.duration is None
     choice = (
-        form.chip("time-fastest", "As fast as allowed", LastFor(None), "Of the whole", fastest),
-        form.chip("time-given", "In a given time", as_given, "Of the whole", not fastest),
+        form.chip(
+            "time-fastest",
+            "As fast as allowed",
+            LastFor(None),
+            "Let the limits decide how long the motion takes",
+            fastest,
+        ),
+        form.chip("time-given", "In a given time", as_given, "Type how long the whole motion takes", not fastest),
     )
     given: Inside = None
 
@@ -72,7 +87,7 @@ def _duration(form: Form, state: State) -> Markup:
         told = None
         if planned is not None and planned.motion is not None:
             k = part.duration / planned.fastest
-            told = tag("span.dim", f"{k:.2f} times the fastest, {planned.fastest:.2f} s")
+            told = tag("span.dim", f"{k:.2f} times the shortest time, {planned.fastest:.2f} s")
         given = tag("label.option", typed, tag("i", "s")), told
     return joined(tag("div.bar", choice), tag("div.options", given))
 

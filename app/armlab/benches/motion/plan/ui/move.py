@@ -33,10 +33,14 @@ class Industrial(NamedTuple):
 
 INDUSTRIAL = {
     ("joint", "line"): Industrial(
-        "Move J", "PTP", "point to point: every joint goes straight from one value to the other, the tool as it comes"
+        "Move J", "PTP", "point-to-point motion along a straight line in joint space; the tool follows some curve"
     ),
-    ("cartesian", "line"): Industrial("Move L", "LIN", "the tool goes along a straight line, and the joints follow it"),
-    ("cartesian", "circle"): Industrial("Move C", "CIRC", "the tool goes along an arc through three waypoints"),
+    ("cartesian", "line"): Industrial(
+        "Move L", "LIN", "the tool moves along a straight line; inverse kinematics gives the joint values"
+    ),
+    ("cartesian", "circle"): Industrial(
+        "Move C", "CIRC", "the tool moves along a circular arc through three waypoints"
+    ),
 }
 """These names, by the space and the path of a move; other moves have none that is common."""
 
@@ -52,14 +56,14 @@ def move_markup(form: Form, state: State) -> Markup | None:
     if part.recorded is not None:
         return None
     if not part.selected or part.stretch is None:
-        text = "The motion begins at waypoint 1. Select a later one to choose how the arm comes to it."
+        text = "The motion begins at waypoint 1. Select a later one to choose the move that leads to it."
         return tag("p.dim", text)
     stretch, k = part.stretch, part.selected
     move = stretch.move
-    hint = "Make all moves of this kind"
+    hint = "Give all moves the settings of this one"
     like = form.chip("all-like", "Apply to all moves", AllMovesLike(k), hint, off=len(part.moves) == 1)
     spaces = [
-        form.chip(f"space-{key}", text, SetMove(k, space=key), "What runs", key == move.space)
+        form.chip(f"space-{key}", text, SetMove(k, space=key), "Space in which the path is defined", key == move.space)
         for key, text in SPACES.items()
     ]
     paths = {key: kind.title for key, kind in path_types().items() if move.space in kind.spaces}
@@ -110,18 +114,18 @@ def _turning(form: Form, k: int, move: Move, state: State) -> Markup | None:
     if move.space == "joint" or state[Joints].arm.task.rotation == "none":
         return None
     texts = {str(key): text for key, text in TURNINGS.items()}
-    return _choice(form, "turning", "Tool turns", texts, move.turning, lambda turning: SetMove(k, turning=turning))
+    return _choice(form, "turning", "Orientation", texts, move.turning, lambda turning: SetMove(k, turning=turning))
 
 
 def _together(form: Form, k: int, move: Move) -> Markup | None:
     """Return the choice whether the joints of a straight joint move go together."""
     if move.space != "joint" or move.path.key != "line":
         return None
-    hint = "All joints start and end together, or each is as fast as it can and those there first wait"
+    hint = "All joints start and end together, or each moves as fast as it can and the first ones wait"
     return tag(
         "div.bar",
-        form.chip("together", "Joints together", SetMove(k, apart=False), hint, not move.apart),
-        form.chip("apart", "Each by itself", SetMove(k, apart=True), hint, move.apart),
+        form.chip("together", "Coordinated joints", SetMove(k, apart=False), hint, not move.apart),
+        form.chip("apart", "Independent joints", SetMove(k, apart=True), hint, move.apart),
     )
 
 
@@ -135,7 +139,8 @@ def _bounds(state: State, stretch: Stretch) -> Markup | None:
     speed = f"|ṡ| ≤ {bounds.V:.3g} 1/s" + (f" (joint {bounds.V_joint})" if bounds.V_joint else "")
     growth = f"|s̈| ≤ {bounds.A:.3g} 1/s²" + (f" (joint {bounds.A_joint})" if bounds.A_joint else "")
     hint = (
-        "Safe bounds of the law from the limits of the joints⟦ (6.1.1)⟧; the motion is then scaled to meet one exactly"
+        "Safe bounds for the law, from the limits of the joints⟦ (6.1.1)⟧; the motion is then scaled until it "
+        "just reaches a limit"
     )
     return tag("p.dim", f"{speed}, {growth}", title=hint)
 
@@ -149,7 +154,7 @@ def _stop(form: Form, part: Plan, stretch: Stretch) -> Markup | None:
     through = move.kind.most is None and move.through() == after.through()
     if not through:
         return None
-    hint = "Rest here, although the path could go through"
+    hint = "Stop here, although the path could pass through"
     return form.chip("stop", f"Stop at {k + 1}", SetMove(k, stop=not move.stop), hint, move.stop)
 
 

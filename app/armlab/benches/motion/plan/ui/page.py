@@ -12,7 +12,7 @@ from armlab.benches.motion.plan.ui.limits import time_markup
 from armlab.benches.motion.plan.ui.move import move_markup
 from armlab.benches.motion.plan.ui.points import points_markup
 from armlab.benches.motion.plan.ui.scene_frame import SWITCH as FRAME
-from armlab.benches.motion.plan.words import judged
+from armlab.benches.motion.plan.words import judged, listed
 from armlab.session.parts.display import Display
 from armlab.session.parts.display import Show as SetSwitch
 from armlab.session.parts.joints import Joints
@@ -62,21 +62,24 @@ def head_markup(form: Form, state: State) -> Markup:
 def _shown(form: Form, state: State) -> Inside:
     """Return the switches for drawings besides the path."""
     compared, framed = state[Plan].compared, FRAME.on(state)
-    hint = "Plan the same waypoints by joint moves instead of Cartesian ones, or the other way round: the thin way"
+    hint = "Also plan joint moves in place of Cartesian ones, or the reverse, between the same waypoints: the thin line"
     compare = form.chip("compare", "Compare", CompareMoves(not compared), hint, compared)
     return compare, form.chip("frame", FRAME.title, SetSwitch(FRAME.name, not framed), FRAME.hint, framed)
 
 
 def _held(state: State) -> Markup | None:
     held = [str(i + 1) for i, locked in enumerate(state[Joints].locked) if locked]
-    return tag("p.warn", f"◐ held, and not moved: joint {', '.join(held)}") if held else None
+    if not held:
+        return None
+    who = f"Joint {held[0]} is" if len(held) == 1 else f"Joints {listed(held)} are"
+    return tag("p.warn", f"◐ {who} held and will not move.")
 
 
 def _verdict(state: State) -> Markup:
     """Return the verdict on the plan; while it is being computed the last one would be wrong."""
     planned = planned_now(state)
     if planned is None:
-        return verdict_box("dim", "… working it out", sign="")
+        return verdict_box("dim", "… planning", sign="")
     said = judged(planned)
     lines = [tag("p", f"{capitalised(line)}.") for line in said.lines[:MOST_LINES]]
     more = len(said.lines) - MOST_LINES

@@ -34,7 +34,7 @@ from armlab.ui.pose_fields import pose_form
 from armlab.ui.units import Units, units_of
 
 MADE = 12
-"""Number of waypoints that are made here from a motion of a file; the page Import & export has the choice."""
+"""Number of waypoints that are made here from a motion of a file; the page Export has the choice."""
 
 GRIPPER_SIGNS = {"open": "⟨ ⟩", "close": "⟩⟨"}
 """Small pictures of what the gripper does."""
@@ -47,17 +47,24 @@ def points_markup(form: Form, state: State) -> Markup:
     part = state[Plan]
     if part.recorded is not None:
         return _recorded_markup(form, part.recorded, len(part.waypoints))
-    hint = "Add where the arm stands, behind the selected waypoint"
-    add = form.button("add", "+ Present pose", AddWaypoint(), "chip", hint)
+    hint = "Add the current pose of the arm after the selected waypoint"
+    add = form.button("add", "+ Current pose", AddWaypoint(), "chip", hint)
     rows = [_row(form, state, k) for k in range(len(part.waypoints))]
     return joined(tag("h3", "Waypoints", tag("span.copies", add)), tag("div.mo-list", rows), _selected(form, state))
 
 
 def _recorded_markup(form: Form, recorded: Recorded, waypoints: int) -> Markup:
     """Return the content of the list while a motion from a file replaces the waypoints."""
-    kept = f"The {waypoints} waypoints wait behind it." if waypoints > 1 else ""
-    back = form.chip("back", "Back to the waypoints", BackToWaypoints(), "Take the motion from the file off")
-    make = form.chip("make", "Make waypoints of it", MakeWaypoints(MADE), f"Up to {MADE} places of its way, to edit")
+    kept = f"The {waypoints} waypoints are kept." if waypoints > 1 else ""
+    back = form.chip(
+        "back", "Back to the waypoints", BackToWaypoints(), "Remove this motion and plan with the waypoints again"
+    )
+    make = form.chip(
+        "make",
+        "Convert to waypoints",
+        MakeWaypoints(MADE),
+        f"Replace it by up to {MADE} waypoints, which can be edited",
+    )
     return joined(
         tag("h3", "Motion from a file"),
         tag("p", f"{len(recorded.t)} samples in {recorded.t[-1] - recorded.t[0]:.2f} s. {kept}"),
@@ -71,9 +78,9 @@ def _row(form: Form, state: State, k: int) -> Markup:
     last, selected = k == len(part.waypoints) - 1, k == part.selected
     name = f"waypoint {k + 1}"
     tools = (
-        form.chip(f"up-{k}", "↑", ShiftWaypoint(k, -1), f"Exchange {name} with the one before", off=k == 0),
-        form.chip(f"down-{k}", "↓", ShiftWaypoint(k, 1), f"Exchange {name} with the next", off=last),
-        form.chip(f"copy-{k}", "Copy", CopyWaypoint(k), f"Put a copy of {name} behind it, to be dragged or shifted"),
+        form.chip(f"up-{k}", "↑", ShiftWaypoint(k, -1), f"Move {name} before the previous one", off=k == 0),
+        form.chip(f"down-{k}", "↓", ShiftWaypoint(k, 1), f"Move {name} after the next one", off=last),
+        form.chip(f"copy-{k}", "Copy", CopyWaypoint(k), f"Insert a copy of {name} after it"),
         form.chip(f"remove-{k}", "✕", RemoveWaypoint(k), f"Remove {name}", off=len(part.waypoints) == 1),
     )
     hint = f"Show {name}, and drag it in the scene"
@@ -114,7 +121,7 @@ def _selected(form: Form, state: State) -> Markup:
     k = part.selected
     point = part.waypoints[k]
     cells = [_joint(form, k, i, value, bool(arm.revolute[i]), units) for i, value in enumerate(point.q)]
-    handle, hint = SelectWaypoint(k, not part.handled), "A handle at this waypoint instead of at the arm"
+    handle, hint = SelectWaypoint(k, not part.handled), "Put the handle on this waypoint instead of on the arm"
     take = (
         form.button("go", "Go there", GoToWaypoint(k), "chip", "Move the arm to this waypoint"),
         form.button(

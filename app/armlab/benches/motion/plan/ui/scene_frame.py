@@ -31,6 +31,6 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 
 SWITCH = Switch(
-    "path_frame", "Path frame", "Tangent, normal, binormal and circle of curvature of the motion that is on"
+    "path_frame", "Path frame", "Tangent, normal, binormal and osculating circle of the path where the tool is"
 )
 LAYER = Layer("motion_frame", 89, (Plan, Timeline), build, switch=SWITCH)

@@ -62,14 +62,14 @@ def slots(arm: Arm, units: Units) -> list[Slot]:
     for quantity, order in ORDERS.items():
         for turns in (True, False):
             if (arm.revolute == turns).any():
-                which = f" of {'turning' if turns else 'sliding'} joints" if mixed else ""
+                which = f" of {'revolute' if turns else 'prismatic'} joints" if mixed else ""
                 title = f"{NAMES[order]} q{DOTS[order]}{which}, {units.unit(turns)}{TIMES[order]}"
                 kind = "turn" if turns else "slide"
                 found.append(Slot(quantity, kind, title, f"{quantity}_{kind}" if mixed else quantity))
     found += [
-        Slot("s", "", "Path parameter s of the move that is on", "s"),
+        Slot("s", "", "Path parameter s of the present move", "s"),
         Slot("speed", "", f"Speed of the tool, {units.length_unit}/s", "tool_speed"),
-        Slot("curvature", "", "Curvature of the way of the tool, 1/m", "curvature"),
+        Slot("curvature", "", "Curvature of the path of the tool, 1/m", "curvature"),
     ]
     for of, dots in (("velocity", DOTS[1]), ("acceleration", DOTS[2])):
         found.append(Slot("load", of, f"Load: |q{dots}ᵢ| in % of its limit", f"share_of_{of}"))

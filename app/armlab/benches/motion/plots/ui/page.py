@@ -30,7 +30,7 @@ CHIPS: dict[Quantity, tuple[str, str]] = {
     "jerk": ("jerk", "Rate of change of the accelerations"),
     "s": ("s", "Path parameter, from 0 to 1 in each move"),
     "speed": ("tool speed", "Speed of the tool point"),
-    "curvature": ("curvature", "Curvature of the way of the tool point"),
+    "curvature": ("curvature", "Curvature of the path of the tool point"),
     "load": ("load", "Velocities and accelerations as shares of their limits"),
 }
 
@@ -88,7 +88,7 @@ class _Page:
         ]
         name = OTHERS["mixed" if planned is None else kind_of(planned.question)]
         can = can_compare(state)
-        hint = "Plan the same waypoints this way, too" if can else "A motion read from a file has no moves"
+        hint = "Plan the same waypoints by these moves as well" if can else "A motion read from a file has no moves"
         on = state[Plan].compared
         compare = form.chip("compare", name, CompareMoves(not on), hint, on and can, off=not can)
         form.show(row("Show", chips), row("Compare", compare))

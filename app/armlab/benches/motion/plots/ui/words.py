@@ -33,18 +33,18 @@ def status(planned: Planned | None, figures: Figures | None, found: tuple[Overru
         return tag("p.dim", "The motion is being planned …")
     why = capitalised(planned.trouble)
     if figures is None:
-        missing = why or "One waypoint is no motion. Add another on the page Plan"
+        missing = why or "A motion needs two waypoints. Add another on the page Plan"
         return verdict_box("no", "There is nothing to plot.", f"{missing}.")
     parts = []
     if why:
-        parts.append(verdict_box("no", "Only the moves before can be run, and are plotted.", f"{why}."))
+        parts.append(verdict_box("no", "The motion cannot be run to its end. What can be run is plotted.", f"{why}."))
     if every := exceeded_words(planned):
         shown = [tag("p", f"✕ {capitalised(text)}.") for text in every[:MOST_SENTENCES]]
         if len(every) > MOST_SENTENCES:
-            shown.append(tag("p", f"✕ And so on, {len(every) - MOST_SENTENCES} more."))
+            shown.append(tag("p", f"… and {len(every) - MOST_SENTENCES} more."))
         many = max(len(found), len(every))
         head = "A limit is exceeded." if many == 1 else f"{many} limits are exceeded."
-        within = f"Within the limits this way takes {_seconds(planned.fastest)}."
+        within = f"Within the limits this path takes {_seconds(planned.fastest)}."
         parts.append(verdict_box("no.mp-over", head, shown, within, sign=SIGNS["no"]))
     elif not why:
         parts.append(verdict_box("ok", "All limits are kept.", _kept(planned, figures)))
@@ -54,7 +54,7 @@ def status(planned: Planned | None, figures: Figures | None, found: tuple[Overru
 def _kept(planned: Planned, figures: Figures) -> str:
     if figures.binding is not None:
         return f"{capitalised(holder(figures.binding))} keeps the motion from being faster."
-    return f"None is met: as fast as allowed the motion takes {_seconds(planned.fastest)}."
+    return f"None is reached: as fast as allowed, the motion would take {_seconds(planned.fastest)}."
 
 
 def holder(binding: Binding) -> str:
@@ -87,7 +87,7 @@ def comparison(
     both, length = (own, theirs), units.length_unit
     rows = [
         _row("duration, s", [None if f is None else _time(p.duration) for p, f in ((planned, own), (other, theirs))]),
-        _row(f"way, {length}", [None if f is None else units.text(f.way, False) for f in both]),
+        _row(f"tool path, {length}", [None if f is None else units.text(f.way, False) for f in both]),
         _row(f"tool speed, {length}/s", [None if f is None else units.text(f.tool_speed, False) for f in both]),
         _row("joint speed", [None if f is None else _fastest_joint(planned, f, units) for f in both]),
     ]
@@ -143,7 +143,8 @@ def _affine(planned: Planned, figures: Figures) -> str:
     if arm.revolute.any():
         return f".{held}"
     return (
-        ": all joints slide, so that a straight line in joint space is a straight line of the tool (section 6.3.2)."
+        ": all joints are prismatic, so that a straight line in joint space is a straight line of the tool, "
+        "too⟦ (section 6.3.2)⟧."
         f"{held}"
     )
 

@@ -36,7 +36,8 @@ from armlab.ui.units import Units, plain_number, units_of
 VIEWS = {"curve": "Curve", "turn": "Orientation"}
 
 OVERFLY = (
-    "⟦Notes 6.118–6.119 want p̈ = 0 at both ends of the blend; with the constant p̈ of 6.120 it jumps there: corrected. "
+    "⟦Notes 6.118–6.119 want p̈ = 0 at both ends of the blend; with the constant p̈ of 6.120 it jumps there: "
+    "corrected. "
     "In 6.121 the “+ c” is the velocity at 0 and belongs to 6.122.⟧"
 )
 
@@ -67,7 +68,7 @@ def curve_form(form: Form, state: State) -> Markup:
     chooser = form.select("curve", "Curve", titles, part.curve.key, ChooseCurve)
     typed = _formula(form, part) if part.curve.key == FORMULA else _points(form, part, units)
     given = option_form(form, "o-", kind.fields, part.curve.options, partial(SetOption, "curve"), scales_of(units))
-    hint = "Parametrise the curve by the distance gone along it⟦ (notes 6.13–6.17)⟧"
+    hint = "Parametrise the curve by its arc length⟦ (notes 6.13–6.17)⟧"
     cell, other = f"length {_turned(part.by_length)}", Set(SpaceCurve, "by_length", not part.by_length)
     by_length = form.chip(cell, "By arc length", other, hint, part.by_length)
     notes = corrected(OVERFLY) if part.curve.key == "overfly" else None
@@ -107,7 +108,11 @@ def _points(form: Form, part: SpaceCurve, units: Units) -> Markup:
         rows.append(line(*cells, drop, name=f"{i + 1}"))
     heads = head_line("", *(f"{axis}, {units.length_unit}" for axis in "xyz"), "")
     full = count >= (MOST_POINTS if kind.most is None else min(kind.most, MOST_POINTS))
-    add = None if counted else form.chip("add-point", "+ waypoint", AddPoint(), "Add one behind the last", off=full)
+    add = (
+        None
+        if counted
+        else form.chip("add-point", "+ waypoint", AddPoint(), "Add a waypoint after the last one", off=full)
+    )
     return joined(tag("table.kit-points", heads, rows), add)
 
 
@@ -131,8 +136,8 @@ def law_form(form: Form, state: State) -> Markup:
     own = None
     if part.shown == "curve" and found.given.duration is not None:
         same = part.law.key == "constant" and part.duration == found.given.duration
-        hint = "Constant rate in the time of the waypoints: the motion the curve was made for"
-        own = form.chip("own-times", f"its own {found.given.duration:.4g} s", OwnTimes(), hint, same)
+        hint = "Constant rate and the time of the waypoints: the motion for which the curve was made"
+        own = form.chip("own-times", f"its own time, {found.given.duration:.4g} s", OwnTimes(), hint, same)
     kind = free_law_types()[part.law.key]
     given = option_form(form, "l-", kind.fields, part.law.options, partial(SetOption, "law"))
     return joined(

@@ -35,7 +35,8 @@ TAU = r"\tau=\frac{p′\cdot(p″\times p‴)}{|p′\times p″|^2}"
 TANGENT = "t = p′/|p′|.⟦ Notes 6.145 multiply p by the norm instead: corrected.⟧"
 NORMAL = "κv² n is the centripetal acceleration⟦; the text after 6.135 calls n itself “the normal acceleration”⟧."
 NOT_ACROSS = (
-    "p″ṡ² is across the way only by arc length⟦ (6.135)⟧. Here the acceleration is {along} along t and {across} "
+    "p″ṡ² is perpendicular to the path only if s is the arc length⟦ (6.135)⟧. Here the acceleration is {along} "
+    "along t and {across} "
     "along n."
 )
 BOUNDED = "A bounded curvature does not make a curve regular⟦, as the text before 6.12 has it⟧; p′ ≠ 0 does."
@@ -65,7 +66,7 @@ def _place(form: Form, now: Moment, found: Laid, units: Units) -> Markup:
     if found.by_length:
         whole = found.arc.length
         gone = units.text(now.sigma, False)
-        cell = form.field("sigma", gone, "Distance gone", lambda text: GoTo(units.read(text, False, "σ") / whole))
+        cell = form.field("sigma", gone, "Arc length", lambda text: GoTo(units.read(text, False, "σ") / whole))
         place = tag("label", "At σ = ", cell, " ", tag("small", f"of {units.length(whole)}"))
     else:
         cell = form.field("s", number(now.s, 3), "Parameter s, from 0 to 1", lambda text: GoTo(plain_number(text, "s")))
@@ -82,7 +83,7 @@ def _scalars(now: Moment, found: Laid, units: Units) -> Markup:
             ("curvature κ", per_metre(kappa) if moves else "–"),
             ("radius 1/κ", f"{length(1.0 / kappa, units)} {units.length_unit}" if bends else "–"),
             ("torsion τ", per_metre(float(frame.torsion)) if bends else "–"),
-            ("distance gone σ, of L", f"{units.text(now.sigma, False)} of {units.length(found.arc.length)}"),
+            ("arc length σ, of L", f"{units.text(now.sigma, False)} of {units.length(found.arc.length)}"),
         ]
     )
 
@@ -133,7 +134,7 @@ def _facts(found: Laid, units: Units) -> Markup | None:
         return pairs([*rows, ("angle", units.angle(path.angle))])
     if isinstance(path, Helix):
         rise = float(np.linalg.norm(path.advance)) / path.angle
-        return pairs([("radius r", units.length(path.radius)), ("advance h a radian", units.length(rise))])
+        return pairs([("radius r", units.length(path.radius)), ("advance h per radian", units.length(rise))])
     if isinstance(path, Clothoid):
         return pairs([("κ = 2θσ/L², at its end", per_metre(2.0 * abs(path.turn) / path.length))])
     return _blends(path, units) if isinstance(path, Overfly) else None

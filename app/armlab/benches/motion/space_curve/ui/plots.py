@@ -70,7 +70,7 @@ class CurvePlots:
                     gui, "Curvature κ, 1/m", "s", [Curve("kappa, 1/m", PURPLE)], "curvature", 0, HEIGHT, True
                 ),
                 "tau": SignedPlot(gui, "Torsion τ, 1/m", "s", [Curve("tau, 1/m", BLUE)], "torsion", 0, HEIGHT),
-                "sigma": LengthPlot(gui, f"Distance gone σ, {unit}", f"sigma, {unit}", GREEN, "distance"),
+                "sigma": LengthPlot(gui, f"Arc length σ, {unit}", f"sigma, {unit}", GREEN, "distance"),
                 "speed": LengthPlot(gui, f"|p′|, {unit}", "|p'|", ORANGE, "derivative"),
             }
         self._drawn: Laid | None = None
@@ -126,7 +126,7 @@ class TurnPlots:
         )
         curves = [Curve(name, colour) for name, colour in zip(both, (BLUE, ORANGE), strict=True)]
         self._rates = Plot(
-            gui, f"Speed of turning |ω|, {unit}/s", "t, s", curves, "turning", 0, HEIGHT, True, clip=CLIP_KEY
+            gui, f"Angular speed |ω|, {unit}/s", "t, s", curves, "turning", 0, HEIGHT, True, clip=CLIP_KEY
         )
         self._drawn: tuple[Turned, Laid] | None = None
 

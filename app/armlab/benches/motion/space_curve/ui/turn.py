@@ -44,7 +44,7 @@ def turn_form(form: Form, state: State) -> Markup:
     part, units = state[SpaceCurve], units_of(state)
     titles = {axes: axes.upper() for axes in SEQUENCES}
     sequence = form.select("axes", "Sequence", titles, part.axes, lambda axes: WriteIn(axes=axes))
-    hint, chosen = "Whether the axes are turned along by the turns before", "fixed" if part.fixed else "moving"
+    hint, chosen = "Rotations about the current axes, or about the fixed ones", "fixed" if part.fixed else "moving"
     about = form.chips("about", ABOUT, chosen, hint, lambda key: WriteIn(fixed=key == "fixed"))
     name = NAMES.get((part.axes, part.fixed), "")
     kind = tag("p.dim", f"{capitalised(name)}.") if name else None
@@ -89,7 +89,7 @@ def turn_numbers(form: Form, state: State) -> Markup:
     s, rate = turn_place(state)
     speeds = [rate * float(np.linalg.norm(each.angular(s)[0])) for each in (found.straight, found.euler)]
     rows = [
-        line(*(units.angle(angle) for angle in found.swept), name="whole angle"),
+        line(*(units.angle(angle) for angle in found.swept), name="total angle"),
         line(*(f"{units.text(speed, True)} {units.angle_unit}/s" for speed in speeds), name="|ω| now"),
     ]
     apart = float(np.interp(s, found.s, found.apart))
@@ -102,12 +102,12 @@ def turn_numbers(form: Form, state: State) -> Markup:
     other = Set(SpaceCurve, "other_way", not part.other_way)
     long_way = form.chip(cell, text, other, "About −r by 360° − θ", part.other_way, off=not turning)
     numbers = [
-        ("r, in A", f"({axis})" if turning else "any: no turn"),
+        ("r, in A", f"({axis})" if turning else "any: no rotation"),
         (with_indices("θ_AB"), units.angle(theta)),
         ("θ now", units.angle(s * theta)),
         ("angles now", angles),
         ("apart now", units.angle(apart)),
-        ("wandering, at most", units.angle(found.wandering)),
+        ("largest deviation", units.angle(found.wandering)),
     ]
     return joined(
         tag("h3", f"At s = {number(s, 3)}"),

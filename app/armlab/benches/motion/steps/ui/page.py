@@ -47,15 +47,15 @@ def steps_markup(form: Form, state: State, found: Steps | None) -> Markup:
     if part.recorded is not None:
         return tag(
             "p",
-            "The motion was read from a file: its samples are joined by a spline, which is step 5 alone. The steps "
-            "before it were done elsewhere.",
+            "The motion was read from a file: its samples are joined by a spline, which is step 5. The steps "
+            "before it were taken elsewhere.",
         )
     if not part.moves:
-        return tag("p", "One waypoint makes no motion. Add another on the page Plan.")
+        return tag("p", "A motion needs two waypoints. Add another on the page Plan.")
     head = joined(_stretches(form, part), _steps(form, state, found))
     if found is None:
-        return joined(head, tag("p.dim", "The plan is being worked out …"))
-    busy = None if planned_now(state) is not None else tag("p.dim", "The plan is being worked out anew …")
+        return joined(head, tag("p.dim", "The motion is being planned …"))
+    busy = None if planned_now(state) is not None else tag("p.dim", "The motion is being planned again …")
     return joined(head, _step(form, state, found), busy)
 
 

@@ -78,7 +78,7 @@ class JointPlot(StepPlot):
         self._names = {int(i): units.variable(int(i), turns) for i in self._which}
         self._unit = units.unit(turns)
         legend = tag("span.ms-legend", [tag("span", joint_mark(i), name) for i, name in self._names.items()])
-        kind = "Turning" if turns else "Sliding"
+        kind = "Revolute" if turns else "Prismatic"
         title = (tag("span", f"{kind} joints, {self._unit}"), legend)
         super().__init__(gui, title, self._lines(), f"{kind.lower()}_joints_over_s", TALL, False)
 

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.motion.plan.moves import TURNINGS
-from armlab.benches.motion.plan.planning import NEARLY_SINGULAR
 from armlab.benches.motion.plan.question import Feasible
 from armlab.benches.motion.steps.state import INVERSE, JOINTS, KNOTS, PATH, SAMPLING
 from armlab.benches.motion.steps.ui.formulas import formula_of, says_of
 from armlab.benches.motion.steps.worked import Steps, length_of
+from armlab.kin.conditioning import NEAR
 from armlab.kin.motion import law_types
 from armlab.kin.motion.path_types import PathType
 from armlab.kin.rotations import euler_zyx
@@ -65,15 +65,15 @@ def head_of(step: int, found: Steps) -> Markup:
 
 def knots(found: Steps, units: Units) -> Markup:
     """Return the first step: poses and joint values of the knots."""
-    what = "poses the tool is to pass" if found.in_space else "configurations the arm is to pass"
+    what = "poses of the tool" if found.in_space else "configurations of the arm"
     count = len(found.knot_q)
     said = tag(
         "p",
-        f"The task gives {count} knots: {what}. A path free of collisions is the matter of ",
+        f"The task gives {count} knots, {what} to pass through. To find a path free of collisions is the task of ",
         tag("i", "motion planning"),
-        " and taken for granted; ",
+        ", which is assumed to be done; ",
         tag("i", "trajectory planning"),
-        " finds joint motions along it.",
+        " finds the motion of the joints along that path.",
     )
     first = found.stretch.first
     names = [str(first + k + 1) for k in range(count)]
@@ -142,7 +142,7 @@ def _list(found: Steps) -> Markup:
         ("timing law", lowered(law_types()[move.law.key].title)),
         ("joints", "coordinated: all share s"),
     ]
-    return joined(tag("h3", "What was decided ", tag("small", "(page Plan)")), pairs(rows))
+    return joined(tag("h3", "What has been chosen ", tag("small", "(page Plan)")), pairs(rows))
 
 
 # -- 2 ----------------------------------------------------------------------------------------------------------------
@@ -154,24 +154,24 @@ def path(found: Steps, units: Units) -> Markup:
     if not found.in_space:
         return tag(
             "p",
-            "In a joint move nothing is interpolated in space. The joint values of the knots are, in step 5; the tool "
-            "goes where that takes it.",
+            "In a joint move nothing is interpolated in space. The joint values of the knots are interpolated "
+            "in step 5, and the path of the tool follows from them.",
         )
     if found.way is None:
         return _trouble(found)
     rows = [
         ("kind", lowered(kind.title)),
-        ("length of the way", units.length(found.length)),
+        ("length of the path", units.length(found.length)),
     ]
     straight = length_of(found.knot_poses[:, :3, 3])
     if found.length - straight > BENT * found.arm.length_scale:
         rows.append(("straight between knots", units.length(straight)))
     if found.arm.task.rotation != "none":
         rows.append(("orientation", TURNINGS[found.stretch.move.turning]))
-        rows.append(("turns through", units.angle(found.turn)))
+        rows.append(("angle of rotation", units.angle(found.turn)))
     said = (
-        "A curve through the knots, with a parameter s from 0 to 1 that is not time yet: when the tool is where is "
-        "left to the timing law."
+        "A curve through the knots with a parameter s from 0 to 1, which is not yet time: when the tool is "
+        "where is decided by the timing law."
     )
     about = tag("p.dim", says_of(kind, found.way.position))
     return joined(tag("p", said), _formula(kind, "p"), about, pairs(rows))
@@ -197,11 +197,11 @@ def sampling(found: Steps, field: Inside, units: Units) -> Markup:
     rows = [
         ("poses", str(count)),
         ("Δs", number(1.0 / (count - 1), 4)),
-        ("farthest neighbours", units.length(found.spacing)),
+        ("largest distance between neighbours", units.length(found.spacing)),
     ]
     said = (
-        "A dense but finite sequence of poses on the path, evenly spaced in s: p(0), p(Δs), p(2Δs), … Few are cheap, "
-        "many keep the tool on its path: try 4."
+        "A dense but finite sequence of poses on the path, evenly spaced in s: p(0), p(Δs), p(2Δs), … Few "
+        "samples are quickly computed; many keep the tool on its path. Try 4."
     )
     return joined(tag("p", said), field, pairs(rows))
 
@@ -214,8 +214,8 @@ def inverse(found: Steps, units: Units) -> Markup:
     if not found.in_space:
         names = [str(found.stretch.first + k + 1) for k in range(len(found.knot_q))]
         said = (
-            f"The inverse kinematics is solved {len(names)} times, once for each knot, and not at all for knots given "
-            "by their joint values. The branch is chosen at each knot."
+            f"The inverse kinematics is solved {len(names)} times, once for each knot, except for knots given "
+            f"by their joint values. The branch is chosen at each knot."
         )
         return joined(tag("p", said), joint_table("knot", names, found.knot_q, found, units))
     if found.followed is None:
@@ -229,7 +229,7 @@ def inverse(found: Steps, units: Units) -> Markup:
         rows.append((with_indices("smallest σ_min/σ_max"), f"{number(least, 3)} at s = {number(s, 2)}"))
     near = int(np.sum(found.worth == Feasible.NEAR_SINGULAR))
     if near:
-        rows.append((f"below {NEARLY_SINGULAR:g}", f"{near} samples, joints turn fast"))
+        rows.append((f"below {NEAR:g}", f"{near} samples, where joints are fast"))
     said = (
         "One configuration for each sample. Each search begins at the solution before, so that the arm stays on one "
         "branch."
@@ -254,7 +254,7 @@ def _followed(found: Steps) -> Markup:
     stops = found.followed.stops
     said = [stop.sentence for stop in stops[:STOPS]] or [found.followed.reason]
     more = tag("p.dim", f"… and {len(stops) - STOPS} more places.") if len(stops) > STOPS else None
-    behind = tag("p.dim", "What is solved behind that is not one motion with what is before.")
+    behind = tag("p.dim", "What is solved beyond does not form one motion with what comes before.")
     parts = behind if len(found.followed.parts) > 1 else None
     return joined([tag("p.no", f"✕ {capitalised(each)}") for each in said], more, parts)
 
@@ -274,11 +274,11 @@ def joints(found: Steps, units: Units, colours: tuple[str, str]) -> Markup:
     where = "" if apart.distance[k] < EXACT else f" at s = {number(float(apart.s[k]), 2)}"
     rows: list[tuple[Inside, str]] = [
         ((dot(wanted), " path" if found.in_space else " straight lines"), units.length(found.length)),
-        ((dot(result), " way of the tool"), units.length(found.tool_length)),
-        ("farthest apart", far + where),
+        ((dot(result), " path of the tool"), units.length(found.tool_length)),
+        ("largest distance", far + where),
     ]
     if found.in_space and found.arm.task.rotation != "none":
-        rows.append(("turned away at most", _turn(float(apart.turn.max()), units)))
+        rows.append(("largest error of rotation", _turn(float(apart.turn.max()), units)))
     larger = f"In the scene the distance is drawn {found.larger:g} times as large. " if found.larger > 1.0 else ""
     return joined(said, pairs(rows), tag("p.dim", larger, _timing(found)), _untimed(found))
 
@@ -288,15 +288,15 @@ def _spline(found: Steps) -> Markup:
     return tag(
         "p",
         f"A cubic spline through the {count} solutions is q(s): {count - 1} pieces, equal velocities and accelerations "
-        "where two meet. Only at the samples is the tool surely on its path.",
+        "where two meet. Only at the samples is the tool sure to be on its path.",
     )
 
 
 def _laid(found: Steps) -> Markup:
     kind = found.stretch.move.kind
     said = (
-        "The joint values of the knots are interpolated at once. No singularity can stop this, but the tool does not "
-        "go straight."
+        "The joint values of the knots are interpolated directly. No singularity can stop this, but the tool "
+        "does not move along a straight line."
     )
     about = tag("p.dim", f"{kind.title}. {says_of(kind, found.path)}")
     return joined(tag("p", said), _formula(kind, "q"), about)
@@ -307,7 +307,8 @@ def _timing(found: Steps) -> str | None:
     motion = found.leg.motion
     if motion is None:
         return None
-    return f"With the timing law s(t) this is the motion q(s(t)), and takes {number(motion.duration, 2)}{NO_BREAK}s."
+    lasts = f"{number(motion.duration, 2)}{NO_BREAK}s"
+    return f"With the timing law s(t) this becomes the motion q(s(t)), which takes {lasts}."
 
 
 def _untimed(found: Steps) -> Markup | None:
@@ -323,9 +324,9 @@ def _turn(value: float, units: Units) -> str:
 
 
 def _small(value: float, units: Units) -> str:
-    return f"0{NO_BREAK}{units.length_unit} but for rounding" if value < EXACT else with_unit(value, False, units)
+    return f"0{NO_BREAK}{units.length_unit}, apart from rounding" if value < EXACT else with_unit(value, False, units)
 
 
 def _trouble(found: Steps) -> Markup:
-    text = found.leg.trouble or "It is being worked out."
+    text = found.leg.trouble or "It is still being planned."
     return tag("p.no", f"✕ {capitalised(text).rstrip('.')}.")

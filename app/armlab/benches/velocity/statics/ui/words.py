@@ -57,7 +57,7 @@ def torques_markup(state: State) -> Markup:
     title = tag("h3", "Torques ", tag("small", mathml(LAW), "⟦, notes 5.163⟧"))
     scale = f"A full bar or arc is {trimmed(full, 6)} N m." if full else ""
     if full and not arm.revolute.all():
-        scale += f" Sliding joints: {trimmed(part.full_force or full, 6)} N."
+        scale += f" Prismatic joints: {trimmed(part.full_force or full, 6)} N."
     return joined(title, tag("div.st-bars", rows), tag("p.dim", scale))
 
 

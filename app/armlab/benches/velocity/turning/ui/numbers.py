@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.velocity.turning.commands import SetTurning, TakeToolAngles, WriteAngles
 from armlab.benches.velocity.turning.motion import (
+    Turned,
     between,
     commuting,
     law_integral,
@@ -18,6 +19,7 @@ from armlab.benches.velocity.turning.motion import (
     turned_of,
 )
 from armlab.benches.velocity.turning.state import Turning
+from armlab.kin.conditioning import TITLES, conditioning
 from armlab.kin.euler import NAMES, PROPER, SEQUENCES, SINGULAR_SINE, angle_symbols
 from armlab.kin.velocity.rates import columns_latex, singular_angles, singular_sentence
 from armlab.session.fields import Set
@@ -27,6 +29,7 @@ from armlab.ui.form import Form
 from armlab.ui.format import capitalised, dot, mathml, matrix, number, pairs, scientific
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import fold, row, verdict_box
+from armlab.ui.symbols import with_indices
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
 
@@ -34,9 +37,6 @@ Floats = NDArray[np.float64]
 
 SEEN = 1e-6
 """Difference of two orientations, radians, below which they are the same."""
-
-NEAR = 0.1
-"""Absolute det T below which rates are called large."""
 
 OMEGA, RDOT, DOTTED = r"\omega=T\dot{\phi}", r"\dot{R}R^T", r"\dot{%s}"
 
@@ -120,7 +120,7 @@ def rates_markup(state: State) -> Markup:
         (("ω from ", mathml(RDOT), f", {units.angle_unit}/s"), _three(found.measured, units)),
         ("largest difference, rad/s", scientific(away)),
     ]
-    return joined(pairs(rows), _verdict(part, found.determinant, found.lost), tag("p.dim", T_MATRIX))
+    return joined(pairs(rows), _verdict(part, found), tag("p.dim", T_MATRIX))
 
 
 def _determinant(part: Turning) -> tuple[str, str]:
@@ -131,19 +131,19 @@ def _determinant(part: Turning) -> tuple[str, str]:
     return ("" if follows else "-"), "cos "
 
 
-def _verdict(part: Turning, determinant: float, lost: Floats) -> Markup:
+def _verdict(part: Turning, found: Turned) -> Markup:
+    inverse = 1.0 / float(np.linalg.cond(found.T))
+    verdict = conditioning(inverse, abs(found.determinant) < SINGULAR_SINE)
     where = " or ".join(f"{round(np.degrees(angle))}°".replace("-", "−") for angle in singular_angles(part.axes))
-    if abs(determinant) < SINGULAR_SINE:
-        axis = ", ".join(number(float(value), 3) for value in lost)
-        head, kind = "Singular", "no"
-        text = f"{capitalised(singular_sentence(part.axes))}: ({axis})."
-    elif abs(determinant) < NEAR:
-        head, kind = "Nearly singular", "warn"
-        text = f"Rates up to 1/|det T| = {number(1.0 / abs(determinant), 1)} times |ω| are needed."
-    else:
-        head, kind = "Regular", "ok"
-        text = f"Every ω has its rates φ̇ = T⁻¹ω; not so at a second angle of {where}."
-    return verdict_box(kind, head, text)
+    if verdict == "singular":
+        axis = ", ".join(number(float(value), 3) for value in found.lost)
+        return verdict_box("no", TITLES[verdict], f"{capitalised(singular_sentence(part.axes))}: ({axis}).")
+    ratio = with_indices(f"Of T, σ_min/σ_max = {number(inverse, 3)}. ")
+    if verdict == "poor":
+        large = f"One rate may have to be 1/|det T| = {number(1.0 / abs(found.determinant), 1)} times as large as |ω|."
+        return verdict_box("warn", TITLES[verdict], ratio, large)
+    every = f"Every ω has its rates φ̇ = T⁻¹ω, except at a second angle of {where}, where T is singular."
+    return verdict_box("ok", TITLES[verdict], ratio, every)
 
 
 def tool_markup(state: State) -> Markup:
