@@ -240,7 +240,8 @@ def large_picture(title: Inside, times: Times, lines: Sequence[Line], up: tuple[
             red = Curve("beyond the limit", VERDICT["no"], 6.0, opacity=0.6)
             drawn.append(Drawn(red, times.own, _within(times.own, line.values, line.beyond)))
     drawn += [Drawn(Curve(line.name, line.colour, 2.0, dash=line.dash), times.own, line.values) for line in lines]
-    return Picture(title, "t, s", drawn, _named_limits(lines, *up), times.legs, (0.0, times.end), up)
+    ends = [("", end) for end in times.legs]  # the words of the page name the legs
+    return Picture(title, "t, s", drawn, _named_limits(lines, *up), ends, (0.0, times.end), up)
 
 
 def _compared(name: str) -> str:
