@@ -114,9 +114,9 @@ def test_between_two_branches_the_arm_is_in_neither():
     stretched = Observation.of(arm, [0.3, 0.0])
     assert not asked.is_met(stretched)
     assert asked.says(stretched).startswith("The arm is stretched, folded")
-    assert asked.says(Observation.of(arm, [0.3, -0.5])) == "The arm stands in the branch that is asked."
+    assert asked.says(Observation.of(arm, [0.3, -0.5])) == "The arm is on the branch that is asked for."
     assert asked.says(Observation.of(arm, [0.3, 0.5])) == (
-        "This is elbow down, the mirror branch; the branch asked is elbow up."
+        "This is elbow down, the mirror branch; the branch asked for is elbow up."
     )
 
 

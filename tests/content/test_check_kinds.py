@@ -55,7 +55,7 @@ def test_a_whole_configuration():
         (30, -60): "Joint 2 is at −60.0° and should be at 60.0°. The sign is wrong",
         (-30, -60): "All joint values have the right size and the wrong sign.",
         (60, 30): "The values of joints 1 and 2 are exchanged.",
-        (90, -60): "The tool is in the right place, but the arm gets there in another way: this is another branch.",
+        (90, -60): "The tool is in the right place, but in another configuration of the arm: this is another branch.",
         (30, math.radians(60)): "Joint 2 is at 1.0° and should be at 60.0°. That is the number of radians",
     }
     for q, says in cases.items():

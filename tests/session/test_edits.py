@@ -301,7 +301,7 @@ def test_back_to_the_table_of_the_file(state):
         (PasteTable("a [m], alpha, d, theta\n1e6, 0, 0, q1"), "row 1, a: expected at most 100 m"),
         (PasteTable("[[joints]]\ntype = 'R'"), "pasted file: "),
         (PasteTable("a, alpha, d, theta\n1, 0, 0, \ud800"), "UTF-8"),
-        (RestoreTable(), "this table did not begin with a robot file"),
+        (RestoreTable(), "this table does not come from a robot file"),
         (SetPoint((0.0, float("nan"), 0.0)), "tool point, y: expected at most 100 m either way, got nan m"),
     ],
 )

@@ -150,7 +150,7 @@ def test_steps_with_nothing_to_do_do_not_count(fresh, own):
 
 
 def test_without_a_lesson_there_is_nothing_to_hand_in(fresh):
-    with pytest.raises(InputError, match="none is open"):
+    with pytest.raises(InputError, match="no lesson is open"):
         hand_in(fresh)
 
 

@@ -65,7 +65,7 @@ def test_work_in_the_variant_of_another_does_not_count(fresh, own):
     marked = looked_at_together(files, names)
     assert [one.problem for one in marked] == [
         "",
-        "This is variant 3; given was 4.",
+        "This is variant 3; the one given was 4.",
         "There is nobody of this name in the list.",
         "The work is not signed.",
     ]

@@ -39,5 +39,5 @@ def test_what_no_file_proves_is_called_noted(fresh, own):
     )
     state = done(fresh, OpenLesson("t"), GoToStep(1), Answer("2"))
     one = Judged("a", judge(hand_in(state)))
-    assert one.report.steps[1].says == "Noted only, not judged: that a switch was on. '2': Right."
+    assert one.report.steps[1].says == "Recorded only, not judged: that a switch was on. '2': Right."
     assert table([one]).splitlines()[1].split() == ["a", "0", "-", "noted", "no", "1", "of", "2"]

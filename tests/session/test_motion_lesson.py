@@ -295,7 +295,7 @@ def test_the_work_can_be_handed_in_and_is_judged_again(own):
     text = hand_in(player.session.state)
     assert (judge(text).passed, judge(text).count) == (4, 4)
     assert [step.noted for step in judge(text).steps] == [False, True, False, True, False]
-    assert judge(text).steps[1].says == "Noted only, not judged: that the motion was played."
+    assert judge(text).steps[1].says == "Recorded only, not judged: that the motion was played."
 
     def forged(step, **changes):
         data = json.loads(text)

@@ -167,5 +167,5 @@ def test_the_list_of_students_says_whose_variant_it_is(typed, work, place):
     status, out, _ = typed(*asked)
     assert status == 0
     assert "2 of 3" in out.splitlines()[1]
-    assert "0 of 3  This is variant 3; given was 1." in out.splitlines()[2]
+    assert "0 of 3  This is variant 3; the one given was 1." in out.splitlines()[2]
     assert "gone.txt" in typed("check", "v", "--lessons", "mine", "--students", "gone.txt", "--state", *files)[2]

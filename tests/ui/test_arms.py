@@ -84,7 +84,7 @@ def test_a_typed_text_narrows_the_arms_down_and_says_when_none_fits(url):
         await browser.until(lambda: listed(browser) == ["ur5e"])
         assert "arms-new" not in dialog(browser)
         await browser.press("arms-find", "banana")
-        await browser.until(lambda: "No arm fits" in dialog(browser))
+        await browser.until(lambda: "No arm was found" in dialog(browser))
         await browser.press("arms-find", "")
         await browser.until(lambda: len(listed(browser)) == len(catalogue().robots))
         await browser.close()
@@ -205,7 +205,7 @@ def test_a_row_that_cannot_be_read_says_so_where_it_stands_and_nothing_is_made(u
         rows = dialog(browser).split("<tr>")
         first = next(i for i, row in enumerate(rows) if 'data-cell="new-0-a"' in row)
         assert "✕ joint 1: link length: expected a number in mm, got &#39;long&#39;" in rows[first + 1]
-        assert "✕ joint 2: link twist: expected at most 360°, got 720°" in rows[first + 3]
+        assert "✕ joint 2: link twist: expected at most 360° either way, got 720°" in rows[first + 3]
         assert rows[first].count('aria-invalid="true"') == 1
         await browser.press("new-make")
         await browser.press("new-0-a", "0.3 m")

@@ -44,7 +44,7 @@ def test_the_page_says_it_once(url):
         browser = await student(url)
         await browser.open("motion")
         await browser.press("example", "joint_or_line")
-        said = f"The example is about the {catalogue()['ur10e'].name}. Undo (Ctrl+Z) brings back the PUMA 560."
+        said = f"This example uses the {catalogue()['ur10e'].name}. Undo (Ctrl+Z) brings back the PUMA 560."
         await browser.until(lambda: said in browser.notices)
         await browser.press("undo")
         await browser.until(lambda: "/robot/puma560" in browser.html())

@@ -88,7 +88,7 @@ def test_fields_become_commands_and_nonsense_is_said():
     assert typed("elsewhere", "1") == ()
     assert matrix("a21", "−1/2") == (SetEntry("a21", -0.5),)
     for call, says in (
-        (lambda: typed("l-mass", "heavy"), "mass: expected numbers"),
+        (lambda: typed("l-mass", "heavy"), r"M \(mass\): expected a number in kg from 0.001 to 10000, got 'heavy'"),
         (lambda: typed("time", "9"), "t: expected 0 to 6 s"),
         (lambda: typed("time", "x"), "t: expected seconds"),
         (lambda: matrix("a21", "x"), "a₂₁: expected a number"),
@@ -112,7 +112,7 @@ def test_the_page_of_the_loop(url):
         await browser.press("kind step")
         await says(browser, "The error dies out")
         await browser.press("l-gain", "-1")
-        await says(browser, "gain: expected at least 0.001")
+        await says(browser, "K (gain of the controller): expected a number in N s/m from 0.001")
         await browser.press("l-gain", "20")
         await says(browser, "20 rad/s = 3.183 Hz")
         await browser.press("play-loop")

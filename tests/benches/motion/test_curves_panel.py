@@ -154,7 +154,7 @@ def test_a_curve_that_does_not_take_the_knots_has_nothing_to_solve():
 def test_examples_options_and_kinds_are_chosen(url):
     async def main():
         browser = await at_curves(url)
-        assert "Three" not in browser.html()
+        assert "Three knots" not in browser.html()
         await choose(browser, "hermite")
         assert 'aria-label="Velocity at the start" inputmode="decimal" value="0.7"' in browser.html()
         assert "Cubic with end velocities</option>" in browser.html()

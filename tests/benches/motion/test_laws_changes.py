@@ -238,7 +238,7 @@ def test_limits_a_law_needs_are_asked_for():
     with pytest.raises(InputError, match="at least one of velocity, acceleration and jerk"):
         after(SetQuantity("speed", None), SetQuantity("acceleration", None), AsFastAsAllowed(True))
     assert "V, A, J: no limit is given" in optimal_text(bench(ChooseLawExample("same_time")))
-    with pytest.raises(InputError, match="none is given"):
+    with pytest.raises(InputError, match="no limit is given"):
         after(ChooseLawExample("same_time"), StretchOptimally())
 
 

@@ -79,8 +79,8 @@ def test_the_numbers_of_the_steps_are_those_of_the_plan():
     length = np.linalg.norm(found.knot_poses[1, :3, 3] - found.knot_poses[0, :3, 3])
     assert f"length of the path {1e3 * length:.1f} mm" in path
     assert "straight between" not in path
-    assert f"turns through {np.degrees(found.turn):.1f}°" in path
-    assert f"farthest neighbours {1e3 * length / 3:.1f} mm" in sampling
+    assert f"angle of rotation {np.degrees(found.turn):.1f}°" in path
+    assert f"largest distance between neighbours {1e3 * length / 3:.1f} mm" in sampling
     assert "Δs 0.3333" in sampling
     assert "✓ The whole path is followed" in inverse
     assert "solved 4 of 4 samples" in inverse

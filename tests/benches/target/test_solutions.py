@@ -240,9 +240,9 @@ def test_the_nearest_other_way_is_taken_or_refused():
     np.testing.assert_allclose(target_pose(other)[:3, 3], target_pose(state)[:3, 3], atol=1e-9)
     assert np.abs(other[Joints].q - state[Joints].q).max() > 0.5
     np.testing.assert_allclose(apply(other, GoAnotherWay())[Joints].q, state[Joints].q, atol=1e-9)
-    with pytest.raises(InputError, match="The only other solution is out of limits"):
+    with pytest.raises(InputError, match="The only other solution is outside the limits"):
         apply(opened("cylindrical_rpp"), GoAnotherWay())
-    with pytest.raises(InputError, match="There is no other way"):
+    with pytest.raises(InputError, match="There is no other solution"):
         apply(opened("cartesian_3p"), GoAnotherWay())
     with pytest.raises(InputError, match="infinitely many ways"):
         apply(opened("panda"), GoAnotherWay())

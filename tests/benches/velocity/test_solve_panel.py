@@ -271,7 +271,7 @@ def test_the_page_solves_moves_and_refuses(url):
         await browser.until(lambda: [browser.nodes[name]["wxyz"] for name in arm_nodes(browser)] != before)
         await settled(browser)
         assert "Self-motion, closed" in browser.html()
-        assert browser.notices == ["The example is about the Planar 3R. Undo (Ctrl+Z) brings back the Planar 2R."]
+        assert browser.notices == ["This example uses the Planar 3R. Undo (Ctrl+Z) brings back the Planar 2R."]
         await browser.close()
 
     run(main())

@@ -21,10 +21,13 @@ from armlab.ui.units import NAMES
 BOOKS = {"standard": "Standard (Siciliano, Spong)", "modified": "Modified (Craig)"}
 KINDS = {"R": "R", "P": "P"}
 PLACEHOLDER = "a\talpha\td\ttheta\n0.3\t90\t0.2\tq1\n0.25\t0\t0\tq2 + 30"
-NOTHING = "The new arm takes nothing over from the {name}: neither tool nor limits nor name. Undo brings the "
-"{name} back."
-LIMITS = "Revolute joints get limits of ±180° and prismatic ones of 0 to 1 m; other limits can be typed on the "
-"page DH table."
+NOTHING = (
+    "The new arm takes nothing over from the {name}: neither tool nor limits nor name. Undo brings the {name} back."
+)
+LIMITS = (
+    "Revolute joints get limits of ±180° and prismatic ones of 0 to 1 m; "
+    "other limits can be typed on the page DH table."
+)
 
 
 class NewArmForm:
