@@ -244,7 +244,7 @@ def test_the_nearest_other_way_is_taken_or_refused():
         apply(opened("cylindrical_rpp"), GoAnotherWay())
     with pytest.raises(InputError, match="There is no other solution"):
         apply(opened("cartesian_3p"), GoAnotherWay())
-    with pytest.raises(InputError, match="infinitely many ways"):
+    with pytest.raises(InputError, match="infinitely many solutions"):
         apply(opened("panda"), GoAnotherWay())
 
 
