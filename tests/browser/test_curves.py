@@ -10,7 +10,7 @@ def test_curves_are_chosen_typed_and_measured(visit):
     lab.open_tab("Motion")
     lab.press("curves")
     lab.page.locator('select[data-cell="example"]').select_option("one_to_four")
-    lab.page.locator(".kit-look", has_text="4.5 out of rest").wait_for()
+    lab.page.locator(".kit-look", has_text="the cubic jumps to 4.5").wait_for()
     lab.rest()
     assert lab.page.locator(".cu-curve").count() == 2
     assert lab.page.locator(".uplot").count() == 4

@@ -52,7 +52,7 @@ def test_arrows_move_a_slider_and_not_the_camera_and_go_along_tabs_and_pages(vis
     assert lab.slider_value(1) == pytest.approx(before + 0.2)
     assert lab.camera() == camera
 
-    lab.tab("Pose").focus()
+    lab.tab("Rotation").focus()
     press(lab, "ArrowDown")
     assert focused(lab) == "Target"
     page = lab.page.locator(".pages .page[data-cell=target]")

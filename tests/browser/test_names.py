@@ -155,7 +155,7 @@ def test_arrow_keys_go_along_the_tabs_that_are_there_and_pass_over_the_others(vi
     lab = visit("lesson/posed", size=SIZES[0])
     lab.until(lambda: not lab.tab("Pose").is_visible())
     lab.tab("Joints").focus()
-    for key, title in (("ArrowDown", "Target"), ("ArrowUp", "Joints"), ("ArrowLeft", "Robot"), ("End", "Help")):
+    for key, title in (("ArrowDown", "Rotation"), ("ArrowUp", "Joints"), ("ArrowLeft", "Robot"), ("End", "Help")):
         lab.page.keyboard.press(key)
         lab.until(lambda title=title: lab.tab(title).get_attribute("aria-selected") == "true")
         assert lab.page.evaluate("() => document.activeElement.dataset.name") == title

@@ -62,4 +62,3 @@ def test_all_switches_fit_into_the_panel(visit):
         }).map(b => b.textContent)"""
         assert lab.page.evaluate(cut) == []
         assert lab.page.locator(".switch").count() >= 10
-        lab.page.close()
