@@ -23,13 +23,14 @@ from armlab.benches.body.forms.commands import (
     WriteBody,
 )
 from armlab.benches.body.forms.facts import FACTS
-from armlab.benches.body.forms.rotation import forms_of
+from armlab.benches.body.forms.rotation import forms_of, triples_of
 from armlab.benches.body.forms.state import Body
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.euler import SEQUENCES
 from armlab.kin.quaternions import exponential
 from armlab.kin.rotations import rotation_from_quaternion, rotation_from_sequence
+from armlab.kin.velocity.rates import rate_matrix
 from armlab.session.fields import Set
 from armlab.session.state import State, apply
 
@@ -228,3 +229,12 @@ def test_zero_is_no_rotation_and_no_axis():
 def test_damaged_files_are_refused(name, value):
     with pytest.raises(InputError):
         Body.from_json({**Body().to_json(), name: value}, catalogue()["planar_2r"])
+
+
+@pytest.mark.parametrize(("axes", "fixed"), BOTH)
+def test_the_inverse_condition_is_that_of_the_matrix_of_the_rates(axes, fixed, rng):
+    for angles in rng.uniform(-3.0, 3.0, (10, 3)):
+        R = rotation_from_sequence(axes, angles, fixed=fixed)
+        triples = triples_of(R, axes, fixed, angles)
+        expected = 1.0 / np.linalg.cond(rate_matrix(triples.shown, axes, fixed))
+        assert triples.inverse_condition == pytest.approx(expected, rel=1e-6)

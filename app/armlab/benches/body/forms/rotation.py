@@ -52,6 +52,15 @@ class Triples:
     determinant: float
     lost: Floats
 
+    @property
+    def inverse_condition(self) -> float:
+        """Return the smallest over the largest singular value of T, which are the roots of 1 - c and 1 + c.
+
+        There c is the cosine between the first axis and the third, and det T the sine.
+        """
+        sine = min(abs(self.determinant), 1.0)
+        return sine / (1.0 + math.sqrt(1.0 - sine**2))
+
 
 @dataclass(frozen=True, eq=False)
 class Forms:

@@ -27,10 +27,11 @@ from armlab.benches.body.forms.rotation import Forms, Triples, forms_of
 from armlab.benches.body.forms.state import Body
 from armlab.benches.body.forms.ui.rings import COLOURS
 from armlab.benches.body.forms.ui.words import LETTERS, components, turn_names, typed_numbers
+from armlab.kin.conditioning import conditioning
 from armlab.kin.euler import NAMES, SEQUENCES, angle_symbols, product_latex
 from armlab.session.fields import Set
 from armlab.session.state import Command, State
-from armlab.ui.colours import css
+from armlab.ui.colours import AXES, css
 from armlab.ui.factors import turns
 from armlab.ui.form import Form
 from armlab.ui.format import MINUS, capitalised, dot, mathml, number, readable
@@ -38,9 +39,6 @@ from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import verdict_box
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
-
-NEAR = 0.1
-"""Absolute det T below which the rates of the angles are called large."""
 
 UNIT = 1e-9
 """Difference of a length from 1 up to which a quaternion is of unit length."""
@@ -117,7 +115,7 @@ def _lock(part: Body, triples: Triples, units: Units) -> Markup | None:
             f"({components(triples.lost, 3)}) can be begun by the three angles."
         )
         return verdict_box("warn", head, tag("p", said))
-    if abs(triples.determinant) < NEAR:
+    if conditioning(triples.inverse_condition) != "good":
         most = number(1.0 / abs(triples.determinant), 0)
         return verdict_box(
             "warn", "Nearly gimbal lock", tag("p", f"The angles turn up to {most} times as fast as the body.")
@@ -137,7 +135,7 @@ def axis_markup(form: Form, state: State) -> Markup:
         return SetBodyTurn(units.read(text, True, "θ"))
 
     angle = form.field("turn", units.entry(found.angle, True), "Angle θ", turned)
-    heads = head_line("θ, " + units.angle_unit, "r x", "r y", "r z")
+    heads = head_line("θ, " + units.angle_unit, *(("r", tag("sub", axis)) for axis in AXES))
     table = tag("table.kit-points.bo-angles", heads, line(angle, *fields))
     return joined(tag("h3", "Axis and angle"), table, tag("p.dim", _of_the_turn(found, units)))
 
