@@ -51,7 +51,7 @@ CLOSER = 0.75
 home comes closer: on a telephone, when the scene gets as low as it is wide."""
 
 RESHAPED = 0.01
-"""Change of the picture's width over its height, relative, from which on it has another shape."""
+"""Change of the picture's width over its height, relative, from which on it has another shape, once all has settled."""
 
 _NOTHING_YET = object()
 """Stands for what pages showed that have not been looked at."""
@@ -112,8 +112,14 @@ class Camera:
         """Note where the page has its eye; what the lab has not put there was a hand."""
         if self.gaze.follows_a_hand():
             self._taken, self._refused, self._at_home = None, True, False
-        if abs(self._client.camera.aspect - self._aspect) > RESHAPED * self._aspect:
+        least = 0.0 if self._settling else RESHAPED * self._aspect
+        if abs(self._client.camera.aspect - self._aspect) > least:
             self._reshaped()
+
+    @property
+    def _settling(self) -> bool:
+        """Whether the panels may still take their part of the window."""
+        return time.monotonic() - self._began < SETTLING
 
     def _reshaped(self) -> None:
         """Look again when the picture has another shape: the docks of the panels, which viser reports late, a window.
@@ -124,10 +130,9 @@ class Camera:
         if self.gaze.goal is None or not self._arm_is_here:
             return
         own = self.gaze.present if self._taken is None else self._taken[0]
-        settling = time.monotonic() - self._began < SETTLING
         home = self._view_from("Home")
         far = home.distance < CLOSER * own.distance
-        if self._at_home and (settling or far or not own.sees(self._corners(), TALL, self._aspect)):
+        if self._at_home and (self._settling or far or not own.sees(self._corners(), TALL, self._aspect)):
             if self._taken is None:
                 self.gaze.go(home)
             else:
