@@ -63,3 +63,19 @@ def test_every_form_follows_what_is_typed(visit):
     lab.until(lambda: "Not a rotation" in lab.page.content())
     lab.type_into("q 0", "nothing")
     lab.until(lambda: "q w: expected a number" in lab.page.content())
+
+
+def test_two_bodies_turn_about_moving_and_fixed_axes_and_end_alike(visit):
+    lab = visit(size=(1100, 800))
+    lab.open_tab("sequence")
+    lab.until(lambda: "The bodies end alike" in lab.page.content())
+    lab.press("made 1")
+    lab.until(lambda: "apart at present" in lab.page.content())
+    assert "after turn" not in lab.page.locator(".sq-both").inner_text()
+    lab.press("play-sequence")
+    lab.until(lambda: "after turn 2" in lab.page.locator(".sq-both").inner_text())
+    lab.until(lambda: "The bodies end alike" in lab.page.content())
+    lab.press("order same")
+    lab.until(lambda: "they make another rotation" in lab.page.content())
+    lab.type_into("angle 2", "x")
+    lab.until(lambda: "ψ: expected a number in degrees" in lab.page.content())

@@ -1,16 +1,20 @@
 """Pages at which one person sits down after the other.
 
 A page that has shown the lab before shows it again in half the time, since the browser has compiled its scripts.
+It keeps them only while it stays with the lab: for a page from elsewhere, even an empty one, it begins a new process.
 """
 
 from __future__ import annotations
+
+from urllib.parse import urljoin
 
 from playwright.sync_api import Browser, Page
 
 from support.chromium import new_page
 from support.page import LabPage
 
-EMPTY = "about:blank"
+NOTHING = "/nothing"
+"""What no lab has; its answer is a page of one line."""
 
 
 class Desk:
@@ -41,7 +45,7 @@ class Desk:
             context.close()
             return
         lab.page.mouse.move(-1, -1)
-        lab.page.goto(EMPTY)
+        lab.page.goto(urljoin(lab.url, NOTHING))
         context.clear_cookies()
         self._free[painted] = lab.page
 

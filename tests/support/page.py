@@ -87,6 +87,8 @@ class LabPage:
     Attributes
     ----------
     page : playwright Page
+    url : str
+        Where the use of it began.
     errors : list of str
         What the page complained about: errors, and warnings other than those `OF_VISER`.
     requests : list of str
@@ -94,7 +96,7 @@ class LabPage:
     """
 
     def __init__(self, page: Page, url: str, size: tuple[int, int] = SMALL) -> None:
-        self.page = page
+        self.page, self.url = page, url
         OPEN.add(self)
         self.page.set_default_timeout(1e3 * WAIT)
         self.page.set_viewport_size({"width": size[0], "height": size[1]})
