@@ -3,6 +3,7 @@
 import pytest
 
 from support.axe import findings
+from support.page import SMALL
 
 pytestmark = pytest.mark.browser
 
@@ -32,8 +33,24 @@ def press(lab, *keys):
         lab.rest()
 
 
-def test_the_focus_is_seen_wherever_the_tab_key_leads(visit):
+def test_a_first_visit_by_keyboard(visit):
     lab = visit(size=(1400, 850))
+    the_focus_is_seen_wherever_the_tab_key_leads(lab)
+    the_tour_is_gone_through_and_gives_the_focus_back(lab)
+    arrows_move_a_slider_and_not_the_camera_and_go_along_tabs_and_pages(lab)
+    lab.open_tab("Robot")
+    a_dialog_keeps_the_focus_and_gives_it_back(lab, "button[data-cell=arms]", "Enter", ".al-dialog")
+
+
+def test_search_and_projector_by_keyboard(visit):
+    lab = visit(size=(1400, 850))
+    lab.open_tab("Robot")
+    a_dialog_keeps_the_focus_and_gives_it_back(lab, ".pages:visible .page[data-cell=robot]", "Control+k", "dialog")
+    lab.resize(SMALL)
+    the_projector_is_switched_on_and_off_by_its_key(lab)
+
+
+def the_focus_is_seen_wherever_the_tab_key_leads(lab):
     lab.open_tab("Joints")
     lab.page.evaluate("() => document.activeElement.blur()")
     stops = []
@@ -44,8 +61,19 @@ def test_the_focus_is_seen_wherever_the_tab_key_leads(visit):
     assert len({name for name, _ in stops}) > 35
 
 
-def test_arrows_move_a_slider_and_not_the_camera_and_go_along_tabs_and_pages(visit):
-    lab = visit(size=(1400, 850))
+def the_tour_is_gone_through_and_gives_the_focus_back(lab):
+    lab.page.locator(".al-card button[data-cell=start-tour]").focus()
+    press(lab, "Enter")
+    assert findings(lab) == []
+    for _ in range(3):
+        lab.until(lambda: focused(lab) == "tour-on")
+        press(lab, "Enter")
+    press(lab, "Escape")
+    lab.until(lambda: focused(lab) == "arms")
+    assert lab.page.locator(".al-tour").count() == 0
+
+
+def arrows_move_a_slider_and_not_the_camera_and_go_along_tabs_and_pages(lab):
     camera, before = lab.camera(), lab.slider_value(1)
     lab.page.locator(f"{lab.slider_track(1)} [role=slider]").focus()
     press(lab, "ArrowRight", "ArrowUp")
@@ -64,16 +92,7 @@ def test_arrows_move_a_slider_and_not_the_camera_and_go_along_tabs_and_pages(vis
     assert focused(lab) == "target"
 
 
-@pytest.mark.parametrize(
-    ("opener", "keys", "dialog"),
-    [
-        ("button[data-cell=arms]", "Enter", ".al-dialog"),
-        (".pages:visible .page[data-cell=robot]", "Control+k", "dialog"),
-    ],
-)
-def test_a_dialog_keeps_the_focus_and_gives_it_back(visit, opener, keys, dialog):
-    lab = visit(size=(1400, 850))
-    lab.open_tab("Robot")
+def a_dialog_keeps_the_focus_and_gives_it_back(lab, opener, keys, dialog):
     lab.page.locator(opener).focus()
     before = focused(lab)
     press(lab, keys)
@@ -89,21 +108,7 @@ def test_a_dialog_keeps_the_focus_and_gives_it_back(visit, opener, keys, dialog)
     assert focused(lab) == before
 
 
-def test_the_tour_is_gone_through_by_keyboard_and_gives_the_focus_back(visit):
-    lab = visit(size=(1400, 850))
-    lab.page.locator(".al-card button[data-cell=start-tour]").focus()
-    press(lab, "Enter")
-    assert findings(lab) == []
-    for _ in range(3):
-        lab.until(lambda: focused(lab) == "tour-on")
-        press(lab, "Enter")
-    press(lab, "Escape")
-    lab.until(lambda: focused(lab) == "arms")
-    assert lab.page.locator(".al-tour").count() == 0
-
-
-def test_the_projector_is_switched_on_and_off_by_its_key(visit):
-    lab = visit()
+def the_projector_is_switched_on_and_off_by_its_key(lab):
     on = "() => document.documentElement.hasAttribute('data-projector')"
     press(lab, "v")
     assert lab.page.evaluate(on)

@@ -94,38 +94,19 @@ def test_every_tab_can_be_read_and_hit_without_a_pointer_over_it(visit):
             assert lab.page.locator("canvas").first.bounding_box()["width"] >= 0.55 * size[0]
 
 
-def test_in_a_lesson_too_the_tabs_can_be_read(visit):
-    lab = visit("lesson/first_arm", size=SIZES[0])
-    lab.page.evaluate(MORE)
-    for size in SIZES:
-        lab.resize(size)
-        lab.finds_none(f"() => ({UNREADABLE})({LEAST})")
+def test_tabs_and_pages_say_what_they_are_and_keep_their_places(visit):
+    lab = visit("robot/puma560", size=SIZES[0])
+    what_is_in_a_tab_is_said_at_once_and_not_once_more_a_second_later(lab)
+    turning_the_pages_of_a_tab_moves_none_of_them(lab)
+    the_key_of_every_page_still_opens_it(lab)
+    lab.resize(SIZES[1])
+    a_screen_reader_hears_each_tab_and_page_by_its_name(lab)
+    pages_of_a_tab_have_the_same_places_whichever_is_open(lab)
+    lab.resize(SIZES[0])
+    a_tab_is_torn_off_the_rail_sideways_and_tabs_apart_stand_above_their_panels(lab)
 
 
-def test_pages_of_a_tab_have_the_same_places_whichever_is_open(visit):
-    lab = visit(size=SIZES[1])
-    for first, *more in (tab for tab in tabs().values() if len(tab) > 1):
-        lab.open_tab(first.title)
-        places = lab.page.evaluate(PLACES)
-        assert [name for name, *_ in places] == [page.name for page in (first, *more)]
-        assert min(min(width, height) for *_, width, height in places) >= LEAST
-        for page in (first, *more):
-            lab.page.evaluate(OPENED, page.key)
-            assert lab.page.evaluate(PLACES) == places
-
-
-def test_turning_the_pages_of_a_tab_moves_none_of_them(visit):
-    lab = visit(size=SIZES[0])
-    lab.open_tab("Motion")
-    places = lab.page.evaluate(PLACES)
-    for page in tabs()["motion"]:
-        lab.press(page.key)
-        assert lab.page.locator(f'.page[data-cell="{page.key}"]').get_attribute("aria-selected") == "true"
-        assert lab.page.evaluate(PLACES) == places
-
-
-def test_what_is_in_a_tab_is_said_at_once_and_not_once_more_a_second_later(visit):
-    lab = visit(size=SIZES[0])
+def what_is_in_a_tab_is_said_at_once_and_not_once_more_a_second_later(lab):
     said = "tab => getComputedStyle(tab, '::after').content"
     assert lab.tab("Velocity").evaluate(said) == "none"
     lab.tab("Velocity").hover()
@@ -140,8 +121,23 @@ def test_what_is_in_a_tab_is_said_at_once_and_not_once_more_a_second_later(visit
     assert lab.tab("Control").evaluate(said) == "none"  # its pages are seen
 
 
-def test_a_screen_reader_hears_each_tab_and_page_by_its_name(visit):
-    lab = visit(size=SIZES[1])
+def turning_the_pages_of_a_tab_moves_none_of_them(lab):
+    lab.open_tab("Motion")
+    places = lab.page.evaluate(PLACES)
+    for page in tabs()["motion"]:
+        lab.press(page.key)
+        assert lab.page.locator(f'.page[data-cell="{page.key}"]').get_attribute("aria-selected") == "true"
+        assert lab.page.evaluate(PLACES) == places
+
+
+def the_key_of_every_page_still_opens_it(lab):
+    for key in ("solve", "by_hand", "what_if", "loop"):
+        lab.open_tab(key)
+        assert lab.page.locator(f'.page[data-cell="{key}"]').get_attribute("aria-selected") == "true"
+        assert lab.page.locator(f'.page[data-cell="{key}"]').inner_text().strip() == pages()[key].name
+
+
+def a_screen_reader_hears_each_tab_and_page_by_its_name(lab):
     for tab in tabs().values():
         assert lab.page.get_by_role("tab", name=tab[0].title, exact=True).count() == 1
     lab.open_tab("Control")
@@ -151,18 +147,18 @@ def test_a_screen_reader_hears_each_tab_and_page_by_its_name(visit):
     assert lab.page.get_by_role("tablist", name="Pages of Control").count() == 1
 
 
-def test_arrow_keys_go_along_the_tabs_that_are_there_and_pass_over_the_others(visit):
-    lab = visit("lesson/posed", size=SIZES[0])
-    lab.until(lambda: not lab.tab("Pose").is_visible())
-    lab.tab("Joints").focus()
-    for key, title in (("ArrowDown", "Rotation"), ("ArrowUp", "Joints"), ("ArrowLeft", "Robot"), ("End", "Help")):
-        lab.page.keyboard.press(key)
-        lab.until(lambda title=title: lab.tab(title).get_attribute("aria-selected") == "true")
-        assert lab.page.evaluate("() => document.activeElement.dataset.name") == title
+def pages_of_a_tab_have_the_same_places_whichever_is_open(lab):
+    for first, *more in (tab for tab in tabs().values() if len(tab) > 1):
+        lab.open_tab(first.title)
+        places = lab.page.evaluate(PLACES)
+        assert [name for name, *_ in places] == [page.name for page in (first, *more)]
+        assert min(min(width, height) for *_, width, height in places) >= LEAST
+        for page in (first, *more):
+            lab.page.evaluate(OPENED, page.key)
+            assert lab.page.evaluate(PLACES) == places
 
 
-def test_a_tab_is_torn_off_the_rail_sideways_and_tabs_apart_stand_above_their_panels(visit):
-    lab = visit(size=SIZES[0])
+def a_tab_is_torn_off_the_rail_sideways_and_tabs_apart_stand_above_their_panels(lab):
     rail = "() => document.documentElement.hasAttribute('data-rail')"
 
     def drag(to):
@@ -183,12 +179,30 @@ def test_a_tab_is_torn_off_the_rail_sideways_and_tabs_apart_stand_above_their_pa
     lab.finds_none(f"() => ({UNREADABLE})({LEAST})")
 
 
-def test_an_old_address_and_the_key_of_every_page_still_open(visit):
-    lab = visit("robot/puma560", size=SIZES[0])
-    for key in ("solve", "by_hand", "what_if", "loop"):
-        lab.open_tab(key)
-        assert lab.page.locator(f'.page[data-cell="{key}"]').get_attribute("aria-selected") == "true"
-        assert lab.page.locator(f'.page[data-cell="{key}"]').inner_text().strip() == pages()[key].name
+def test_in_lessons_the_keys_pass_over_tabs_that_are_away_and_the_others_can_be_read(visit):
+    lab = visit("lesson/posed", size=SIZES[0])
+    arrow_keys_go_along_the_tabs_that_are_there_and_pass_over_the_others(lab)
+    lab.page.locator("select[data-cell=lesson-key]").select_option("first_arm")
+    lab.until(lambda: lab.tab("Pose").is_visible())
+    lab.rest()
+    assert "/lesson/first_arm" in lab.address()
+    the_tabs_can_be_read(lab)
+
+
+def arrow_keys_go_along_the_tabs_that_are_there_and_pass_over_the_others(lab):
+    lab.until(lambda: not lab.tab("Pose").is_visible())
+    lab.tab("Joints").focus()
+    for key, title in (("ArrowDown", "Rotation"), ("ArrowUp", "Joints"), ("ArrowLeft", "Robot"), ("End", "Help")):
+        lab.page.keyboard.press(key)
+        lab.until(lambda title=title: lab.tab(title).get_attribute("aria-selected") == "true")
+        assert lab.page.evaluate("() => document.activeElement.dataset.name") == title
+
+
+def the_tabs_can_be_read(lab):
+    lab.page.evaluate(MORE)
+    for size in SIZES:
+        lab.resize(size)
+        lab.finds_none(f"() => ({UNREADABLE})({LEAST})")
 
 
 def test_on_a_telephone_the_tabs_say_their_names_and_the_one_that_is_wanted_opens(visit):

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from armlab.ui.view import View
-from support.chromium import new_page
 from support.lab import open_lab
-from support.page import COARSE, LabPage
+from support.page import COARSE, SMALL
 
 pytestmark = pytest.mark.browser
 
@@ -51,38 +50,29 @@ def test_nothing_is_clipped_and_nothing_lies_outside(visit):
     """Every panel in every size, light and dark, with the arm that has most joints and longest numbers."""
     lab = visit("robot/panda", SIZES[0])
     lab.drag_handle(2, 1.27, (0.0, 200.0), steps=8)
-    for tab in ("Robot", "Joints", "Target", "View", "Help"):
-        lab.open_tab(tab)
+    for _look in ("one", "the other"):
+        lab.page.keyboard.press("l")
         for size in SIZES:
             lab.resize(size)
-            canvas = lab.page.locator("canvas").first.bounding_box()
-            assert canvas["width"] >= 0.55 * size[0]
-            for _look in ("one", "the other"):
-                lab.page.keyboard.press("l")
-                lab.rest()
+            for tab in ("Robot", "Joints", "Target", "View", "Help"):
+                lab.open_tab(tab)
+                assert lab.page.locator("canvas").first.bounding_box()["width"] >= 0.55 * size[0]
                 lab.finds_none(OUTSIDE)
                 lab.finds_none(OVERLAPS)
 
 
-def test_planar_arms_show_x_to_the_right_and_y_up(visit):
-    lab = visit("robot/planar_2r")
-    root = lab.node("/arm")
-    origin, x, y = (lab.on_screen(root, p) for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0)))
-    right, up = x - origin, y - origin
-    assert right[0] > 100
-    assert abs(right[1]) < 0.05 * right[0]
-    assert up[1] < -100
-    assert abs(up[0]) < 0.1 * -up[1]
-    # The handle has an arrow for x and one for y, and dragging along x moves x alone.
-    start = lab.target()
-    lab.drag_handle(0, 2.0, (-120.0, 0.0))
-    moved = lab.target() - start
-    assert moved[0] < -0.1
-    np.testing.assert_allclose(moved[1:], 0.0, atol=1e-9)
+def test_an_address_with_a_foreign_server_and_a_fragment_asks_only_the_lab(visit, url):
+    lab = visit("robot/scara?websocket=ws://127.0.0.1:9/evil#somewhere")
+    assert "/robot/scara" in lab.address()
+    assert "#" not in lab.address()
+    assert "websocket" not in lab.address()
+    assert all("127.0.0.1:9/" not in request for request in lab.requests if request.startswith("ws"))
+    assert "Drag the handle" in lab.hint()
+    the_page_asks_no_other_host_for_anything(lab, url)
+    scripts_cannot_see_the_cookie_and_markup_cannot_run(lab)
 
 
-def test_the_page_asks_no_other_host_for_anything(visit, url):
-    lab = visit()
+def the_page_asks_no_other_host_for_anything(lab, url):
     lab.press("random")
     own = url.split("/")[2]
     foreign = [r for r in lab.requests if not r.startswith(("data:", "blob:")) and r.split("/")[2] != own]
@@ -90,21 +80,7 @@ def test_the_page_asks_no_other_host_for_anything(visit, url):
     assert any(r.startswith("ws://") for r in lab.requests)
 
 
-def test_a_link_to_a_foreign_server_does_nothing(visit, url):
-    lab = visit("?websocket=ws://127.0.0.1:9/evil")
-    assert "websocket" not in lab.address()
-    assert all("127.0.0.1:9/" not in request for request in lab.requests if request.startswith("ws"))
-    assert "Drag the handle" in lab.hint()
-
-
-def test_a_fragment_does_not_break_the_page(visit):
-    lab = visit("robot/scara#somewhere")
-    assert "/robot/scara" in lab.address()
-    assert "#" not in lab.address()
-
-
-def test_scripts_cannot_see_the_cookie_and_markup_cannot_run(visit):
-    lab = visit()
+def scripts_cannot_see_the_cookie_and_markup_cannot_run(lab):
     assert lab.page.evaluate("() => document.cookie") == ""
     ran = lab.page.evaluate(
         """async () => {
@@ -122,8 +98,27 @@ def test_scripts_cannot_see_the_cookie_and_markup_cannot_run(visit):
     lab.errors.clear()  # the refusals are what was wanted
 
 
-def test_keys_go_where_the_focus_is(visit):
+def test_tabs_are_told_of_and_keys_go_where_the_focus_is(visit, monkeypatch):
+    told, take = [], View._tabs_seen
+    monkeypatch.setattr(View, "_tabs_seen", lambda view, text: (told.append(text), take(view, text)))
     lab = visit()
+    a_new_page_tells_of_the_tab_the_lab_opens_and_of_no_tab_before(lab, told)
+    lab.open_tab("Joints")
+    keys_go_where_the_focus_is(lab)
+    letters_are_commands_on_the_page_and_text_in_a_field(lab)
+    the_cursor_goes_on_to_the_next_field(lab)
+
+
+def a_new_page_tells_of_the_tab_the_lab_opens_and_of_no_tab_before(lab, told):
+    """The page begins with the first tab, the lessons, all of which would be read for it."""
+    lab.until(lambda: bool(told))
+    lab.open_tab("Pose")
+    lab.until(lambda: told[-1] == '["pose"]')
+    assert told[0] == '["joints"]'
+    assert '["lessons"]' not in told
+
+
+def keys_go_where_the_focus_is(lab):
     # On a slider the arrows move the joint and leave the camera alone.
     lab.page.locator(f"{lab.slider_track(1)} [role=slider]").first.focus()
     before, camera = lab.slider_value(1), lab.camera()
@@ -152,8 +147,7 @@ def test_keys_go_where_the_focus_is(visit):
     assert lab.slider_value(1) == 0.0
 
 
-def test_letters_are_commands_on_the_page_and_text_in_a_field(visit):
-    lab = visit()
+def letters_are_commands_on_the_page_and_text_in_a_field(lab):
     lab.open_tab("Target")
     field = lab.page.locator('input[data-cell="x"]')
     field.click()
@@ -168,9 +162,8 @@ def test_letters_are_commands_on_the_page_and_text_in_a_field(visit):
     assert lab.tab("Help").get_attribute("aria-selected") == "true"
 
 
-def test_the_cursor_goes_on_to_the_next_field(visit):
+def the_cursor_goes_on_to_the_next_field(lab):
     """The lab rewrites the fields after each entry; the focus must survive that."""
-    lab = visit()
     lab.open_tab("Target")
     lab.page.locator('input[data-cell="x"]').click()
     lab.page.keyboard.press("Control+a")
@@ -185,21 +178,30 @@ def test_the_cursor_goes_on_to_the_next_field(visit):
     np.testing.assert_allclose(lab.target()[:2], [0.55, -0.25], atol=1e-6)
 
 
-def test_a_new_page_tells_of_the_tab_the_lab_opens_and_of_no_tab_before(visit, monkeypatch):
-    """The page begins with the first tab, the lessons, all of which would be read for it."""
-    told, take = [], View._tabs_seen
-    monkeypatch.setattr(View, "_tabs_seen", lambda view, text: (told.append(text), take(view, text)))
-    lab = visit()
-    lab.until(lambda: bool(told))
-    lab.open_tab("Pose")
-    lab.until(lambda: told[-1] == '["pose"]')
-    assert told[0] == '["joints"]'
-    assert '["lessons"]' not in told
-
-
-def test_a_finger_moves_sliders_and_handle(visit):
-    """A tablet: taps on chips, one finger on the handle."""
+def test_a_planar_arm_on_a_tablet(visit):
     lab = visit("robot/planar_2r", (820, 1180), has_touch=True)
+    planar_arms_show_x_to_the_right_and_y_up(lab)
+    a_finger_moves_sliders_and_handle(lab)
+
+
+def planar_arms_show_x_to_the_right_and_y_up(lab):
+    root = lab.node("/arm")
+    origin, x, y = (lab.on_screen(root, p) for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0)))
+    right, up = x - origin, y - origin
+    assert right[0] > 100
+    assert abs(right[1]) < 0.05 * right[0]
+    assert up[1] < -100
+    assert abs(up[0]) < 0.1 * -up[1]
+    # The handle has an arrow for x and one for y, and dragging along x moves x alone.
+    start = lab.target()
+    lab.drag_handle(0, 2.0, (-120.0, 0.0))
+    moved = lab.target() - start
+    assert moved[0] < -0.1
+    np.testing.assert_allclose(moved[1:], 0.0, atol=1e-9)
+
+
+def a_finger_moves_sliders_and_handle(lab):
+    """A tablet: taps on chips, one finger on the handle."""
     lab.page.locator('button[data-cell="stretched"]').tap()
     lab.rest()
     assert lab.slider_value(1) == 0.0
@@ -222,10 +224,9 @@ def test_a_finger_moves_sliders_and_handle(visit):
     assert lab.target()[0] < start[0] - 0.05
 
 
-def test_the_page_comes_back_by_itself_after_a_restart(browser, tmp_path):
+def test_the_page_comes_back_by_itself_after_a_restart(desk, tmp_path):
     lab = open_lab(tmp_path)
-    context = browser.new_context()
-    page = LabPage(new_page(context, painted=False), f"http://127.0.0.1:{lab.port}/?{COARSE}")
+    page = desk.sit_down(f"http://127.0.0.1:{lab.port}/?{COARSE}", SMALL, painted=False)
     page.drag_slider(1, 0.8)
     value = page.slider_value(1)
     port = lab.port
@@ -236,5 +237,5 @@ def test_the_page_comes_back_by_itself_after_a_restart(browser, tmp_path):
     page.ready()
     page.rest()
     assert page.slider_value(1) == pytest.approx(value, abs=0.11)
-    context.close()
+    desk.get_up(page, painted=False)
     lab.stop()

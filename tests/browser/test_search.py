@@ -63,19 +63,24 @@ def focused(lab):
     return lab.page.evaluate("() => document.activeElement.dataset.cell ?? document.activeElement.tagName")
 
 
-def test_what_is_typed_and_confirmed_at_once_is_what_is_done(visit):
-    """Enter waits for the list of the text in the field, however slow the way to the lab."""
-    lab = visit()
-    lab.page.keyboard.press("Control+k")
-    lab.page.keyboard.type("zero pose")
-    lab.page.keyboard.press("Enter")
-    lab.until(lambda: not is_open(lab))
+def close_search(lab):
+    lab.page.keyboard.press("Escape")
     lab.rest()
-    np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)
+    assert not is_open(lab)
 
 
-def test_the_palette_of_viser_stays_away_and_the_keys_of_commands_go_on_working(visit):
+def test_its_keys_and_those_of_the_page_around_it(visit):
     lab = visit()
+    the_palette_of_viser_stays_away_and_the_keys_of_commands_go_on_working(lab)
+    a_slash_opens_it_where_nothing_is_typed_and_is_a_sign_in_a_field(lab)
+    close_search(lab)
+    escape_gives_the_focus_back(lab)
+    close_search(lab)
+    lab.page.mouse.click(300, 300)
+    escape_leaves_the_projector_as_it_is(lab)
+
+
+def the_palette_of_viser_stays_away_and_the_keys_of_commands_go_on_working(lab):
     for keys in ("Control+k", "Control+Shift+P"):
         lab.page.keyboard.press(keys)
         lab.rest()
@@ -86,13 +91,17 @@ def test_the_palette_of_viser_stays_away_and_the_keys_of_commands_go_on_working(
     lab.page.keyboard.press("0")
     lab.rest()
     np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)
+    open_search(lab)
+    lab.page.keyboard.press("Control+z")  # undoes nothing but what is typed
+    lab.rest()
+    np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)
+    close_search(lab)
     lab.page.keyboard.press("h")
     lab.rest()
     assert sees(lab, "help")
 
 
-def test_a_slash_opens_it_where_nothing_is_typed_and_is_a_sign_in_a_field(visit):
-    lab = visit()
+def a_slash_opens_it_where_nothing_is_typed_and_is_a_sign_in_a_field(lab):
     lab.open_tab("Target")
     field = lab.page.locator('input[data-cell="x"]')
     field.click()
@@ -108,8 +117,7 @@ def test_a_slash_opens_it_where_nothing_is_typed_and_is_a_sign_in_a_field(visit)
     assert lab.page.locator(f"{DIALOG} input").input_value() == ""
 
 
-def test_escape_closes_it_and_gives_the_focus_back(visit):
-    lab = visit()
+def escape_gives_the_focus_back(lab):
     lab.open_tab("Target")
     lab.page.locator('input[data-cell="y"]').focus()
     open_search(lab, "ellipsoid")
@@ -123,8 +131,7 @@ def test_escape_closes_it_and_gives_the_focus_back(visit):
     assert lab.page.locator(f"{DIALOG} input").input_value() == ""
 
 
-def test_escape_leaves_the_projector_as_it_is(visit):
-    lab = visit()
+def escape_leaves_the_projector_as_it_is(lab):
     lab.page.keyboard.press("v")
     open_search(lab)
     lab.page.keyboard.press("Escape")
@@ -135,8 +142,47 @@ def test_escape_leaves_the_projector_as_it_is(visit):
     assert not lab.page.evaluate("() => document.documentElement.hasAttribute('data-projector')")
 
 
-def test_arrow_keys_go_through_the_list_and_leave_the_camera_alone(visit):
+def test_what_is_found_is_done_opened_and_said(visit):
     lab = visit()
+    what_is_typed_and_confirmed_at_once_is_what_is_done(lab)
+    a_file_brings_one_to_its_control(lab)
+    arrow_keys_go_through_the_list_and_leave_the_camera_alone(lab)
+    a_topic_is_asked_for_in_turn(lab)
+    close_search(lab)
+    the_dialog_says_what_it_is_to_who_cannot_see_it(lab)
+    close_search(lab)
+    the_magnifier_opens_it_and_a_click_beside_it_closes_it(lab)
+
+
+def what_is_typed_and_confirmed_at_once_is_what_is_done(lab):
+    """Enter waits for the list of the text in the field, however slow the way to the lab."""
+    lab.page.keyboard.press("Control+k")
+    lab.page.keyboard.type("zero pose")
+    lab.page.keyboard.press("Enter")
+    lab.until(lambda: not is_open(lab))
+    lab.rest()
+    np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)
+
+
+def a_file_brings_one_to_its_control(lab):
+    open_search(lab, "csv")
+    lab.page.keyboard.press("Enter")
+    lab.until(lambda: focused(lab) == "csv")
+    assert sees(lab, "motion")
+    control = lab.page.locator("[data-brought]")
+    assert control.inner_text() == "CSV"
+    assert control.evaluate("e => { const r = e.getBoundingClientRect(); return r.top > 0 && r.bottom < innerHeight; }")
+    # The same from another page with a control of that name.
+    lab.open_tab(pages()["laws"].title)
+    open_search(lab, "samples of the motion csv")
+    lab.page.keyboard.press("Enter")
+    lab.until(lambda: lab.page.locator('[data-cell="python"]').count() > 0 and focused(lab) == "csv")
+    with lab.page.expect_download() as download:
+        lab.page.keyboard.press("Enter")
+    assert download.value.suggested_filename == "puma_560_motion.csv"
+
+
+def arrow_keys_go_through_the_list_and_leave_the_camera_alone(lab):
     camera = lab.camera()
     open_search(lab, "ellipsoid")
     listed = options(lab)
@@ -157,8 +203,28 @@ def test_arrow_keys_go_through_the_list_and_leave_the_camera_alone(visit):
     assert sees(lab, "velocity")
 
 
-def test_the_magnifier_opens_it_and_a_click_beside_it_closes_it(visit):
-    lab = visit()
+def a_topic_is_asked_for_in_turn(lab):
+    open_search(lab, "4.1")
+    lab.page.keyboard.press("Enter")
+    lab.rest()
+    assert is_open(lab)
+    assert lab.page.locator(f"{DIALOG} input").input_value() == "S4.1-common-normal"
+    assert "hit lesson:dh_frames" in options(lab)
+    assert "hit bench:normal" in options(lab)
+
+
+def the_dialog_says_what_it_is_to_who_cannot_see_it(lab):
+    open_search(lab, "velocity")
+    dialog = lab.page.get_by_role("dialog", name="Search")
+    assert dialog.count() == 1
+    field = dialog.get_by_role("combobox", name="Search")
+    assert field.get_attribute("aria-controls") == dialog.get_by_role("listbox").get_attribute("id")
+    assert dialog.get_by_role("option", selected=True).count() == 1
+    assert "of" in dialog.get_by_role("status").inner_text()
+    assert dialog.get_by_role("option").first.inner_text().startswith(title_of(pages()["velocity"]))
+
+
+def the_magnifier_opens_it_and_a_click_beside_it_closes_it(lab):
     lab.page.locator(".al-top .seek").click()
     lab.rest()
     assert is_open(lab)
@@ -177,65 +243,14 @@ def test_the_magnifier_opens_it_and_a_click_beside_it_closes_it(visit):
     assert not is_open(lab)
 
 
-def test_a_topic_is_asked_for_in_turn(visit):
-    lab = visit()
-    open_search(lab, "4.1")
-    lab.page.keyboard.press("Enter")
-    lab.rest()
-    assert is_open(lab)
-    assert lab.page.locator(f"{DIALOG} input").input_value() == "S4.1-common-normal"
-    assert "hit lesson:dh_frames" in options(lab)
-    assert "hit bench:normal" in options(lab)
-
-
-def test_a_file_brings_one_to_its_control(visit):
-    lab = visit()
-    open_search(lab, "csv")
-    lab.page.keyboard.press("Enter")
-    lab.until(lambda: focused(lab) == "csv")
-    assert sees(lab, "motion")
-    control = lab.page.locator("[data-brought]")
-    assert control.inner_text() == "CSV"
-    assert control.evaluate("e => { const r = e.getBoundingClientRect(); return r.top > 0 && r.bottom < innerHeight; }")
-    # The same from another page with a control of that name.
-    lab.open_tab(pages()["laws"].title)
-    open_search(lab, "samples of the motion csv")
-    lab.page.keyboard.press("Enter")
-    lab.until(lambda: lab.page.locator('[data-cell="python"]').count() > 0 and focused(lab) == "csv")
-    with lab.page.expect_download() as download:
-        lab.page.keyboard.press("Enter")
-    assert download.value.suggested_filename == "puma_560_motion.csv"
-
-
-def test_the_key_of_undo_leaves_the_arm_alone_while_one_searches(visit):
-    lab = visit()
-    lab.press("zero")
-    open_search(lab)
-    lab.page.keyboard.press("Control+z")
-    lab.rest()
-    np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)
-
-
-@pytest.mark.parametrize("size", SIZES, ids=["wide", "narrow", "telephone"])
-def test_it_fits_screens_of_all_sizes_light_and_dark(visit, size):
-    lab = visit("", size)
+def test_it_fits_screens_of_all_sizes_light_and_dark(visit):
+    lab = visit(size=SIZES[0])
     for _look in ("light", "dark"):
-        for text in ("", "velocity", "qqzzx"):
-            open_search(lab, text)
-            lab.finds_none(INSIDE)
-            lab.page.keyboard.press("Escape")
+        for size in SIZES:
+            lab.page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
             lab.rest()
+            for text in ("", "velocity", "qqzzx"):
+                open_search(lab, text)
+                lab.finds_none(INSIDE)
+                close_search(lab)
         lab.page.keyboard.press("l")
-        lab.rest()
-
-
-def test_the_dialog_says_what_it_is_to_who_cannot_see_it(visit):
-    lab = visit()
-    open_search(lab, "velocity")
-    dialog = lab.page.get_by_role("dialog", name="Search")
-    assert dialog.count() == 1
-    field = dialog.get_by_role("combobox", name="Search")
-    assert field.get_attribute("aria-controls") == dialog.get_by_role("listbox").get_attribute("id")
-    assert dialog.get_by_role("option", selected=True).count() == 1
-    assert "of" in dialog.get_by_role("status").inner_text()
-    assert dialog.get_by_role("option").first.inner_text().startswith(title_of(pages()["velocity"]))
