@@ -30,14 +30,15 @@ def eigen_markup(state: State) -> Inside:
     cosine, sine = math.cos(angle), math.sin(angle)
     _, middle, _ = eigenvalue_equation(angle)
     sign = "+" if middle >= 0.0 else MINUS
+    roots = f"{number(cosine, 4)} ± {number(abs(sine), 4)} i"
     printed = abs(complex(cosine, sine) ** 2 + 2.0 * cosine * complex(cosine, sine) + 1.0)
     return (
         tag("div.ax-circle", circle(angle, f"1 and e to the ±i {units.angle(angle)}")),
         tag("div.eq.small", mathml(r"\det(R-\lambda I)=-(\lambda-1)(\lambda^2-2\cos\theta\,\lambda+1)")),
         tag(
             "p",
-            f"λ² {sign} {number(abs(middle), 4)} λ + 1 = 0 has the roots {number(cosine, 4)} ± {number(abs(sine), 4)} i, "
-            f"and the trace is 1 + 2 cos θ = {number(1.0 + 2.0 * cosine, 4)}."
+            f"λ² {sign} {number(abs(middle), 4)} λ + 1 = 0 has the roots {roots}. "
+            f"The trace is 1 + 2 cos θ = {number(1.0 + 2.0 * cosine, 4)}."
             f"⟦ 3.60 prints +2 cos θ λ, which leaves {number(printed, 4)} in place of 0 for λ = eⁱᶿ.⟧",
         ),
         _vectors(found, inverse),
