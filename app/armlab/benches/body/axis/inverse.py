@@ -83,5 +83,6 @@ def errors(axis: Floats, near: str, powers: Floats) -> tuple[Floats, Floats]:
     """
     distance = 10.0**-powers
     angle = distance if near == "zero" else math.pi - distance
-    R = np.asarray(rotation_from_axis_angle(np.broadcast_to(axis, (len(powers), 3)), angle))
+    axes = np.broadcast_to(axis, (len(powers), 3))
+    R = np.asarray(rotation_from_axis_angle(axes, angle), dtype=np.float64)
     return np.abs(angle_by_arccos(R) - angle), np.abs(angle_by_atan2(R) - angle)
