@@ -1,7 +1,6 @@
 """Axis and angle of a rotation as the notes find them: a frame around the axis, Rodrigues' terms, and both inverses.
 
-What is used elsewhere is `armlab.kin.rotations.axis_angle`, which is accurate everywhere; here are the formulas that
-are compared with it.
+They are compared with `armlab.kin.rotations.axis_angle`, which is accurate everywhere and is used elsewhere.
 """
 
 from __future__ import annotations

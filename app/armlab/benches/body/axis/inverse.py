@@ -26,7 +26,7 @@ FINEST = 10.0
 
 @dataclass(frozen=True)
 class Inverse:
-    """What the matrix of the body tells of its axis and angle.
+    """Axis and angle as the matrix of the body tells them.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What the pages of films of three steps share: the bar that plays them, and a named matrix."""
+"""Parts of the pages of films of three steps: the bar that plays them, and a named matrix."""
 
 from __future__ import annotations
 
