@@ -16,7 +16,7 @@ from random_volumes import KINDS, drawn
 from rounds import sized
 
 TITLE = "Volume and area of random arms: stated errors against a judge"
-ARMS = sized(200, 4)
+ARMS = sized(200, 2)
 EFFORT, CELLS = sized((0.3, RESOLUTION), (0.02, 32))
 
 HARDER, ASKED = sized(6.0, 1.0), sized(3, 2)

@@ -21,6 +21,9 @@ from rounds import header, medians, row, sized
 TITLE = "Workspace: 10⁶ samples with manipulability into 64³ voxels, one core"
 MANY, SOME, FEW, FEWEST = sized((1_000_000, 20_000, 2_000, 100), (100, 50, 4, 2))
 RESOLUTION, SEED = 64, 1
+CELLS, PLACES = sized((256, 96), (32, 12))
+"""Cells of the section along its longer side, and of the coverage along each."""
+
 ROBOTS = {"puma560": "6R, PUMA 560", "panda": "7R, Franka Panda"}
 
 
@@ -43,7 +46,7 @@ def measure() -> Iterator[str]:
     yield row(
         "6R, section with volume and error, 256 cells", medians({"Armlab": lambda: followed(arm)}, rounds=3), "s", 1, 2
     )
-    found = medians({"Armlab": lambda: coverage(replace(arm), 96)}, rounds=3)
+    found = medians({"Armlab": lambda: coverage(replace(arm), PLACES)}, rounds=3)
     yield row("6R with a spherical wrist, coverage by approach directions, 96³", found, "s", 1, 2)
     yield f"| first 4096 samples of a table that was just edited, 6R | {1e3 * first(arm):.0f} ms | – |"
 
@@ -58,7 +61,7 @@ def ours(arm: Arm, count: int, key: str = "manipulability") -> Voxels:
 
 def followed(arm: Arm) -> Size:
     """Return the volume from the section of an arm of which none is known yet."""
-    *_, last = sections(replace(arm))
+    *_, last = sections(replace(arm), CELLS)
     return size(last)
 
 

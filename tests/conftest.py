@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import json
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -11,9 +12,21 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import Robot, catalogue
+from support.compiling import compile_in_turns, turns
 from support.order import ordered
 
 DATA = Path(__file__).parent / "data"
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_collection(session: pytest.Session) -> Generator[None, object, object]:
+    """Let the workers share the work of compiling what they collect; and nobody look for garbage among the tests."""
+    compile_in_turns(*turns(session.config))
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.enable()
 
 
 @pytest.hookimpl(trylast=True)  # after tests that were not asked for have been left out

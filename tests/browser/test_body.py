@@ -61,3 +61,36 @@ def _follows_in_every_form_what_is_typed(lab):
     lab.until(lambda: "Not a rotation" in lab.page.content())
     lab.type_into("q 0", "nothing")
     lab.until(lambda: "q w: expected a number" in lab.page.content())
+
+
+def test_two_bodies_turn_about_moving_and_fixed_axes_and_end_alike(visit):
+    lab = visit(size=(1100, 800))
+    lab.open_tab("sequence")
+    lab.until(lambda: "The bodies end alike" in lab.page.content())
+    lab.press("made 1")
+    lab.until(lambda: "apart at present" in lab.page.content())
+    assert "after turn" not in lab.page.locator(".sq-both").inner_text()
+    lab.press("play-sequence")
+    lab.until(lambda: "after turn 2" in lab.page.locator(".sq-both").inner_text())
+    lab.until(lambda: "The bodies end alike" in lab.page.content())
+    lab.press("order same")
+    lab.until(lambda: "they make another rotation" in lab.page.content())
+    lab.type_into("angle 2", "x")
+    lab.until(lambda: "ψ: expected a number in degrees" in lab.page.content())
+
+
+def test_axis_and_angle_lead_to_a_matrix_in_three_steps_and_back(visit):
+    lab = visit(size=(1100, 800))
+    lab.open_tab("axis")
+    lab.press("made 1")
+    lab.until(lambda: "after step 1" in lab.page.content())
+    lab.press("shown eigen")
+    lab.type_into("turn", "90")
+    lab.until(lambda: lab.page.locator(".ax-circle circle.ax-value").first.get_attribute("cx") == "105.0")
+    lab.page.locator('select[data-cell="example"]').first.select_option("tiny")
+    lab.until(lambda: "1.000000000·10⁻⁸" in lab.page.content())
+    assert "15.7" in lab.page.content()
+    lab.page.locator('select[data-cell="example"]').first.select_option("none")
+    lab.until(lambda: "r is not determined" in lab.page.content())
+    lab.type_into("axis 2", "0, 0, 0")
+    lab.until(lambda: "zero has no direction" in lab.page.content())

@@ -33,7 +33,10 @@ from armlab.session.store import state_from_text
 from support.small_lessons import TWO_STEPS, library_fixture
 
 PUMA, PLANAR = catalogue()["puma560"], catalogue()["planar_2r"]
-FIRST = lessons()["first_arm"]
+
+
+def first_arm():
+    return lessons()["first_arm"]
 
 
 def done(state, *commands):
@@ -71,7 +74,7 @@ def test_opening_puts_the_lesson_and_its_arm_on_the_table(first):
     assert first[LessonPart].open == "first_arm"
     assert first[LessonPart].step is lessons()["first_arm"].steps[0]
     assert first[RobotPart].robot is PLANAR
-    np.testing.assert_array_equal(first[Joints].q, FIRST.start)
+    np.testing.assert_array_equal(first[Joints].q, first_arm().start)
     assert first[Display].switches["frames"]
     assert first[Target].pose is None
     assert has_its_arm(first)
@@ -208,7 +211,7 @@ def test_another_arm_leaves_the_lesson_open_and_unchecked(first):
     assert passed(done(state, *(MoveJoint(i, 0.0) for i in range(3)))) == frozenset()
     back = done(state, TakeLessonArm())
     assert has_its_arm(back)
-    np.testing.assert_array_equal(back[Joints].q, FIRST.start)
+    np.testing.assert_array_equal(back[Joints].q, first_arm().start)
     assert passed(done(back, TakePose("stretched"))) == {0}
 
 
@@ -309,7 +312,7 @@ def test_undo_takes_back_motions_and_no_answer():
     assert session.notice is None
     assert session.history.undo_label == TakePose.label
     session.apply(Undo(), 9.0)
-    np.testing.assert_array_equal(session.state[Joints].q, FIRST.start)
+    np.testing.assert_array_equal(session.state[Joints].q, first_arm().start)
     assert passed(session.state) == {0, 2}
     assert session.history.undo_label == OpenLesson.label
     session.apply(Undo(), 10.0)

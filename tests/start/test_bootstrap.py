@@ -151,7 +151,25 @@ def test_a_read_only_checkout_uses_the_cache(tmp_path, monkeypatch):
     assert place.parent == tmp_path / "armlab"
 
 
-def test_the_command_runs_in_the_environment_from_any_folder(tmp_path):
+@pytest.fixture
+def environment(tmp_path, monkeypatch):
+    """An environment that is complete: its Python is that of the tests, and finds the lab as an installed one does."""
+    monkeypatch.setenv("ARMLAB_VENV", str(tmp_path / "environment"))
+    made = []
+
+    def install(root, environment, python, extras, anew):
+        made.append(anew)
+        python.parent.mkdir(parents=True)
+        python.write_text(f'#!/bin/sh\nPYTHONPATH="{ROOT / "app"}" exec "{sys.executable}" "$@"\n')
+        python.chmod(0o755)
+
+    monkeypatch.setattr(bootstrap, "install", install)
+    bootstrap.ensure(ROOT)
+    assert made == [True]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="a shell script stands in for the environment's Python")
+def test_the_command_runs_in_the_environment_from_any_folder(environment, tmp_path):
     result = subprocess.run(
         [sys.executable, str(ROOT / "app"), "--version"],
         cwd=tmp_path,
@@ -161,3 +179,4 @@ def test_the_command_runs_in_the_environment_from_any_folder(tmp_path):
     )
     assert result.returncode == 0, result.stderr
     assert result.stdout.startswith("armlab ")
+    assert result.stderr == "", "nothing is installed again"

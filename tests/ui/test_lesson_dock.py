@@ -21,8 +21,6 @@ from support.own_lessons import (
 )
 from support.student import run, student
 
-FIRST = lessons()["first_arm"]
-
 
 @pytest.fixture(scope="module")
 def url(tmp_path_factory):

@@ -27,7 +27,10 @@ from support.own_lessons import (
 )
 from support.student import run, student
 
-FIRST = lessons()["first_arm"]
+
+def first_arm():
+    return lessons()["first_arm"]
+
 
 LOCKED = ARM + 'locked = ["robot", "table", "joints"]\n'
 HIDING = 'robot = "planar_2r"\nhidden = ["joints", "ellipsoid", "orientation"]\n'
@@ -243,7 +246,7 @@ def test_the_work_is_saved_under_any_name(url, typed, kept, file):
         data = json.loads(content)
         assert data["student"] == kept
         assert data["lesson"] == "first_arm"
-        assert data["digest"] == FIRST.digest
+        assert data["digest"] == first_arm().digest
         assert data["progress"]["met"] == ["Stretch the arm along x"]
         await browser.close()
 
@@ -311,22 +314,22 @@ def test_texts_of_a_lesson_are_never_markup(url):
 
 def part_at(step, met=()):
     """Return a student's way through the first lesson."""
-    names = [each.title for each in FIRST.steps]
+    names = [each.title for each in first_arm().steps]
     progress = Progress(step=names[step], met=frozenset(names[i] for i in met))
     return LessonPart(open="first_arm").with_progress(progress)
 
 
 def test_strips_tell_what_is_done_and_where_one_is():
-    markup = page._strips(BareForm(), FIRST, part_at(1, (0, 2)))
+    markup = page._strips(BareForm(), first_arm(), part_at(1, (0, 2)))
     assert markup.count('class="strip done"') == 1  # the question of step 3 is not answered
     assert markup.split('aria-current="step"')[0].count('data-cell="lesson-step-') == 2
     assert "Step 1, done: Stretch the arm along x" in markup
 
 
 def test_the_way_on_is_a_skip_until_the_step_is_done():
-    assert "Skip" in page._foot(BareForm(), FIRST, part_at(0))
-    assert "Next" in page._foot(BareForm(), FIRST, part_at(0, (0,)))
-    assert "Not done yet: steps 1, 3" in page._foot(BareForm(), FIRST, part_at(2, (1, 2)))
+    assert "Skip" in page._foot(BareForm(), first_arm(), part_at(0))
+    assert "Next" in page._foot(BareForm(), first_arm(), part_at(0, (0,)))
+    assert "Not done yet: steps 1, 3" in page._foot(BareForm(), first_arm(), part_at(2, (1, 2)))
 
 
 def test_a_lesson_that_cannot_be_shown_says_so_and_the_benches_live_on(url, monkeypatch):

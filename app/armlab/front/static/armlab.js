@@ -36,15 +36,17 @@
 
   // Sliders of ours tell where they are while they move, at most twenty times a second, and where they end.
   let live = null;
+  let liveValue = ''; // as the hand has left it: the page's clock may have moved the thumb since
   let liveTimer = 0;
   const sendLive = () => {
     liveTimer = 0;
-    if (live) send(live, live.value);
+    if (live) send(live, liveValue);
     live = null;
   };
   document.addEventListener('input', event => {
     if (!event.target.matches?.('input[data-live]')) return;
     live = event.target;
+    liveValue = live.value;
     liveTimer ||= setTimeout(sendLive, 50);
     // Until the lab answers, the thumb stays where the hand has put it.
     if (live.dataset.cell === 'seek' && clock) clock = { ...clock, time: live.value * clock.end, at: performance.now() };

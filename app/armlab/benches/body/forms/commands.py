@@ -266,6 +266,21 @@ class WriteBody(Command):
 
 
 @dataclass(frozen=True)
+class SetBodyTurns(Command):
+    """Set the sequence of axes, whether they are fixed, and the three angles (rad)."""
+
+    axes: str
+    fixed: bool
+    angles: tuple[float, ...]
+    label: ClassVar[str] = "turns of the body"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the product of the three turns."""
+        part = state[Body].with_values({"axes": self.axes, "fixed": self.fixed, "angles": list(self.angles)})
+        return put(state, _by_angles(part, part.angles))
+
+
+@dataclass(frozen=True)
 class TakeOtherAngles(Command):
     """Take the other triple of angles: the same orientation with other turns."""
 
@@ -290,9 +305,7 @@ class PlaceBody(Command):
         """Return the state with the body there."""
         known_name("orientation", self.key, PLACES)
         _, axes, fixed, degrees = PLACES[self.key]
-        angles = [math.radians(angle) for angle in degrees]
-        part = state[Body].with_values({"axes": axes, "fixed": fixed, "angles": angles})
-        return put(state, _by_angles(part, angles))
+        return SetBodyTurns(axes, fixed, tuple(math.radians(angle) for angle in degrees)).apply(state)
 
 
 def _by_angles(part: Body, angles: Sequence[float]) -> Body:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,10 +23,10 @@ def stage_of(state: State) -> tuple[Floats, float]:
     return arm.base[:3, 3] + np.array([0.0, 0.0, HEIGHT * reach]), RADIUS * reach
 
 
-def around(state: State, wide: float = 1.0) -> Floats:
-    """Return the corners (2, 3) of what belongs in the picture, ``wide`` times as far sideways as up."""
+def around(state: State) -> Floats:
+    """Return the corners (2, 3) of what belongs in the picture."""
     centre, radius = stage_of(state)
-    corner = radius * np.array([1.2 * wide, 1.2 * wide, 1.5])
+    corner = radius * np.array([1.2, 1.2, 1.5])
     return np.array([centre - corner, centre + corner])
 
 
@@ -33,3 +35,18 @@ def pose_at(R: Floats, centre: Floats) -> Floats:
     pose = np.eye(4)
     pose[:3, :3], pose[:3, 3] = R, centre
     return pose
+
+
+def sides_of(state: State) -> tuple[tuple[Floats, Floats], float]:
+    """Return the middles of two bodies side by side in the home view of the arm, (3,) each, and their radius."""
+    centre, radius = stage_of(state)
+    azimuth = math.radians(state[RobotPart].robot.camera.azimuth_deg)
+    right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
+    return (centre - 1.05 * radius * right, centre + 1.05 * radius * right), 0.75 * radius
+
+
+def around_both(state: State) -> Floats:
+    """Return the corners of what belongs in the picture of two bodies, (4, 3)."""
+    (one, other), radius = sides_of(state)
+    corner = 1.45 * radius * np.ones(3)
+    return np.array([one - corner, one + corner, other - corner, other + corner])

@@ -16,7 +16,6 @@ from armlab.kin.control.matrix_exponential import (
     by_eigenvectors,
     by_scipy,
     diagonalised,
-    flow,
     largest_difference,
     partial_sums,
     remainder_bound,
@@ -162,7 +161,13 @@ def bounds(part: Exponential) -> Array:
 def curve(A: Matrix, x0: Pair, end: float) -> Curve:
     """Return the curve from 0 to the end, which stays the same while t is moved."""
     t = np.linspace(0.0, end, POINTS)
-    return Curve(t, flow(A, x0, t))
+    return Curve(t, np.asarray(exponentials(A, end) @ np.array(x0)))
+
+
+@lru_cache(maxsize=64)
+def exponentials(A: Matrix, end: float) -> Array:
+    """Return e^(A t) along the curve, shape (POINTS, 2, 2), which stays the same while the start is moved."""
+    return by_scipy(A, np.linspace(0.0, end, POINTS))
 
 
 @dataclass(frozen=True)

@@ -53,8 +53,11 @@ def places_markup(form: Form) -> Markup:
     return tag("div.cases", chips)
 
 
-def angles_markup(form: Form, state: State) -> Markup:
-    """Return the sequence, the three angles to type, the other triple, and what a singularity leaves open."""
+def angles_markup(form: Form, state: State, with_rings: bool = True) -> Markup:
+    """Return the sequence, the three angles to type, the other triple, and what a singularity leaves open.
+
+    ``with_rings`` offers the gimbal rings, which not every page draws.
+    """
     part, units, found = state[Body], units_of(state), state.derived(forms_of)
     chooser = form.select("axes", "Sequence of axes", {axes: axes.upper() for axes in SEQUENCES}, part.axes, WriteBody)
     about = form.chips(
@@ -86,7 +89,8 @@ def angles_markup(form: Form, state: State) -> Markup:
     written = [units.angle(float(angle)) for angle in found.triples.shown]
     product = mathml("R=" + product_latex(part.axes, part.fixed))
     equation = tag("div.eq.small", product, " = ", turns(part.axes, part.fixed, written))
-    return joined(tag("div.kit-head", chooser, about, rings), told, table, equation, _lock(part, found.triples, units))
+    head = tag("div.kit-head", chooser, about, rings if with_rings else None)
+    return joined(head, told, table, equation, _lock(part, found.triples, units))
 
 
 def _angle_fields(form: Form, triples: Triples, symbols: Sequence[str], units: Units) -> list[Markup]:

@@ -1,0 +1,27 @@
+"""The page Moving & fixed axes of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "sequence",
+    "Moving & fixed axes",
+    "ARROWS_CROSS",
+    30,
+    tab="body",
+    about=(
+        "S3.3.1-euler12",
+        "S3.3.1-zxz",
+        "S3.3.2-rpy",
+        "S3.3.2-rpy-xyz",
+        "3.3",
+        "euler",
+        "roll pitch yaw",
+        "moving axes",
+        "fixed axes",
+        "intrinsic and extrinsic rotations",
+        "pre-multiply and post-multiply",
+        "theorem 2",
+        "order of rotations",
+    ),
+)

@@ -1,0 +1,1 @@
+"""The panel of the page Moving & fixed axes, and its part of the scene."""
