@@ -30,9 +30,10 @@ BACK = 1e-9
 """Largest difference of an entry up to which the body is back."""
 
 PRODUCT = (
-    r"(\eta_1,\epsilon_1)(\eta_2,\epsilon_2)="
-    r"(\eta_1\eta_2-\epsilon_1^T\epsilon_2,\;\eta_1\epsilon_2+\eta_2\epsilon_1+\epsilon_1\times\epsilon_2)"
+    r"p\,q=(\eta,\epsilon),\quad\eta=\eta_1\eta_2-\epsilon_1^T\epsilon_2",
+    r"\epsilon=\eta_1\epsilon_2+\eta_2\epsilon_1+\epsilon_1\times\epsilon_2",
 )
+"""The product of p = (eta_1, epsilon_1) and q = (eta_2, epsilon_2), which would be too wide for one line."""
 
 COMPONENTS = ("w", "x", "y", "z")
 
@@ -48,7 +49,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             clock(form, state, CLIP_KEY, DURATION),
             cover_markup(state),
             tag("h3", "Product"),
-            tag("div.eq.small", mathml(PRODUCT)),
+            tag("div.eq.small", mathml(PRODUCT[0]), tag("br"), mathml(PRODUCT[1])),
             _second(form, state),
             product_markup(state),
         )
