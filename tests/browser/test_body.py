@@ -20,7 +20,7 @@ def matrix(lab):
     return numbers(lab, [f"R {i}{j}" for i in range(3) for j in range(3)]).reshape(3, 3)
 
 
-def test_a_dragged_ring_turns_the_body_and_an_undo_brings_it_back(visit):
+def test_a_dragged_ring_turns_the_body_an_undo_brings_it_back_and_every_form_follows_what_is_typed(visit):
     lab = visit(size=(1100, 800))
     lab.open_tab("body")
     lab.until(lambda: any(name.endswith("/body/handle") for name in lab.nodes()))
@@ -47,12 +47,10 @@ def test_a_dragged_ring_turns_the_body_and_an_undo_brings_it_back(visit):
     np.testing.assert_array_equal(R[0], [1, 0, 0])
     lab.page.keyboard.press("Control+z")
     lab.until(lambda: np.array_equal(matrix(lab), np.eye(3)))
+    _follows_in_every_form_what_is_typed(lab)
 
 
-def test_every_form_follows_what_is_typed(visit):
-    lab = visit(size=(1100, 800))
-    lab.open_tab("body")
-    lab.press("place none")
+def _follows_in_every_form_what_is_typed(lab):
     lab.type_into("turn", "90")
     lab.until(lambda: matrix(lab)[0, 0] == 0.0)
     np.testing.assert_array_equal(matrix(lab), [[0, -1, 0], [1, 0, 0], [0, 0, 1]])
