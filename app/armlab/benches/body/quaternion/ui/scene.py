@@ -34,8 +34,10 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 def shown(state: State, units: Units) -> tuple[Shown, Shown]:
     """Return the body of q with its axis, and that of p q, whose axis p has turned along."""
     axis, angle = state.derived(forms_of).axis, angle_at(film_time(state))
-    one, other = (np.asarray(rotation_from_quaternion(q)) for q in (present(state), products(state)[0]))
-    carried = np.asarray(rotation_from_quaternion(second(state)) @ axis)
+    one, other = (
+        np.asarray(rotation_from_quaternion(q), dtype=np.float64) for q in (present(state), products(state)[0])
+    )
+    carried = np.asarray(rotation_from_quaternion(second(state)) @ axis, dtype=np.float64)
     about = f"r: {units.angle(angle)}"
     return Shown(one, "q", axis, angle, PURPLE, about), Shown(other, "p q", carried, angle, ORANGE, f"p {about}")
 
