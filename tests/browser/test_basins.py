@@ -22,14 +22,6 @@ PICTURE = """() => {
 }"""
 
 
-def opened(visit, **options):
-    lab = visit("robot/planar_2r", **options)
-    lab.open_tab("Iterate")
-    lab.rest()
-    lab.press("basins")
-    return lab
-
-
 def drawn_rows(lab):
     """Return how many rows of the picture are there, from below."""
     pixels = np.array(lab.page.evaluate(PICTURE), dtype=int)
@@ -37,8 +29,16 @@ def drawn_rows(lab):
     return side, int(np.sum(pixels.reshape(side, side, 4)[:, 0, 3] > 0))
 
 
-def test_a_map_draws_in_pieces_and_is_cancelled(visit):
-    lab = opened(visit)
+def test_a_map_draws_in_pieces_is_cancelled_and_a_click_starts_the_film_at_that_configuration(visit):
+    lab = visit("robot/planar_2r", size=(1100, 900))
+    lab.open_tab("Iterate")
+    lab.rest()
+    lab.press("basins")
+    _draws_in_pieces_and_is_cancelled(lab)
+    _starts_the_film_at_the_configuration_of_a_click(lab)
+
+
+def _draws_in_pieces_and_is_cancelled(lab):
     lab.press("points 256")
     lab.page.locator("button[data-cell=draw]").click()
     # The first pieces are a part of the picture, and there are more to come.
@@ -58,8 +58,7 @@ def test_a_map_draws_in_pieces_and_is_cancelled(visit):
     assert drawn_rows(lab)[1] == rows
 
 
-def test_a_click_starts_the_film_at_that_configuration(visit):
-    lab = opened(visit, size=(1100, 900))
+def _starts_the_film_at_the_configuration_of_a_click(lab):
     lab.press("points 64")
     lab.page.locator("select[data-cell=method]").select_option("dls_error")
     lab.rest()

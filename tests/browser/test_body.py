@@ -20,7 +20,7 @@ def matrix(lab):
     return numbers(lab, [f"R {i}{j}" for i in range(3) for j in range(3)]).reshape(3, 3)
 
 
-def test_a_dragged_ring_turns_the_body_and_an_undo_brings_it_back(visit):
+def test_a_dragged_ring_turns_the_body_an_undo_brings_it_back_and_every_form_follows_what_is_typed(visit):
     lab = visit(size=(1100, 800))
     lab.open_tab("body")
     lab.until(lambda: any(name.endswith("/body/handle") for name in lab.nodes()))
@@ -47,12 +47,10 @@ def test_a_dragged_ring_turns_the_body_and_an_undo_brings_it_back(visit):
     np.testing.assert_array_equal(R[0], [1, 0, 0])
     lab.page.keyboard.press("Control+z")
     lab.until(lambda: np.array_equal(matrix(lab), np.eye(3)))
+    _follows_in_every_form_what_is_typed(lab)
 
 
-def test_every_form_follows_what_is_typed(visit):
-    lab = visit(size=(1100, 800))
-    lab.open_tab("body")
-    lab.press("place none")
+def _follows_in_every_form_what_is_typed(lab):
     lab.type_into("turn", "90")
     lab.until(lambda: matrix(lab)[0, 0] == 0.0)
     np.testing.assert_array_equal(matrix(lab), [[0, -1, 0], [1, 0, 0], [0, 0, 1]])
@@ -79,3 +77,20 @@ def test_two_bodies_turn_about_moving_and_fixed_axes_and_end_alike(visit):
     lab.until(lambda: "they make another rotation" in lab.page.content())
     lab.type_into("angle 2", "x")
     lab.until(lambda: "ψ: expected a number in degrees" in lab.page.content())
+
+
+def test_axis_and_angle_lead_to_a_matrix_in_three_steps_and_back(visit):
+    lab = visit(size=(1100, 800))
+    lab.open_tab("axis")
+    lab.press("made 1")
+    lab.until(lambda: "after step 1" in lab.page.content())
+    lab.press("shown eigen")
+    lab.type_into("turn", "90")
+    lab.until(lambda: lab.page.locator(".ax-circle circle.ax-value").first.get_attribute("cx") == "105.0")
+    lab.page.locator('select[data-cell="example"]').first.select_option("tiny")
+    lab.until(lambda: "1.000000000·10⁻⁸" in lab.page.content())
+    assert "15.7" in lab.page.content()
+    lab.page.locator('select[data-cell="example"]').first.select_option("none")
+    lab.until(lambda: "r is not determined" in lab.page.content())
+    lab.type_into("axis 2", "0, 0, 0")
+    lab.until(lambda: "zero has no direction" in lab.page.content())

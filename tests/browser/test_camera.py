@@ -12,6 +12,8 @@ SIGHT = """() => {
 }"""
 """In the page's axes, where y is up: the direction from what is looked at to the eye, and what is up in the picture."""
 
+SCHEME = "() => document.documentElement.dataset.mantineColorScheme"
+
 
 def at_section(lab):
     lab.open_tab("Section")
@@ -40,8 +42,15 @@ def square(lab, level):
     return off < 0.1
 
 
-def test_after_a_section_the_view_is_the_one_before(visit):
+def test_a_hand_keeps_its_view_a_section_gives_it_back_and_a_projector_says_how_to_come_back(visit):
     lab = visit("robot/elbow_3r")
+    assert lab.page.evaluate(SCHEME) == "light"
+    _keeps_the_view_of_a_hand_until_home_is_asked_for(lab)
+    _gives_back_the_view_before_a_section(lab)
+    _says_how_to_come_back_from_the_projector(lab)
+
+
+def _gives_back_the_view_before_a_section(lab):
     orbit(lab)
     before = lab.camera()
     at_section(lab)
@@ -52,8 +61,7 @@ def test_after_a_section_the_view_is_the_one_before(visit):
     np.testing.assert_allclose(lab.camera(), before, atol=1e-6)
 
 
-def test_a_hand_in_between_keeps_its_view_until_home_is_asked_for(visit):
-    lab = visit("robot/elbow_3r")
+def _keeps_the_view_of_a_hand_until_home_is_asked_for(lab):
     first = lab.camera()
     lab.page.keyboard.press("c")
     lab.rest()
@@ -71,17 +79,13 @@ def test_a_hand_in_between_keeps_its_view_until_home_is_asked_for(visit):
 
 
 def test_a_system_that_asks_for_dark_pages_gets_them_until_the_person_chooses(visit):
-    scheme = "() => document.documentElement.dataset.mantineColorScheme"
     lab = visit("robot/planar_2r", color_scheme="dark")
-    lab.until(lambda: lab.page.evaluate(scheme) == "dark")
+    lab.until(lambda: lab.page.evaluate(SCHEME) == "dark")
     lab.page.keyboard.press("l")
-    lab.until(lambda: lab.page.evaluate(scheme) == "light")
+    lab.until(lambda: lab.page.evaluate(SCHEME) == "light")
     lab.page.reload()
     lab.ready()
-    assert lab.page.evaluate(scheme) == "light"
-    other = visit("robot/planar_2r")
-    other.rest()
-    assert other.page.evaluate(scheme) == "light"
+    assert lab.page.evaluate(SCHEME) == "light"
 
 
 def test_who_wants_no_moving_pictures_is_shown_a_section_at_once(visit):
@@ -101,8 +105,7 @@ def test_who_wants_no_moving_pictures_is_shown_a_section_at_once(visit):
     assert lab.page.evaluate("() => window.__places.size") <= 4
 
 
-def test_a_projector_says_how_to_come_back_has_no_seam_and_large_labels(visit):
-    lab = visit("robot/planar_2r")
+def _says_how_to_come_back_from_the_projector(lab):
     lab.page.keyboard.press("v")
     back = lab.page.get_by_role("button", name="Back: V or Esc")
     back.wait_for()

@@ -15,16 +15,15 @@ CHANGED_AND_GONE = """() => {
 """Changes a slider and removes it, as when a page is so busy that both messages wait for the same frame."""
 
 
-def test_nothing_is_said_on_the_console_at_load(visit):
-    """Neither at the first load nor at the next; every page is opened in `test_every_page`."""
+def test_nothing_is_said_on_the_console(visit):
+    """Neither at the first load nor at the next, nor of a control that goes before its change is shown.
+
+    Every page is opened in `test_every_page`.
+    """
     lab = visit()
     lab.page.reload()
     lab.ready()
     assert not lab.errors
-
-
-def test_a_control_that_goes_before_its_change_is_shown_is_no_error(visit):
-    lab = visit()
     uuid = lab.page.evaluate(CHANGED_AND_GONE)
     lab.page.wait_for_function("uuid => !document.getElementById(uuid)", arg=uuid)
     assert not lab.errors

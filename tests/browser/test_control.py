@@ -33,7 +33,7 @@ def bodies(lab):
     return [2.0 * math.degrees(math.atan2(wxyz[3], wxyz[0])) for wxyz in found]
 
 
-def test_the_presets_of_the_notes_are_read_from_the_panel_and_played(visit):
+def test_the_presets_of_the_notes_are_read_and_played_and_a_push_is_made_good(visit):
     lab = visit()
     lab.open_tab("Control")
     choose(lab, "line_178")
@@ -51,11 +51,6 @@ def test_the_presets_of_the_notes_are_read_from_the_panel_and_played(visit):
     lab.page.locator('.al-time button[data-cell="play"]').click()
     lab.until(lambda: np.abs(np.array(bodies(lab)) - before).max() > 5.0)
     lab.page.locator('.al-time button[data-cell="close"]').click()
-
-
-def test_a_push_while_it_runs_is_made_good(visit):
-    lab = visit()
-    lab.open_tab("Control")
     choose(lab, "cartesian_tracking")
     lab.page.locator('button[data-cell="push"]').click()
     lab.page.locator('button[data-cell="drop"]').wait_for()

@@ -21,9 +21,29 @@ def pose(lab, name):
     return np.array(found[0]), rotation_from_quaternion(found[1])
 
 
-def test_it_is_at_the_tool_and_follows_a_move(visit):
-    lab = visit("robot/elbow_3r")
+def test_it_is_switched_on_follows_a_move_and_a_joint_is_swept(visit):
+    lab = visit("robot/elbow_3r", size=(1100, 900))
+    _is_kept_on_other_tabs_by_its_switch(lab)
     lab.open_tab("Ellipsoid")
+    _is_at_the_tool_and_follows_a_move(lab)
+    _plays_a_sweep_and_saves_its_curves(lab)
+
+
+def _is_kept_on_other_tabs_by_its_switch(lab):
+    lab.page.keyboard.press("m")
+    lab.until(lambda: any(name.endswith("/ellipsoid") for name in lab.nodes()))
+    assert lab.page.evaluate(SHOWN, lab.node("/ellipsoid"))
+    lab.open_tab("Ellipsoid")
+    lab.rest()
+    assert lab.page.get_by_label("Always shown").is_checked()
+    lab.page.get_by_label("Always shown").click()
+    lab.rest()
+    lab.open_tab("Joints")
+    lab.rest()
+    assert not lab.page.evaluate(SHOWN, lab.node("/ellipsoid"))
+
+
+def _is_at_the_tool_and_follows_a_move(lab):
     lab.until(lambda: any(name.endswith("/ellipsoid_tab") for name in lab.nodes()))
     lab.rest()
     node = lab.node("/ellipsoid_tab")
@@ -39,25 +59,7 @@ def test_it_is_at_the_tool_and_follows_a_move(visit):
     assert [lab.page.evaluate(SHOWN, lab.node(f"/ellipsoid_tab/lost{i}")) for i in range(3)] == [False, False, True]
 
 
-def test_the_switch_keeps_it_on_other_tabs(visit):
-    lab = visit("robot/elbow_3r")
-    lab.page.keyboard.press("m")
-    lab.until(lambda: any(name.endswith("/ellipsoid") for name in lab.nodes()))
-    assert lab.page.evaluate(SHOWN, lab.node("/ellipsoid"))
-    lab.open_tab("Ellipsoid")
-    lab.rest()
-    assert lab.page.get_by_label("Always shown").is_checked()
-    lab.page.get_by_label("Always shown").click()
-    lab.rest()
-    lab.open_tab("Joints")
-    lab.rest()
-    assert not lab.page.evaluate(SHOWN, lab.node("/ellipsoid"))
-
-
-def test_a_sweep_plays_and_the_curves_are_saved(visit):
-    lab = visit("robot/elbow_3r", size=(1100, 900))
-    lab.open_tab("Ellipsoid")
-    lab.rest()
+def _plays_a_sweep_and_saves_its_curves(lab):
     lab.page.get_by_role("button", name="Sweep").click()
     lab.until(lambda: lab.page.locator(".al-time").count() == 1)
     before = lab.page.locator(".al-cursor").first.evaluate("line => parseFloat(line.style.left)")

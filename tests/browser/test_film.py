@@ -67,9 +67,37 @@ def playing(lab):
     return lab.page.locator('.al-time button[data-cell="play"]').get_attribute("title").startswith("Pause")
 
 
-def test_scrubbing_moves_the_frame_from_factor_to_factor_up_to_the_tool(visit):
+def visible(lab):
+    return lab.page.evaluate("name => window.__viserMutable.nodeRefFromName[name].visible", lab.node("/film"))
+
+
+def test_the_film_is_scrubbed_played_stepped_repeated_and_put_away(visit):
     lab = visit()
     open_film(lab)
+    assert visible(lab)
+    _steps_by_keys_while_the_bar_changes(lab)
+    _scrubs_from_factor_to_factor_up_to_the_tool(lab)
+    scrub(lab, 0.0)
+    _plays_by_the_space_bar_to_the_end(lab)
+    _plays_on_in_a_loop_at_the_speed_chosen(lab)
+    _is_put_away_and_shown_again(lab)
+
+
+def _steps_by_keys_while_the_bar_changes(lab):
+    for expected in ends_of(PUMA.arm)[:2]:
+        key(lab, "Period")
+        lab.until(lambda expected=expected: clock(lab)["time"] == expected)
+    key(lab, "Comma")
+    lab.until(lambda: clock(lab)["time"] == 1.5)
+    lab.press("loop")
+    assert lab.page.locator(".al-time .now").inner_text() == f"1.5 / {END:.1f} s"
+    thumb = lab.page.locator(".al-time input[type=range]")
+    assert float(thumb.input_value()) == pytest.approx(1.5 / END, abs=1e-3)
+    assert lab.page.locator(".film .now").inner_text() == "Rz(θ₁)"
+    lab.press("loop")
+
+
+def _scrubs_from_factor_to_factor_up_to_the_tool(lab):
     for time in (0.9, end_of(PUMA.arm, 0, 1), end_of(PUMA.arm, 0, 3), 0.3 * END, 0.8 * END, END):
         scrub(lab, time)
         place = place_at(PUMA.arm, clock(lab)["time"])
@@ -78,9 +106,7 @@ def test_scrubbing_moves_the_frame_from_factor_to_factor_up_to_the_tool(visit):
     np.testing.assert_allclose(moving_frame(lab), PUMA.arm.fk(PUMA.home), rtol=0, atol=1e-4)
 
 
-def test_the_space_bar_plays_pauses_and_plays_to_the_end(visit):
-    lab = visit()
-    open_film(lab)
+def _plays_by_the_space_bar_to_the_end(lab):
     before = moving_frame(lab)
     key(lab, "Space")
     lab.until(lambda: playing(lab) and clock(lab)["time"] > 0.3)
@@ -101,24 +127,7 @@ def test_the_space_bar_plays_pauses_and_plays_to_the_end(visit):
     np.testing.assert_allclose(moving_frame(lab), PUMA.arm.fk(PUMA.home), rtol=0, atol=1e-4)
 
 
-def test_keys_step_and_the_bar_keeps_its_time_when_it_changes(visit):
-    lab = visit()
-    open_film(lab)
-    for expected in ends_of(PUMA.arm)[:2]:
-        key(lab, "Period")
-        lab.until(lambda expected=expected: clock(lab)["time"] == expected)
-    key(lab, "Comma")
-    lab.until(lambda: clock(lab)["time"] == 1.5)
-    lab.press("loop")
-    assert lab.page.locator(".al-time .now").inner_text() == f"1.5 / {END:.1f} s"
-    thumb = lab.page.locator(".al-time input[type=range]")
-    assert float(thumb.input_value()) == pytest.approx(1.5 / END, abs=1e-3)
-    assert lab.page.locator(".film .now").inner_text() == "Rz(θ₁)"
-
-
-def test_in_a_loop_it_plays_on_at_the_speed_chosen(visit):
-    lab = visit()
-    open_film(lab)
+def _plays_on_in_a_loop_at_the_speed_chosen(lab):
     lab.page.locator(".al-time select").select_option("4")
     lab.rest()
     assert lab.page.locator(".al-time select").input_value() == "4"
@@ -132,23 +141,19 @@ def test_in_a_loop_it_plays_on_at_the_speed_chosen(visit):
     lab.until(lambda: not playing(lab))
 
 
-def test_the_film_is_put_away_and_shown_again(visit):
-    lab = visit()
-    open_film(lab)
-    visible = "name => window.__viserMutable.nodeRefFromName[name].visible"
-    assert lab.page.evaluate(visible, lab.node("/film"))
+def _is_put_away_and_shown_again(lab):
     lab.press("close")
     assert lab.page.locator(".al-time").count() == 0
-    assert not lab.page.evaluate(visible, lab.node("/film"))
+    assert not visible(lab)
     lab.press("show")
     assert lab.page.locator(".al-time").count() == 1
-    assert lab.page.evaluate(visible, lab.node("/film"))
+    assert visible(lab)
     # It goes with its page, and comes back where it was.
     scrub(lab, 9.6)
     lab.open_tab("Joints")
     lab.rest()
     assert lab.page.locator(".al-time").count() == 0
-    assert not lab.page.evaluate(visible, lab.node("/film"))
+    assert not visible(lab)
     lab.open_tab("Robot")
     lab.until(lambda: lab.page.locator(".al-time").count() == 1 and abs(clock(lab)["time"] - 9.6) < 1e-3)
-    assert lab.page.evaluate(visible, lab.node("/film"))
+    assert visible(lab)

@@ -1,4 +1,4 @@
-"""Hands in a real browser: keys through the solutions, buttons that are held, a gamepad, typed values, questions."""
+"""Hands in a real browser: keys through the solutions, buttons that are held, a gamepad, typed values."""
 
 import numpy as np
 import pytest
@@ -205,20 +205,3 @@ def test_space_plays_what_the_open_page_shows(visit):
     lab.until(lambda: lab.page.locator('button[data-cell="pause-tangents"]').count() == 1)
     lab.page.keyboard.press("Space")
     lab.until(lambda: lab.page.locator('button[data-cell="play-tangents"]').count() == 1)
-
-
-def test_a_question_closes_with_escape_and_what_destroys_is_not_filled(visit):
-    lab = visit()
-    lab.drag_slider(1, 0.9)
-    lab.open_tab("View")
-    lab.press("start-fresh")
-    dialog = lab.page.get_by_role("dialog")
-    dialog.wait_for()
-    filled = "button => getComputedStyle(button).backgroundColor !== 'rgba(0, 0, 0, 0)'"
-    assert dialog.get_by_role("button", name="No, go back").evaluate(filled)
-    assert not dialog.get_by_role("button", name="Yes, start fresh").evaluate(filled)
-    assert not lab.page.get_by_role("button", name="Start fresh ...").evaluate(filled)
-    lab.page.keyboard.press("Escape")
-    lab.until(lambda: dialog.count() == 0)
-    lab.open_tab("Joints")
-    assert lab.slider_value(1) > 50

@@ -7,9 +7,13 @@ pytestmark = pytest.mark.browser
 WIDE = (1400, 850)
 
 
-def test_what_was_unfolded_stays_so_when_its_content_changes(visit):
+def test_what_is_folded_is_opened_by_hand_and_by_the_search_and_stays_open_when_it_changes(visit):
     lab = visit(size=WIDE)
     lab.open_tab("laws")
+    best = lab.page.locator('button[data-cell="optimal"]')
+    plots = lab.page.locator(".uplot")
+    assert not best.is_visible()
+    assert [plots.nth(i).is_visible() for i in range(4)] == [True, True, False, False]
     values = lab.page.locator(".law-table").first
     assert not values.is_visible()
     lab.unfold("Values, peaks and classes")
@@ -17,23 +21,12 @@ def test_what_was_unfolded_stays_so_when_its_content_changes(visit):
     lab.type_into("t-duration", "4")
     lab.until(lambda: "4" in values.inner_text())
     assert values.is_visible()
-
-
-def test_a_fold_holds_plots_and_sliders_as_well(visit):
-    lab = visit(size=WIDE)
-    lab.open_tab("laws")
-    best = lab.page.locator('button[data-cell="optimal"]')
-    plots = lab.page.locator(".uplot")
-    assert not best.is_visible()
-    assert [plots.nth(i).is_visible() for i in range(4)] == [True, True, False, False]
+    # A fold holds plots and sliders as well.
     lab.press("optimal")
     lab.unfold("Acceleration and jerk")
     assert best.is_visible()
     assert min(plots.nth(3).bounding_box()[side] for side in ("width", "height")) > 60
-
-
-def test_the_search_opens_the_fold_in_which_a_file_is_saved(visit):
-    lab = visit(size=WIDE)
+    # The search opens the fold in which a file is saved.
     lab.page.keyboard.press("Control+k")
     lab.page.keyboard.type("save toml")
     lab.page.locator("#al-search [role=option]", has_text="TOML").first.click()

@@ -5,15 +5,9 @@ import pytest
 pytestmark = pytest.mark.browser
 
 
-def at_page(visit, page):
+def test_the_loop_and_its_film_tell_the_error_and_the_exponential_refuses_in_words(visit):
     lab = visit()
-    lab.open_tab("Control")
-    lab.page.locator(f'button.page[data-cell="{page}"]').click()
-    return lab
-
-
-def test_the_loop_tells_its_error_and_its_film_runs(visit):
-    lab = at_page(visit, "loop")
+    lab.open_tab("loop")
     lab.unfold("Frequency response")
     lab.page.locator(".loop-bode").wait_for()
     assert "0.1961 m/s, 19.6 % of v" in lab.page.locator(".al .verdict").first.inner_text()
@@ -28,10 +22,7 @@ def test_the_loop_tells_its_error_and_its_film_runs(visit):
           .filter(each => each.scrollWidth > each.clientWidth + 1 || each.getBoundingClientRect().width > 345).length"""
     )
     assert wide == 0
-
-
-def test_the_exponential_shows_three_results_and_refuses_in_words(visit):
-    lab = at_page(visit, "exponential")
+    lab.press("exponential")
     lab.page.locator(".exp-plane").wait_for()
     assert lab.page.locator(".exp-result").count() == 3
     lab.page.locator('select[data-cell="example"]:visible').select_option("defective")

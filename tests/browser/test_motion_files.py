@@ -42,8 +42,14 @@ def save(lab, cell, folder):
     return path
 
 
-def test_a_table_and_a_plan_are_saved_and_read_again(visit, tmp_path):
+def test_files_are_saved_read_again_and_refused_in_words_and_a_recording_plays_without_a_lab(visit, tmp_path):
     lab = at_files(visit)
+    _saves_a_table_and_a_plan_and_reads_them_again(lab, tmp_path)
+    _refuses_in_words_what_cannot_be_read_and_lives_on(lab, tmp_path)
+    _saves_a_recording_that_plays_without_a_lab(lab, tmp_path)
+
+
+def _saves_a_table_and_a_plan_and_reads_them_again(lab, tmp_path):
     table = save(lab, "csv", tmp_path)
     rows = table.read_text().splitlines()
     assert rows[0].startswith("time_s,q1_rad,q2_rad,q3_m,q4_rad,qdot1_rad_s")
@@ -56,8 +62,7 @@ def test_a_table_and_a_plan_are_saved_and_read_again(visit, tmp_path):
     assert json.loads(again.read_text()) == json.loads(plan.read_text())
 
 
-def test_files_that_cannot_be_read_are_refused_in_words_and_the_page_lives_on(visit, tmp_path):
-    lab = at_files(visit)
+def _refuses_in_words_what_cannot_be_read_and_lives_on(lab, tmp_path):
     said = lab.page.locator('p.no[role="alert"]')
     for name, data, wanted in (  # no sentence twice in a row, or the second would be taken for there at once
         ("empty.csv", b"", "the file is empty"),
@@ -76,8 +81,7 @@ def test_files_that_cannot_be_read_are_refused_in_words_and_the_page_lives_on(vi
     assert "Plan of 2 waypoints" in says(lab)
 
 
-def test_a_recording_plays_without_a_lab(visit, tmp_path):
-    lab = at_files(visit)
+def _saves_a_recording_that_plays_without_a_lab(lab, tmp_path):
     path = save(lab, "html", tmp_path)
     page = lab.page.context.new_page()
     asked, errors = [], []

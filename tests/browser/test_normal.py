@@ -40,7 +40,7 @@ def measured(lab):
     return tuple(float(value) for value in re.findall(r"(-?[\d.]+)(?: mm\n|°)", text)[:2])
 
 
-def test_a_dragged_line_changes_a_and_an_undo_brings_it_back(visit):
+def test_a_line_is_dragged_and_brought_back_and_cases_and_axes_of_the_arm_take_its_place(visit):
     lab = visit(size=(1100, 800))
     open_page(lab)
     before = measured(lab)
@@ -58,11 +58,6 @@ def test_a_dragged_line_changes_a_and_an_undo_brings_it_back(visit):
     lab.page.keyboard.press("Control+z")
     lab.rest()
     assert measured(lab) == before
-
-
-def test_cases_and_axes_of_the_arm(visit):
-    lab = visit(size=(1100, 800))
-    open_page(lab)
     for kind, words in (("parallel", "Parallel"), ("intersecting", "Intersecting"), ("coincident", "Coincident")):
         lab.press(kind)
         assert words in lab.page.locator(".al .verdict").first.inner_text()

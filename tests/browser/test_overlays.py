@@ -13,9 +13,19 @@ PUMA = catalogue()["puma560"]
 KEYS = {"Joint angles": "g", "Lengths and twists": "i", "Projections": "p", "Swept curves": "u", "Joint types": "j"}
 
 
-def test_overlays_come_by_key_and_go_by_switch(visit):
-    lab = visit()
+CUT = """() => [...document.querySelectorAll('.switch')].filter(b => {
+  const box = b.getBoundingClientRect();
+  return b.scrollWidth > b.clientWidth || box.right > innerWidth || box.bottom > innerHeight;
+}).map(b => b.textContent)"""
+
+
+def test_overlays_fit_into_the_panel_come_by_key_and_go_by_switch(visit):
+    lab = visit(size=(1400, 850))
     lab.open_tab("View")
+    for size in ((1400, 850), (1024, 700)):
+        lab.resize(size)
+        assert lab.page.evaluate(CUT) == []
+        assert lab.page.locator(".switch").count() >= 10
     for title, key in KEYS.items():
         box = lab.page.get_by_role("checkbox", name=title)
         assert not box.is_checked()
@@ -32,10 +42,11 @@ def test_overlays_come_by_key_and_go_by_switch(visit):
         still = lab.page.evaluate(visible, sorted(name for name in made if not name.endswith("label")))
         assert len(still) < len(made), title
     assert {entry.key for entry in shortcuts()} >= {key.upper() for key in KEYS.values()}
+    lab.open_tab("Joints")
+    _sweeps_each_joint_round_its_axis(lab)
 
 
-def test_the_swept_curve_of_a_joint_is_round_its_axis(visit):
-    lab = visit()
+def _sweeps_each_joint_round_its_axis(lab):
     lab.page.keyboard.press("u")
     lab.rest()
     pose = "name => { const p = window.__viserMutable.nodePoseData[name]; return [p.position, p.wxyz]; }"
@@ -50,15 +61,3 @@ def test_the_swept_curve_of_a_joint_is_round_its_axis(visit):
             # The axis of the circle is that of the joint, and the tool is as far from its centre as it is wide.
             axis = rotation_from_quaternion(np.array(wxyz))[:, 2]
             assert axis @ (PUMA.arm.position(q) - np.array(centre)) == pytest.approx(0.0, abs=3e-3)
-
-
-def test_all_switches_fit_into_the_panel(visit):
-    for size in ((1400, 850), (1024, 700)):
-        lab = visit(size=size)
-        lab.open_tab("View")
-        cut = """() => [...document.querySelectorAll('.switch')].filter(b => {
-            const box = b.getBoundingClientRect();
-            return b.scrollWidth > b.clientWidth || box.right > innerWidth || box.bottom > innerHeight;
-        }).map(b => b.textContent)"""
-        assert lab.page.evaluate(cut) == []
-        assert lab.page.locator(".switch").count() >= 10

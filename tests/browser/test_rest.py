@@ -51,6 +51,7 @@ def test_an_answer_that_is_on_its_way_is_waited_for(visit, slow):
 
 def test_an_answer_that_comes_late_is_waited_for(visit, slow):
     lab = visit("robot/planar_2r")
+    _waits_for_what_the_page_itself_does_later(lab)
     before = lab.slider_value(1)
     slow.set()
     lab.page.get_by_role("button", name="Right angle").click()
@@ -59,8 +60,7 @@ def test_an_answer_that_comes_late_is_waited_for(visit, slow):
     assert lab.slider_value(1) != before
 
 
-def test_what_the_page_itself_does_later_is_waited_for(visit):
-    lab = visit("robot/planar_2r")
+def _waits_for_what_the_page_itself_does_later(lab):
     lab.page.evaluate("() => { setTimeout(() => { window.done = true; }, 450); }")
     lab.rest()
     assert lab.page.evaluate("() => window.done")

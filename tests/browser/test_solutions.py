@@ -43,8 +43,14 @@ def apart(one, other):
     return np.abs((np.asarray(one) - other + 180.0) % 360.0 - 180.0).max()
 
 
-def test_a_row_is_clicked_and_the_sliders_are_at_its_values(visit):
+def test_rows_and_ghosts_are_clicked_and_the_list_lives_through_a_drag(visit):
     lab = eight(visit)
+    _goes_to_the_values_of_a_row(lab)
+    _goes_to_a_ghost_that_is_clicked(lab)
+    _lives_through_a_drag_with_ghosts_at_the_target(lab)
+
+
+def _goes_to_the_values_of_a_row(lab):
     assert "8 solutions, and no others" in lab.page.locator(".count").inner_text()
     rows = lab.page.evaluate(ROWS)
     for row in (rows[4], rows[7]):
@@ -56,8 +62,7 @@ def test_a_row_is_clicked_and_the_sliders_are_at_its_values(visit):
     np.testing.assert_allclose(values_of_sliders(lab), rows[4]["values"], atol=0.1)
 
 
-def test_a_ghost_is_clicked_and_the_arm_goes_there(visit):
-    lab = eight(visit)
+def _goes_to_a_ghost_that_is_clicked(lab):
     rows = [row for row in lab.page.evaluate(ROWS) if not row["now"]]
     sticks = lab.node("/sticks")
     start = values_of_sliders(lab)
@@ -86,8 +91,7 @@ def test_a_ghost_is_clicked_and_the_arm_goes_there(visit):
     np.testing.assert_allclose(lab.target(), UR10.arm.position(UR10.poses["eight"]), atol=3e-3)
 
 
-def test_the_list_lives_through_a_drag_and_ghosts_are_at_the_target(visit):
-    lab = eight(visit)
+def _lives_through_a_drag_with_ghosts_at_the_target(lab):
     before = lab.page.evaluate(ROWS)
     lab.drag_handle(0, SIZE, (20.0, 0.0))
     lab.until(lambda: len(lab.page.evaluate(ROWS)) == 8 and lab.page.evaluate(ROWS)[0]["values"] != before[0]["values"])

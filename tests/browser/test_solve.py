@@ -26,7 +26,7 @@ def table(lab):
     return [[float(value) for value in row if value.lstrip("-").replace(".", "").isdigit()] for row in rows]
 
 
-def test_a_stretched_arm_has_no_answer_and_says_why(visit):
+def test_a_stretched_arm_says_why_it_has_no_answer_and_is_moved_in_the_square(visit):
     lab = opened(visit, "solve")
     lab.page.locator("select[data-cell=example]").select_option("stretched_30")
     lab.page.wait_for_function("() => document.body.innerText.includes('No joint speeds give v')")
@@ -44,10 +44,7 @@ def test_a_stretched_arm_has_no_answer_and_says_why(visit):
     lab.type_into("v-0", "-100")
     lab.type_into("v-1", f"{100.0 * math.sqrt(3.0):.9f}")
     lab.page.wait_for_function("() => document.body.innerText.includes('Infinitely many answers')")
-
-
-def test_a_press_and_a_drag_in_the_square_move_the_arm(visit):
-    lab = opened(visit, "pictures")
+    lab.press("pictures")
     square = lab.page.locator(".so-map")
     square.scroll_into_view_if_needed()
     lab.rest()

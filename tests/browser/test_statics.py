@@ -28,9 +28,18 @@ def become(lab, expected):
     lab.until(lambda: len(torques(lab)) == len(expected) and np.allclose(torques(lab), expected, atol=0.006))
 
 
-def test_torques_are_read_and_a_typed_wrench_changes_them(visit):
+def test_a_force_is_pulled_both_ellipsoids_compared_and_torques_of_a_typed_wrench_read(visit):
     lab = visit("robot/planar_2r", size=(1024, 700))
     lab.open_tab("Statics")
+    lab.rest()
+    _pulls_the_force_at_its_tip(lab)
+    lab.open_tab("Ellipsoid")
+    _shows_both_ellipsoids_with_inverse_half_axes(lab)
+    lab.open_tab("Statics")
+    _reads_torques_and_types_a_wrench(lab)
+
+
+def _reads_torques_and_types_a_wrench(lab):
     choose(lab, "torques_2r")
     become(lab, [-4.723, -1.713])
     choose(lab, "along")
@@ -45,10 +54,7 @@ def test_torques_are_read_and_a_typed_wrench_changes_them(visit):
     become(lab, [0.0, 0.0])
 
 
-def test_the_force_is_pulled_at_its_tip(visit):
-    lab = visit("robot/planar_2r")
-    lab.open_tab("Statics")
-    lab.rest()
+def _pulls_the_force_at_its_tip(lab):
     tip = lab.node("/force_tip")
     before = float(lab.page.locator('input[data-cell="force 0"]').input_value())
     size = 2.0
@@ -59,9 +65,7 @@ def test_the_force_is_pulled_at_its_tip(visit):
     assert float(lab.page.locator('input[data-cell="force 1"]').input_value()) == pytest.approx(16.0, abs=0.01)
 
 
-def test_both_ellipsoids_are_side_by_side_with_inverse_half_axes(visit):
-    lab = visit("robot/planar_2r", size=(1024, 700))
-    lab.open_tab("Ellipsoid")
+def _shows_both_ellipsoids_with_inverse_half_axes(lab):
     lab.press("both")
     lab.page.locator(".half.force").wait_for()
     speeds, forces = (

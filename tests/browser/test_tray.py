@@ -24,25 +24,29 @@ FOCUS = "() => document.activeElement.dataset.curve ?? document.activeElement.cl
 SIZE = (1180, 760)
 
 
-@pytest.fixture
-def opened(visit):
-    """A page with two plots of a motion in the tray."""
-    lab = visit("robot/puma560", size=SIZE)
-    lab.open_tab("Motion")
-    lab.press("motion_plots")
+def open_tray(lab):
+    """Put two plots of a motion into the tray."""
     lab.page.evaluate("document.activeElement.blur()")
     assert not lab.page.query_selector(".al-tray")
     lab.page.keyboard.press("x")
     lab.page.wait_for_selector(".tray-plot:first-child .curve")
-    return lab
 
 
 def number(text):
     return float(text.replace("−", "-"))
 
 
-def test_a_hand_reads_hides_zooms_and_scrubs(opened):
-    lab, page = opened, opened.page
+def test_a_hand_reads_hides_zooms_and_scrubs_saves_files_and_the_tray_closes_with_its_page(visit):
+    lab = visit("robot/puma560", size=SIZE)
+    lab.open_tab("Motion")
+    lab.press("motion_plots")
+    open_tray(lab)
+    _is_read_hidden_zoomed_scrubbed_and_put_away(lab, lab.page)
+    open_tray(lab)
+    _saves_files_and_closes_with_its_page(lab, lab.page)
+
+
+def _is_read_hidden_zoomed_scrubbed_and_put_away(lab, page):
     # The scene is smaller, not covered, and nothing covers the tray.
     scene, tray = (page.evaluate(BOX, box) for box in ("canvas", ".al-tray"))
     assert scene[1] + scene[3] <= tray[1] + 1
@@ -97,8 +101,7 @@ def test_a_hand_reads_hides_zooms_and_scrubs(opened):
     assert page.evaluate(BOX, "canvas")[3] == SIZE[1]
 
 
-def test_files_are_saved_and_the_tray_closes_with_its_page(opened):
-    page = opened.page
+def _saves_files_and_closes_with_its_page(lab, page):
     files = {}
     for kind in ("svg", "png", "csv"):
         with page.expect_download() as waiting:
@@ -114,6 +117,6 @@ def test_files_are_saved_and_the_tray_closes_with_its_page(opened):
     assert pixels.shape[1] == pytest.approx(2 * wide, abs=2)
     assert np.abs(pixels - [0, 114, 178]).max(axis=2).min() <= 3
     assert files["csv"].path().read_text(encoding="utf-8").startswith('"t, s","q₁, °"')
-    opened.press("motion")
-    opened.until(lambda: not page.query_selector(".al-tray"))
+    lab.press("motion")
+    lab.until(lambda: not page.query_selector(".al-tray"))
     assert json.loads(page.evaluate("() => JSON.stringify(document.documentElement.dataset.tray ?? null)")) is None

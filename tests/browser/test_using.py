@@ -20,9 +20,15 @@ def changed_pixels(before, after, inside):
     return np.column_stack([xs + x0, ys + y0])
 
 
-def test_the_arm_is_seen_where_it_is_and_moves(visit):
-    """Between two poses pixels change around both tool points, and the sky above the arm does not change."""
+def test_what_is_seen_of_the_arm_and_of_switches(visit):
     lab = visit(painted=True)
+    the_arm_is_seen_where_it_is_and_moves(lab)
+    lab.press("undo")
+    switches_change_the_scene(lab)
+
+
+def the_arm_is_seen_where_it_is_and_moves(lab):
+    """Between two poses pixels change around both tool points, and the sky above the arm does not change."""
     tool_before = lab.on_screen("/target")
     before = lab.picture()
     lab.press("zero")
@@ -36,34 +42,46 @@ def test_the_arm_is_seen_where_it_is_and_moves(visit):
     assert len(changed_pixels(before, after, (10, 10, 120, 60))) == 0
 
 
-def test_a_slider_moves_its_joint(visit):
-    lab = visit()
-    node = lab.node("/arm/1")
-    before = lab.page.evaluate("n => window.__viserMutable.nodeRefFromName[n].quaternion.toArray()", node)
-    lab.drag_slider(1, 0.85)
-    value = lab.slider_value(1)
-    assert 60 < value <= 160
-    after = lab.page.evaluate("n => window.__viserMutable.nodeRefFromName[n].quaternion.toArray()", node)
-    turned = 2.0 * np.degrees(np.arccos(min(1.0, abs(np.dot(before, after)))))
-    assert turned == pytest.approx(value + 18.0, abs=0.2)
-    # The handle has come along.
-    q = np.radians(lab.slider_values(6))
-    np.testing.assert_allclose(lab.target(), PUMA.arm.position(q), atol=3e-3)
+def switches_change_the_scene(lab):
+    plain = lab.picture()
+    for key, least in (("f", 1000), ("k", 5000), ("l", 80000)):
+        lab.page.keyboard.press(key)
+        lab.rest()
+        picture = lab.picture()
+        assert len(changed_pixels(plain, picture, (0, 0, 560, 540))) > least, key
+        plain = picture
 
 
-def test_the_handle_is_dragged_and_the_tool_reaches_it(visit):
+def test_the_target_is_dragged_and_typed(visit, url):
     lab = visit()
-    start = lab.target()
+    the_handle_is_dragged_which_is_one_step_of_undo(lab)
+    out_of_reach_the_handle_stays_and_a_dashed_line_joins_it(lab)
+    for _ in range(2):
+        lab.page.keyboard.press("Control+z")
+        lab.rest()
+    what_is_typed_and_taken_back_gives_way_to_what_the_lab_says(lab, url)
+    a_typed_target_is_reached_and_a_wrong_one_is_refused(lab)
+
+
+def the_handle_is_dragged_which_is_one_step_of_undo(lab):
+    home, start = lab.slider_values(6), lab.target()
     lab.drag_handle(2, SIZE, (0.0, -40.0))
-    target = lab.target()
+    moved, target = lab.slider_values(6), lab.target()
     assert target[2] - start[2] > 0.03
-    q = np.radians(lab.slider_values(6))
-    np.testing.assert_allclose(PUMA.arm.position(q), target, atol=3e-3)
+    np.testing.assert_allclose(PUMA.arm.position(np.radians(moved)), target, atol=3e-3)
     assert "✓ reached" in lab.hint()
+    assert np.abs(moved - home).max() > 1
+    lab.page.keyboard.press("Control+z")
+    lab.rest()
+    np.testing.assert_allclose(lab.slider_values(6), home, atol=0.11)
+    lab.press("redo")
+    np.testing.assert_allclose(lab.slider_values(6), moved, atol=0.11)
+    lab.press("undo")
+    np.testing.assert_allclose(lab.slider_values(6), home, atol=0.11)
+    assert lab.page.locator('button[data-cell="undo"]').is_disabled()
 
 
-def test_out_of_reach_the_handle_stays_and_a_dashed_line_joins_it(visit):
-    lab = visit()
+def out_of_reach_the_handle_stays_and_a_dashed_line_joins_it(lab):
     lab.drag_handle(0, SIZE, (250.0, 40.0))
     assert "closest possible" in lab.hint() or "limit on" in lab.hint()
     assert "mm short" in lab.hint()
@@ -77,79 +95,7 @@ def test_out_of_reach_the_handle_stays_and_a_dashed_line_joins_it(visit):
     assert not any(name.endswith("/gap") for name in lab.nodes())
 
 
-def test_undo_and_redo_by_key_and_by_button(visit):
-    lab = visit()
-    home = lab.slider_values(6)
-    lab.drag_handle(2, SIZE, (0.0, -40.0))
-    moved = lab.slider_values(6)
-    assert np.abs(moved - home).max() > 1
-    lab.page.keyboard.press("Control+z")
-    lab.rest()
-    np.testing.assert_allclose(lab.slider_values(6), home, atol=0.11)
-    lab.press("redo")
-    np.testing.assert_allclose(lab.slider_values(6), moved, atol=0.11)
-    lab.press("undo")
-    np.testing.assert_allclose(lab.slider_values(6), home, atol=0.11)
-    assert lab.page.locator('button[data-cell="undo"]').is_disabled()
-
-
-def test_another_arm_is_chosen_and_the_address_follows(visit):
-    lab = visit()
-    lab.open_tab("Robot")
-    lab.page.locator("input[role=combobox][value='Six joints']").click()
-    lab.page.get_by_role("option", name="Planar").click()
-    lab.rest()
-    lab.press("planar_2r")
-    lab.until(lambda: "/robot/planar_2r" in lab.address())
-    lab.ready()
-    lab.open_tab("Joints")
-    assert lab.slider_value(2) == pytest.approx(55.0)
-    assert sum("/arm/" in name and name.endswith("/body") for name in lab.nodes()) == 3
-    lab.page.keyboard.press("Control+z")
-    lab.until(lambda: "/robot/puma560" in lab.address())
-
-
-def test_a_reload_brings_everything_back(visit):
-    lab = visit()
-    lab.drag_slider(2, 0.5)
-    lab.open_tab("View")
-    lab.page.get_by_label("Frames").click()
-    lab.rest()
-    lab.open_tab("Joints")
-    value = lab.slider_value(2)
-    lab.page.reload()
-    lab.ready()
-    lab.rest()
-    assert lab.slider_value(2) == value
-    lab.open_tab("View")
-    assert lab.page.get_by_label("Frames").is_checked()
-
-
-def test_two_browsers_have_arms_of_their_own(visit):
-    first, second = visit(), visit()
-    first.drag_slider(1, 0.9)
-    second.rest()
-    assert second.slider_value(1) == pytest.approx(-18.0)
-    assert first.slider_value(1) > 50
-
-
-def test_a_typed_target_is_reached_and_a_wrong_one_is_refused(visit):
-    lab = visit()
-    lab.open_tab("Target")
-    lab.type_into("x", "500")
-    lab.type_into("z", "900")
-    np.testing.assert_allclose(lab.target()[[0, 2]], [0.5, 0.9], atol=1e-6)
-    assert "✓ reached" in lab.hint()
-    nonsense = "<img src=x onerror=alert(1)>"
-    lab.type_into("x", nonsense)
-    assert "expected a number in mm" in lab.page.locator("[role=alert]", has_text="x:").last.inner_text()
-    assert lab.page.locator('input[data-cell="x"]').input_value() == nonsense
-    assert lab.target()[0] == pytest.approx(0.5, abs=1e-6)
-    assert lab.page.locator("img[src=x]").count() == 0
-
-
-def test_what_is_typed_and_taken_back_gives_way_to_what_the_lab_says(visit, url):
-    lab = visit()
+def what_is_typed_and_taken_back_gives_way_to_what_the_lab_says(lab, url):
     lab.open_tab("Target")
     field = lab.page.locator('input[data-cell="x"]')
     before = field.input_value()
@@ -162,21 +108,61 @@ def test_what_is_typed_and_taken_back_gives_way_to_what_the_lab_says(visit, url)
         browser = await student(url, cookie)
         await browser.open("target")
         seen = browser.html()
-        await browser.press("x", "500")
+        await browser.press("x", "550")
         await browser.until(lambda: browser.html() != seen)
         await browser.close()
 
     run(elsewhere())
-    lab.until(lambda: abs(lab.target()[0] - 0.5) < 1e-6)
+    lab.until(lambda: abs(lab.target()[0] - 0.55) < 1e-6)
     lab.rest()
     assert field.input_value() == before, "the cursor is in the field"
     field.evaluate("field => field.blur()")
     lab.rest()
-    assert float(field.input_value()) == pytest.approx(500.0)
+    assert float(field.input_value()) == pytest.approx(550.0)
 
 
-def test_named_poses_random_and_held_joints(visit):
+def a_typed_target_is_reached_and_a_wrong_one_is_refused(lab):
+    lab.type_into("x", "500")
+    lab.type_into("z", "900")
+    np.testing.assert_allclose(lab.target()[[0, 2]], [0.5, 0.9], atol=1e-6)
+    assert "✓ reached" in lab.hint()
+    nonsense = "<img src=x onerror=alert(1)>"
+    lab.type_into("x", nonsense)
+    assert "expected a number in mm" in lab.page.locator("[role=alert]", has_text="x:").last.inner_text()
+    assert lab.page.locator('input[data-cell="x"]').input_value() == nonsense
+    assert lab.target()[0] == pytest.approx(0.5, abs=1e-6)
+    assert lab.page.locator("img[src=x]").count() == 0
+
+
+def test_joints_are_moved_by_sliders_poses_and_chance(visit):
     lab = visit()
+    a_slider_moves_its_joint_and_the_trace_follows_the_tool(lab)
+    named_poses_random_and_held_joints(lab)
+    lab.press("home")
+    moves_of_the_lab_are_shown_on_the_way(lab)
+
+
+def a_slider_moves_its_joint_and_the_trace_follows_the_tool(lab):
+    lab.page.keyboard.press("t")
+    lab.rest()
+    node = lab.node("/arm/1")
+    before = lab.page.evaluate("n => window.__viserMutable.nodeRefFromName[n].quaternion.toArray()", node)
+    lab.drag_slider(1, 0.85)
+    value = lab.slider_value(1)
+    assert 60 < value <= 160
+    after = lab.page.evaluate("n => window.__viserMutable.nodeRefFromName[n].quaternion.toArray()", node)
+    turned = 2.0 * np.degrees(np.arccos(min(1.0, abs(np.dot(before, after)))))
+    assert turned == pytest.approx(value + 18.0, abs=0.2)
+    # The handle has come along.
+    q = np.radians(lab.slider_values(6))
+    np.testing.assert_allclose(lab.target(), PUMA.arm.position(q), atol=3e-3)
+    assert any("/trace/" in name for name in lab.nodes())
+    lab.page.keyboard.press("t")
+    lab.rest()
+    assert not any("/trace/" in name for name in lab.nodes())
+
+
+def named_poses_random_and_held_joints(lab):
     lab.press("zero")
     np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)
     lab.press("2")  # hold joint 3
@@ -187,45 +173,8 @@ def test_named_poses_random_and_held_joints(visit):
     assert lab.page.locator('button[data-cell="2"]').get_attribute("aria-pressed") == "true"
 
 
-def test_pictures_switches_change_the_scene(visit):
-    lab = visit(painted=True)
-    plain = lab.picture()
-    for key, least in (("f", 1000), ("k", 5000), ("l", 80000)):
-        lab.page.keyboard.press(key)
-        lab.rest()
-        picture = lab.picture()
-        assert len(changed_pixels(plain, picture, (0, 0, 560, 540))) > least, key
-        plain = picture
-
-
-def test_the_trace_follows_the_tool(visit):
-    lab = visit()
-    lab.page.keyboard.press("t")
-    lab.rest()
-    lab.drag_slider(1, 0.8)
-    assert any("/trace/" in name for name in lab.nodes())
-    lab.page.keyboard.press("t")
-    lab.rest()
-    assert not any("/trace/" in name for name in lab.nodes())
-
-
-def test_start_fresh_asks_and_forgets(visit):
-    lab = visit()
-    lab.drag_slider(1, 0.9)
-    lab.open_tab("View")
-    for answer, kept in (("No, go back", True), ("Yes, start fresh", False)):
-        lab.page.get_by_role("button", name="Start fresh ...").click()
-        lab.page.get_by_role("button", name=answer).click()
-        lab.rest()
-        lab.open_tab("Joints")
-        lab.until(lambda kept=kept: (lab.slider_value(1) > 50) == kept)
-        lab.open_tab("View")
-    assert lab.page.locator('button[data-cell="undo"]').is_disabled()
-
-
-def test_moves_of_the_lab_are_shown_on_the_way(visit):
+def moves_of_the_lab_are_shown_on_the_way(lab):
     """Half way through a jump to another pose the arm is neither here nor there."""
-    lab = visit()
     node = lab.node("/arm/1/2")
     angle = "n => 2 * Math.acos(Math.abs(window.__viserMutable.nodeRefFromName[n].quaternion.w)) * 180 / Math.PI"
     record = """([node, cell, count]) => new Promise(done => {
@@ -247,3 +196,69 @@ def test_moves_of_the_lab_are_shown_on_the_way(visit):
         if shown >= 2:
             break
     assert shown >= 2
+
+
+def test_another_arm_a_reload_and_a_fresh_start(visit):
+    lab = visit()
+    another_arm_is_chosen_and_the_address_follows(lab)
+    a_reload_brings_everything_back(lab)
+    start_fresh_asks_and_forgets(lab)
+
+
+def another_arm_is_chosen_and_the_address_follows(lab):
+    lab.open_tab("Robot")
+    lab.page.locator("input[role=combobox][value='Six joints']").click()
+    lab.page.get_by_role("option", name="Planar").click()
+    lab.rest()
+    lab.press("planar_2r")
+    lab.until(lambda: "/robot/planar_2r" in lab.address())
+    lab.ready()
+    lab.open_tab("Joints")
+    assert lab.slider_value(2) == pytest.approx(55.0)
+    assert sum("/arm/" in name and name.endswith("/body") for name in lab.nodes()) == 3
+    lab.page.keyboard.press("Control+z")
+    lab.until(lambda: "/robot/puma560" in lab.address())
+    lab.ready()
+
+
+def a_reload_brings_everything_back(lab):
+    lab.drag_slider(2, 0.5)
+    lab.open_tab("View")
+    lab.page.get_by_label("Frames").click()
+    lab.rest()
+    lab.open_tab("Joints")
+    value = lab.slider_value(2)
+    lab.page.reload()
+    lab.ready()
+    lab.rest()
+    assert lab.slider_value(2) == value
+    lab.open_tab("View")
+    assert lab.page.get_by_label("Frames").is_checked()
+
+
+def start_fresh_asks_and_forgets(lab):
+    lab.open_tab("Joints")
+    lab.drag_slider(1, 0.9)
+    lab.open_tab("View")
+    dialog = lab.page.get_by_role("dialog")
+    for answer, kept in (("Escape", True), ("No, go back", True), ("Yes, start fresh", False)):
+        lab.page.get_by_role("button", name="Start fresh ...").click()
+        dialog.wait_for()
+        if answer == "Escape":
+            what_destroys_is_not_filled(lab, dialog)
+            lab.page.keyboard.press("Escape")
+        else:
+            dialog.get_by_role("button", name=answer).click()
+        lab.until(lambda: dialog.count() == 0)
+        lab.rest()
+        lab.open_tab("Joints")
+        lab.until(lambda kept=kept: (lab.slider_value(1) > 50) == kept)
+        lab.open_tab("View")
+    assert lab.page.locator('button[data-cell="undo"]').is_disabled()
+
+
+def what_destroys_is_not_filled(lab, dialog):
+    filled = "button => getComputedStyle(button).backgroundColor !== 'rgba(0, 0, 0, 0)'"
+    assert dialog.get_by_role("button", name="No, go back").evaluate(filled)
+    assert not dialog.get_by_role("button", name="Yes, start fresh").evaluate(filled)
+    assert not lab.page.get_by_role("button", name="Start fresh ...").evaluate(filled)

@@ -20,17 +20,23 @@ def numbers(text):
     return [float(found.replace("−", "-")) for found in re.findall(r"−?\d+(?:\.\d+)?", text)]
 
 
-def at_speeds(visit, example, **options):
-    lab = visit(**options)
-    lab.open_tab("Velocity")
+def choose(lab, example):
     lab.page.locator('select[data-cell="example"]').first.select_option(example)
-    lab.page.locator(".kit-look").first.wait_for()
+    lab.page.locator(".kit-look", has_text=EXAMPLES[example].says[:20]).wait_for()
     lab.rest()
-    return lab
 
 
-def test_the_sum_is_what_the_positions_say_and_a_column_is_drawn(visit):
-    lab = at_speeds(visit, "planar")
+def test_speeds_are_summed_and_driven_and_turning_says_what_a_singular_angle_loses(visit):
+    lab = visit()
+    lab.open_tab("Velocity")
+    _sums_what_the_positions_say_and_draws_a_column(lab)
+    _drives_the_arm_and_keeps_nonsense(lab)
+    lab.press("turning")
+    _says_what_a_singular_angle_loses(lab)
+
+
+def _sums_what_the_positions_say_and_draws_a_column(lab):
+    choose(lab, "planar")
     arm, example = catalogue()["planar_2r"].arm, EXAMPLES["planar"]
     v = arm.jacobian(example.q)[:3] @ example.qdot
     lab.unfold("Parts and their sum")
@@ -48,8 +54,8 @@ def test_the_sum_is_what_the_positions_say_and_a_column_is_drawn(visit):
     lab.until(lambda: not any(name.endswith("velocity/parts/arrows") for name in lab.nodes()))
 
 
-def test_the_drive_moves_the_arm_and_nonsense_stays(visit):
-    lab = at_speeds(visit, "two_points")
+def _drives_the_arm_and_keeps_nonsense(lab):
+    choose(lab, "two_points")
     matrix = lab.page.locator(".mat.select").first
     before = matrix.inner_text()
     lab.press("play-speeds")
@@ -62,10 +68,7 @@ def test_the_drive_moves_the_arm_and_nonsense_stays(visit):
     assert field.get_attribute("aria-invalid") == "true"
 
 
-def test_turning_says_what_a_singular_angle_loses(visit):
-    lab = visit()
-    lab.open_tab("Velocity")
-    lab.page.locator("button.page[data-cell=turning]").click()
+def _says_what_a_singular_angle_loses(lab):
     lab.page.locator(".verdict", has_text="Well conditioned").wait_for()
     lab.type_into("angles 1", "90")
     lab.page.locator(".verdict", has_text="Singular").wait_for()

@@ -37,6 +37,7 @@ PAGES = list(facts_of_benches())
 ARMS = ("planar_2r", "puma560", "scara")
 
 CHANGES = {
+    "body.axis": [("set", {"shown": "inverse"})],
     "body.forms": [("place_body", {"key": "lock"}), ("set_body_entry", {"row": 0, "column": 0, "value": 0.3})],
     "body.meanings": [("set_vector", {"index": 1, "value": -0.4})],
     "body.sequence": [("set", {"order": "same"})],

@@ -5,10 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from armlab.benches.body.forms.timing import DURATION, ENDS
-from armlab.errors import InputError
+from armlab.benches.body.forms.film import time_of, with_film_at
 from armlab.session.fields import FieldPart, choice
-from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import Command, PartType, State
 
 CLIP_KEY = "sequence"
@@ -43,14 +41,9 @@ class ShowTurn(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the film open there, paused."""
-        if not 0 <= self.made <= len(ENDS):
-            raise InputError(f"turns: expected 0 to {len(ENDS)}, got {self.made}")
-        if state[Timeline].clip != CLIP_KEY or state[Timeline].playing:
-            state = OpenClip(CLIP_KEY).apply(OpenClip("").apply(state))
-        return Seek((0.0, *ENDS)[self.made]).apply(state)
+        return with_film_at(state, CLIP_KEY, self.made, "turns")
 
 
 def film_time(state: State) -> float:
     """Return the time of the film in seconds; its end while it is closed."""
-    timeline = state[Timeline]
-    return timeline.time if timeline.clip == CLIP_KEY else DURATION
+    return time_of(state, CLIP_KEY)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from armlab.benches.body.forms.state import Body
 from armlab.benches.body.forms.timing import DURATION, step_at
 from armlab.benches.body.forms.ui.rings import COLOURS
+from armlab.benches.body.forms.ui.steps import factor
 from armlab.benches.body.forms.ui.words import LETTERS, turn_names
 from armlab.benches.body.sequence.film import Turns, apart, difference, turns_of
 from armlab.benches.body.sequence.state import Sequence, film_time
@@ -14,8 +13,8 @@ from armlab.kin.euler import angle_symbols
 from armlab.session.state import State
 from armlab.ui.colours import css
 from armlab.ui.factors import elementary, turns
-from armlab.ui.format import dot, matrix, scientific
-from armlab.ui.html import Inside, Markup, classes, joined, tag
+from armlab.ui.format import dot, scientific
+from armlab.ui.html import Markup, classes, joined, tag
 from armlab.ui.markup import verdict_box
 from armlab.ui.units import Units, units_of
 
@@ -50,21 +49,17 @@ def _steps(one: Turns, time: float, units: Units) -> Markup:
     """Return the present turn times what was made before, in the order of the product, and what comes of it."""
     k = step_at(time)
     angles = [units.angle(float(angle)) for angle in one.angles_at(time)]
-    before = _factor(tag("span", "after turn ", str(k)) if k else "at the start", one.after(k))
-    new = _factor(joined("turn ", str(k + 1), ": ", elementary("R", one.axes[k], angles[k])), one.turn(k, time), True)
+    before = factor(tag("span", "after turn ", str(k)) if k else "at the start", one.after(k))
+    new = factor(joined("turn ", str(k + 1), ": ", elementary("R", one.axes[k], angles[k])), one.turn(k, time), True)
     first, second = (new, before) if one.fixed else (before, new)
     product = turns(one.axes[: k + 1], one.fixed, angles[: k + 1])
     return joined(
         first,
         second,
-        _factor("= R", one.at(time)),
+        factor("= R", one.at(time)),
         tag("p.sq-product", "R = ", product),
         tag("p.dim", SAID[one.fixed]),
     )
-
-
-def _factor(name: Inside, values: np.ndarray, new: bool = False) -> Markup:
-    return tag(classes("div.sq-factor", now=new), tag("small", name), matrix(values, 3))
 
 
 def ends_markup(state: State) -> Markup:

@@ -6,11 +6,11 @@ from functools import partial
 
 from armlab.benches.body.forms.stage import around_both
 from armlab.benches.body.forms.state import Body
-from armlab.benches.body.forms.timing import ENDS
 from armlab.benches.body.forms.ui.numbers import angles_markup
 from armlab.benches.body.forms.ui.page import HIDES
+from armlab.benches.body.forms.ui.steps import steps_bar
 from armlab.benches.body.sequence.examples import EXAMPLES, ChooseSequenceExample, example_of
-from armlab.benches.body.sequence.state import CLIP_KEY, ORDERS, Sequence, ShowTurn, film_time
+from armlab.benches.body.sequence.state import CLIP_KEY, ORDERS, Sequence, ShowTurn
 from armlab.benches.body.sequence.ui.numbers import ends_markup, products_markup
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
@@ -18,9 +18,8 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.html import Markup, tag
+from armlab.ui.html import Markup
 from armlab.ui.markup import row
-from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.widgets import Gui
 
@@ -34,7 +33,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             examples(form, EXAMPLES, example_of(state), ChooseSequenceExample),
             angles_markup(form, state, with_rings=False),
             _order(form, state),
-            _turns(form, state),
+            steps_bar(form, state, CLIP_KEY, "turn", ShowTurn),
         )
         numbers.show(products_markup(state), ends_markup(state))
 
@@ -47,18 +46,6 @@ def _order(form: Form, state: State) -> Markup:
         "order", ORDERS, state[Sequence].order, "The turns of the other body", partial(Set, Sequence, "order")
     )
     return row(f"{other} axes".capitalize(), chips, wide=True)
-
-
-def _turns(form: Form, state: State) -> Markup:
-    """Return the button that plays, and one for each turn that has been made."""
-    now = film_time(state)
-    chips = [
-        form.chip(f"made {made}", "start" if made == 0 else f"turn {made}", ShowTurn(made), hint, now == time)
-        for made, (time, hint) in enumerate(
-            zip((0.0, *ENDS), ("Before the first turn", *["After this turn"] * 3), strict=True)
-        )
-    ]
-    return tag("div.bar", play_button(form, state, CLIP_KEY, CLIP_KEY), chips)
 
 
 PANEL = Panel((Body, Sequence, Timeline), build, rebuilds=(Notation,), hides=HIDES, around=around_both)

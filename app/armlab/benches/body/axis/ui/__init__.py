@@ -1,0 +1,1 @@
+"""The panel of the page Axis & angle, and its part of the scene."""
