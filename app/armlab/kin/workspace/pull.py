@@ -71,7 +71,7 @@ def pull(
     """
 
     def residual(values: Floats, rows: NDArray[np.intp]) -> Floats:
-        left = targets[rows] - joint.place(joint.arm.position(values))
+        left = np.asarray(targets[rows] - joint.place(joint.arm.position(values)))
         return left if weights is None else np.asarray(left * weights[rows])
 
     def rates(values: Floats, rows: NDArray[np.intp]) -> Floats:
@@ -171,7 +171,7 @@ def _step(J: Floats, e: Floats, damping: Floats, at_low: NDArray[np.bool_], at_h
     size = np.abs(step)
     if size.max(initial=0.0) > LONGEST:
         step *= LONGEST / np.maximum(size.max(axis=1, keepdims=True), LONGEST)
-    return step
+    return np.asarray(step)
 
 
 def _solved(J: Floats, ridge: Floats, e: Floats) -> Floats:
