@@ -94,3 +94,14 @@ def test_axis_and_angle_lead_to_a_matrix_in_three_steps_and_back(visit):
     lab.until(lambda: "r is not determined" in lab.page.content())
     lab.type_into("axis 2", "0, 0, 0")
     lab.until(lambda: "zero has no direction" in lab.page.content())
+
+
+def test_a_quaternion_is_back_after_two_whole_turns(visit):
+    lab = visit(size=(1100, 800))
+    lab.open_tab("quaternion")
+    lab.type_into("time", "4")
+    lab.until(lambda: "The body is back, q is not" in lab.page.content())
+    lab.type_into("time", "8")
+    lab.until(lambda: "q = 1 after two whole turns" in lab.page.content())
+    lab.type_into("p 1", "none")
+    lab.until(lambda: "p x: expected" in lab.page.content())

@@ -40,6 +40,7 @@ CHANGES = {
     "body.axis": [("set", {"shown": "inverse"})],
     "body.forms": [("place_body", {"key": "lock"}), ("set_body_entry", {"row": 0, "column": 0, "value": 0.3})],
     "body.meanings": [("set_vector", {"index": 1, "value": -0.4})],
+    "body.quaternion": [("set_second", {"index": 2, "value": -0.5})],
     "body.sequence": [("set", {"order": "same"})],
     "control.exponential": [("move_time", {"t": 1.5}), ("sum_terms", {"terms": 7})],
     "control.follow": [("set_value", {"key": "duration", "value": 2.0})],

@@ -1,0 +1,1 @@
+"""The panel of the page Quaternions, and its part of the scene."""
