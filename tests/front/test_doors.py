@@ -71,7 +71,7 @@ SENSELESS = {
 }
 
 
-@pytest.fixture(scope="module", params=[0, 2], ids=["alone", "two labs"])
+@pytest.fixture(scope="module", params=[0, 1], ids=["alone", "a lab behind"])
 def url(request):
     with running_lab(labs=request.param) as address:
         yield address

@@ -160,7 +160,8 @@ def environment(tmp_path, monkeypatch):
     def install(root, environment, python, extras, anew):
         made.append(anew)
         python.parent.mkdir(parents=True)
-        python.write_text(f'#!/bin/sh\nPYTHONPATH="{ROOT / "app"}" exec "{sys.executable}" "$@"\n')
+        used = f'touch "{python}.used"\nPYTHONPATH="{ROOT / "app"}" exec "{sys.executable}" "$@"\n'
+        python.write_text(f"#!/bin/sh\n{used}")
         python.chmod(0o755)
 
     monkeypatch.setattr(bootstrap, "install", install)
@@ -180,3 +181,4 @@ def test_the_command_runs_in_the_environment_from_any_folder(environment, tmp_pa
     assert result.returncode == 0, result.stderr
     assert result.stdout.startswith("armlab ")
     assert result.stderr == "", "nothing is installed again"
+    assert (tmp_path / "environment" / "bin" / "python.used").exists()

@@ -66,9 +66,12 @@ def end(process, number=signal.SIGINT):
     return process.returncode, out, err
 
 
-@pytest.mark.parametrize(("number", "lessons"), [(signal.SIGINT, ALL), (signal.SIGTERM, NONE)])
-def test_it_opens_and_ctrl_c_ends_it_without_a_word(tmp_path, number, lessons):
-    process = armlab("--no-browser", "--port", "0", "--state", str(tmp_path), lessons=lessons)
+def test_it_opens_and_ctrl_c_ends_it_without_a_word(tmp_path):
+    process = armlab("--no-browser", "--port", "0", "--state", str(tmp_path), lessons=ALL)
+    opens_and_ends_without_a_word(process, signal.SIGINT)
+
+
+def opens_and_ends_without_a_word(process, number):
     first = process.stdout.readline()
     address = re.fullmatch(r"Armlab is open at (http://127\.0\.0\.1:\d+/)\n", first)
     assert address, first
@@ -123,21 +126,14 @@ def in_use(folder):
     return 1, "", f"armlab: {folder} is in use by another lab; stop that one or choose another with --state DIR\n"
 
 
-def test_a_folder_in_use_is_one_line_even_on_another_port(tmp_path, refused):
+def test_a_lab_keeps_its_folder_even_on_another_port_until_it_is_killed(tmp_path, refused):
     process = armlab("--no-browser", "--port", "0", "--state", str(tmp_path))
     assert process.stdout.readline().startswith("Armlab is open at ")
     assert refused("--no-browser", "--port", "0", "--state", str(tmp_path)) == in_use(tmp_path)
-    assert end(process)[0] == 0
-
-
-def test_a_lab_that_was_killed_does_not_keep_its_folder(tmp_path):
-    process = armlab("--no-browser", "--port", "0", "--state", str(tmp_path))
-    assert process.stdout.readline().startswith("Armlab is open at ")
     process.kill()
     process.communicate(timeout=WAIT)
     again = armlab("--no-browser", "--port", "0", "--state", str(tmp_path))
-    assert again.stdout.readline().startswith("Armlab is open at ")
-    assert end(again)[0] == 0
+    opens_and_ends_without_a_word(again, signal.SIGTERM)
 
 
 def test_an_unknown_robot_is_one_line_with_those_there_are(tmp_path, refused):

@@ -93,6 +93,16 @@ class FirstJoint:
         x, y = local[..., 0], local[..., 1]
         return np.stack([np.hypot(x, y), local[..., 2], np.arctan2(y, x)], axis=-1)
 
+    def place(self, points: ArrayLike) -> Floats:
+        """Return (u, v) of points (k, 3), shape (k, 2), as of `split`; without s it is found in half the time."""
+        local = (np.asarray(points, dtype=np.float64) - self.origin) @ self.axes
+        if not self.revolute:
+            return np.asarray(local[:, :2])
+        found = np.empty((len(local), 2))
+        np.hypot(local[:, 0], local[:, 1], out=found[:, 0])
+        found[:, 1] = local[:, 2]
+        return found
+
     def join(self, coordinates: ArrayLike) -> Floats:
         """Return the points in the world (..., 3) with coordinates (u, v, s); the inverse of `split`."""
         given = np.asarray(coordinates, dtype=np.float64)
