@@ -1,11 +1,11 @@
-"""The page Moving & fixed axes of the lab."""
+"""The page Euler & RPY angles of the lab."""
 
 from armlab.page import Page
 
 PAGE = Page(
     __name__,
     "sequence",
-    "Moving & fixed axes",
+    "Euler & RPY angles",
     "ARROWS_CROSS",
     30,
     tab="body",

@@ -8,7 +8,7 @@ from armlab.session.parts.timeline import Clip
 
 CLIP = Clip(
     CLIP_KEY,
-    "Moving & fixed axes",
+    "Euler & RPY angles",
     lambda state: DURATION,
     lambda state: ENDS[:-1],
     lambda state, time: state,

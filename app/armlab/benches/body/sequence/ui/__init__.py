@@ -1,1 +1,1 @@
-"""The panel of the page Moving & fixed axes, and its part of the scene."""
+"""The panel of the page Euler & RPY angles, and its part of the scene."""

@@ -142,9 +142,8 @@ def drawn_markup(look: Look) -> Markup:
     last = subscript("v", len(look.sigma))
     return tag(
         "p.dim",
-        "In the scene: the wanted velocity (blue), the one that the selected method reaches (green), the slowest "
-        f"direction (dashed), and at the joints the components of {last}, the unit vector of joint speeds that moves "
-        "the tool least.",
+        "In the scene: the wanted velocity (blue) and what the selected method reaches (green), the slowest direction "
+        f"(dashed), and at the joints {last}, the unit vector of joint speeds that moves the tool least.",
     )
 
 
