@@ -1,4 +1,4 @@
-"""The errata of the notes are run: the correct form of each agrees with an independent judge, the printed one does not."""
+"""The errata of the notes are run: the correct form agrees with an independent judge, the printed one does not."""
 
 import math
 import re
@@ -72,7 +72,7 @@ def test_residuals_of_angles_do_not_count_whole_turns():
 
 
 def test_only_trials_that_have_them_can_be_run_where_nothing_is_seen():
-    with pytest.raises(ValueError, match="5.58"):
+    with pytest.raises(ValueError, match=r"5\.58"):
         run(trials()["5.58"], 1, quiet=True)
 
 
