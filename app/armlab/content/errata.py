@@ -11,11 +11,14 @@ from types import MappingProxyType
 from typing import Any
 
 from armlab.content.reader import Table
-from armlab.content.rows import SECTION, Reference, chapters, known, unknown
+from armlab.content.rows import SECTION, Reference, known, unknown
 from armlab.errors import ContentError
 from armlab.registry import known_name
 
 FILE = "errata.toml"
+
+CHAPTERS = ("1", "2", "3", "4", "5", "6", "7", "A")
+"""Chapters of the notes that have errata; A is the appendix."""
 
 SEVERITIES = {"A": "wrong if copied", "B": "claims too much", "C": "misprint", "H": "history"}
 """Severities, each in words."""
@@ -131,7 +134,7 @@ def _erratum(table: Table) -> Erratum:
     table.done()
     if not ID.fullmatch(erratum.id):
         raise table.fail("id", f"expected a chapter, a point, digits and letters, such as '5.58', got {erratum.id!r}")
-    if not SECTION.fullmatch(erratum.section) or erratum.chapter not in chapters():
+    if not SECTION.fullmatch(erratum.section) or erratum.chapter not in CHAPTERS:
         raise table.fail("section", f"expected a section of the notes such as '4.3.1', got {erratum.section!r}")
     for row in erratum.rows:
         if not known(row):

@@ -12,36 +12,35 @@ A trial stands in `trials` under the id of its erratum. What is printed and why 
 from __future__ import annotations
 
 from functools import cache
-from types import ModuleType
 
-from armlab.kin.errata import (
-    frames,
-    introduction,
-    inverse_kinematics,
-    inverse_velocity,
-    orientation,
-    planning,
-    splines_and_control,
-    velocity,
-)
-from armlab.kin.errata.trial import POINTS, Forms, Quiet, Run, Trial, run
+from armlab.kin.errata.trial import POINTS, Forms, Quiet, Run, Trial, in_pieces, run
 from armlab.registry import Registry
 
-__all__ = ["POINTS", "Forms", "Quiet", "Run", "Trial", "run", "trials"]
-
-_MODULES: tuple[ModuleType, ...] = (
-    introduction,
-    orientation,
-    frames,
-    inverse_kinematics,
-    velocity,
-    inverse_velocity,
-    planning,
-    splines_and_control,
-)
+__all__ = ["POINTS", "Forms", "Quiet", "Run", "Trial", "in_pieces", "run", "trials"]
 
 
 @cache
 def trials() -> Registry[Trial]:
-    """Return all trials by the ids of their errata."""
-    return Registry("trial", [trial for module in _MODULES for trial in module.TRIALS])
+    """Return all trials by the ids of their errata; they are imported with the first call, since they need SciPy."""
+    from armlab.kin.errata import (
+        frames,
+        introduction,
+        inverse_kinematics,
+        inverse_velocity,
+        orientation,
+        planning,
+        splines_and_control,
+        velocity,
+    )
+
+    modules = (
+        introduction,
+        orientation,
+        frames,
+        inverse_kinematics,
+        velocity,
+        inverse_velocity,
+        planning,
+        splines_and_control,
+    )
+    return Registry("trial", [trial for module in modules for trial in module.TRIALS])

@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation  # type: ignore[import-untyped]
 from armlab.kin.axis_angle import angle_by_atan2
 from armlab.kin.errata.arms import point_2r
 from armlab.kin.errata.draws import Floats, Generator, direction, either, matrix, orthogonal, rotation, signed
+from armlab.kin.errata.quaternion_signs import by_signs, matrix_of
 from armlab.kin.errata.trial import Forms, Quiet, Trial
 from armlab.kin.rotations import quaternion_from_rotation, rotation_about, rotation_from_axis_angle, skew
 
@@ -77,28 +78,14 @@ def _no_turn(axis: Floats) -> Forms:
     return Forms(0.0, float(found < 1e-12), float(away < 1e-12))
 
 
-def _by_signs(R: Floats, other: tuple[int, int]) -> Floats:
-    """Return the quaternion of 3.76 to 3.79, with another entry in the second sign of 3.78 than (3, 1)."""
-    d = np.diag(R)
-    roots = np.sqrt(np.maximum([d.sum() + 1.0, *(2.0 * d - d.sum() + 1.0)], 0.0)) / 2.0
-    signs = np.sign([1.0, R[2, 1] - R[1, 2], R[0, 2] - R[other], R[1, 0] - R[0, 1]])
-    return np.asarray(roots * signs)
-
-
-def _of(q: Floats) -> Floats:
-    """Return the matrix of a quaternion by 3.72, which need not be of unit length."""
-    w, v = q[0], q[1:]
-    return np.asarray((2.0 * w * w - 1.0) * np.eye(3) + 2.0 * np.outer(v, v) + 2.0 * w * np.asarray(skew(v)))
-
-
 def _second_sign(R: Floats) -> Forms:
     """3.78: R from its own quaternion."""
-    return Forms(_of(_by_signs(R, (2, 1))), _of(_by_signs(R, (2, 0))), R)
+    return Forms(matrix_of(by_signs(R, (2, 1))), matrix_of(by_signs(R, (2, 0))), R)
 
 
 def _half_turn(R: Floats) -> Forms:
     """3.77 to 3.79: R from its own quaternion, by signs and by the largest component."""
-    return Forms(_of(_by_signs(R, (2, 0))), _of(np.asarray(quaternion_from_rotation(R))), R)
+    return Forms(matrix_of(by_signs(R, (2, 0))), matrix_of(np.asarray(quaternion_from_rotation(R))), R)
 
 
 def _about(rng: Generator, angle: float) -> tuple[Floats]:

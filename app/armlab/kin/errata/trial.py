@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
@@ -158,10 +158,18 @@ def run(trial: Trial, seed: int, *, quiet: bool = False, points: int = POINTS) -
     ValueError
         The trial has no such inputs.
     """
+    found = np.array(list(in_pieces(trial, seed, quiet=quiet, points=points)))
+    return Run(found[:, 0], found[:, 1], trial.tolerance)
+
+
+def in_pieces(trial: Trial, seed: int, *, quiet: bool = False, points: int = POINTS) -> Iterator[tuple[float, float]]:
+    """Yield the residuals of the printed and the correct form point by point; see `run`."""
     if quiet and trial.quiet is None:
         raise ValueError(f"{trial.key}: there are no inputs at which the printed form is right")
     draw = trial.quiet.draw if quiet and trial.quiet else trial.draw
     rng = np.random.default_rng(seed)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        found = np.array([trial.residuals(*draw(rng)) for _ in range(points)])
-    return Run(found[:, 0], found[:, 1], trial.tolerance)
+    for _ in range(points):
+        # Not around the yield: others work in between.
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            residuals = trial.residuals(*draw(rng))
+        yield residuals

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from itertools import groupby
 
 from armlab.content.lesson import Lesson
@@ -20,15 +21,22 @@ from armlab.ui.plugin import Panel, Show
 from armlab.ui.search.markup import search_button
 from armlab.ui.widgets import Gui
 
+NOTES = (
+    "“The notes” in the lessons are the lecture notes of the course Robotics 1. You need none of them: whatever a "
+    "lesson uses stands in it. Where it says that they err, a number leads to the page "
+)
+
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the button of the search and the list of lessons."""
     gui.html(search_button("Find: 3.66, section 4.1, quaternion …", "field"))
-    saved, entries = gui.form(post, MOST), gui.form(post)
+    saved, entries, notes = gui.form(post, MOST), gui.form(post), gui.form(post)
 
     def show(state: State) -> None:
         saved.show(tag("div.chips", load_work(saved)))
         entries.show(_all(entries, state))
+        errata = notes.button("errata", "Errata", partial(gui.open_panel, "errata"), "copy", "Open the page Errata")
+        notes.show(tag("p.dim", NOTES, errata, "."))
 
     return show
 
