@@ -13,7 +13,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("erratum", nargs="*", metavar="ID", help="such as 5.58; all when left out")
     parser.add_argument("--format", choices=("markdown", "html"), default="markdown", help="a list or a page to print")
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="of the 20 points (1)")
-    parser.add_argument("--output", type=Path, metavar="FILE", help="write it there, in place of printing it")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="write it there, in place of printing it")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -24,10 +24,10 @@ def run(options: argparse.Namespace) -> int:
 
     keys = tuple(erratum(key).id for key in options.erratum)
     text = sheet(options.format, whole_number(options.seed, "--seed", 0), keys)
-    if options.output is None:
+    if options.out is None:
         print(text, end="")
     else:
-        options.output.write_text(text, encoding="utf-8")
+        options.out.write_text(text, encoding="utf-8")
     return 0
 
 

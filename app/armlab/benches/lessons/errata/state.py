@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 FIRST = "1.58"
 """Erratum with which the page opens: short, and wrong at every point."""
 
+ALL = "all"
+"""Choice of every severity or chapter."""
+
 VIEWS = {"look": "Look up", "practise": "Spot the error"}
 
 LARGEST_SEED = 999
@@ -76,8 +79,8 @@ class Errata(FieldPart):
     chosen: str = text("erratum", FIRST, 20)
     view: str = choice("view", "look", VIEWS)
     query: str = text("search", "", 60)
-    severity: str = choice("severity", "", {"": "all", **SEVERITIES})
-    chapter: str = choice("chapter", "", ("", *CHAPTERS))
+    severity: str = choice("severity", ALL, {ALL: "all", **SEVERITIES})
+    chapter: str = choice("chapter", ALL, (ALL, *CHAPTERS))
     seed: int = whole("seed of the points", 1, 1, LARGEST_SEED)
     quiet: bool = flag("points at which the error is not seen", False)
     example: str = text("example", "", 40)
@@ -96,7 +99,8 @@ class Errata(FieldPart):
     @property
     def listed(self) -> tuple[Erratum, ...]:
         """The errata that the list shows."""
-        return find(self.query, self.severity, self.chapter)
+        severity, chapter = ("" if each == ALL else each for each in (self.severity, self.chapter))
+        return find(self.query, severity, chapter)
 
     @property
     def run(self) -> Found | None:
@@ -119,7 +123,7 @@ class Choose(Command):
         state = setting(state, Errata, {"chosen": self.key, "quiet": False})
         part = state[Errata]
         if part.erratum not in part.listed:
-            state = state.replace(replace(part, query="", severity="", chapter=""))
+            state = state.replace(replace(part, query="", severity=ALL, chapter=ALL))
         return state
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from itertools import groupby
 
-from armlab.benches.lessons.errata.state import Choose, Errata
+from armlab.benches.lessons.errata.state import ALL, Choose, Errata
 from armlab.content.errata import CHAPTERS, SEVERITIES, Erratum, errata
 from armlab.content.rows import chapters
 from armlab.session.fields import Set
@@ -18,9 +18,9 @@ from armlab.ui.html import Inside, Markup, tag
 def filters(form: Form, state: State) -> Inside:
     """Return the fields that narrow the list."""
     part = state[Errata]
-    severities = {"": "all kinds", **{letter: f"{letter} · {words}" for letter, words in SEVERITIES.items()}}
+    severities = {ALL: "all kinds", **{letter: f"{letter} · {words}" for letter, words in SEVERITIES.items()}}
     titles = chapters()
-    wanted = {"": "all chapters", **{key: f"{key} {titles[key]}" for key in CHAPTERS}}
+    wanted = {ALL: "all chapters", **{key: f"{key} {titles[key]}" for key in CHAPTERS}}
     query = form.field(
         "query",
         part.query,
