@@ -1,4 +1,4 @@
-"""What a link to an erratum does, in a lesson or in an address: the page Errata opens at it."""
+"""The command behind a link to an erratum, in a lesson or in an address: the page Errata opens at it."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """The errata of the notes, run: the printed and the correct form of each, compared with an independent judge.
 
-A trial stands in `trials` under the id of its erratum. What is printed and why it is wrong in words is in
+A trial stands in `trials` under the id of its erratum. The words, what is printed and why it is wrong, are in
 `armlab.content.errata`.
 
 >>> from armlab.kin.errata import run, trials

@@ -23,7 +23,7 @@ MOST_PARTS = 100
 
 @dataclass(frozen=True)
 class Tried:
-    """What was done in one task.
+    """The student's steps in one task.
 
     Attributes
     ----------

@@ -65,7 +65,7 @@ class Found:
 
 @dataclass(frozen=True)
 class Errata(FieldPart):
-    """What is looked at on the page of the errata.
+    """The choices on the page of the errata, and what came of the last run.
 
     Attributes
     ----------
@@ -104,7 +104,7 @@ class Errata(FieldPart):
 
     @property
     def run(self) -> Found | None:
-        """What has been found at the present points; None before the first."""
+        """The residuals at the present points; None before the first."""
         found = self.found
         wanted = (self.chosen, self.seed, self.quiet)
         return found if found is not None and (found.key, found.seed, found.quiet) == wanted else None

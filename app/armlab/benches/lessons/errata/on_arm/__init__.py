@@ -9,7 +9,7 @@ from armlab.kin.arm import Arm
 __all__ = ["ON_ARM", "Drawn", "Unfit", "on_arm"]
 
 ON_ARM: dict[str, OnArm] = {**orientations.ON_ARM, **axes.ON_ARM, **solutions.ON_ARM, **velocities.ON_ARM}
-"""What is drawn, by the id of the erratum."""
+"""Drawings, by the id of the erratum."""
 
 
 def on_arm(key: str, arm: Arm, q: Floats) -> Drawn | Unfit | None:

@@ -72,4 +72,4 @@ def _foot_of_normal(arm: Arm, q: Floats) -> Drawn | Unfit:
 
 
 ON_ARM: dict[str, OnArm] = {"4.1a": _only_standard(_axis_of_joint), "4.1b": _only_standard(_foot_of_normal)}
-"""What is drawn, by the id of the erratum."""
+"""Drawings, by the id of the erratum."""

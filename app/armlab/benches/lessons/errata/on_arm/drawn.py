@@ -1,4 +1,4 @@
-"""What is drawn of an erratum on the present arm: the wrong result beside the right one, or why there is nothing."""
+"""A drawing of an erratum on the present arm: the wrong result beside the right one, or why there is nothing."""
 
 from __future__ import annotations
 

@@ -106,4 +106,4 @@ ON_ARM: dict[str, OnArm] = {
     "3.103a": _of_tool(_by_rpy(0, 1)),
     "3.103b": _of_tool(_by_rpy(1, 2)),
 }
-"""What is drawn, by the id of the erratum."""
+"""Drawings, by the id of the erratum."""

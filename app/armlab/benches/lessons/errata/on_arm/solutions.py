@@ -88,4 +88,4 @@ def _elbow(arm: Arm, q: Floats) -> Drawn | Unfit:
 
 
 ON_ARM: dict[str, OnArm] = {"4.82": _polar, "4.94": _elbow}
-"""What is drawn, by the id of the erratum."""
+"""Drawings, by the id of the erratum."""

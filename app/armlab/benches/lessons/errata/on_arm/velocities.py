@@ -73,4 +73,4 @@ def _error_rate(arm: Arm, q: Floats) -> Drawn | Unfit:
 
 
 ON_ARM: dict[str, OnArm] = {"5.58": _last_column, "5.43": _angle_rates, "7.23": _error_rate}
-"""What is drawn, by the id of the erratum."""
+"""Drawings, by the id of the erratum."""

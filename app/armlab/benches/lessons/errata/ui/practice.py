@@ -6,7 +6,7 @@ from functools import partial
 
 from armlab.benches.lessons.errata.commands import Correct, NextTask, PointAt, TryAgain, task_key
 from armlab.benches.lessons.errata.state import Choose, Errata
-from armlab.benches.lessons.errata.ui.texts import headline, written
+from armlab.benches.lessons.errata.ui.texts import headline, task_part, written
 from armlab.content.errata import erratum
 from armlab.content.errata_task import Place, Task, task_of, with_tasks
 from armlab.content.question import Choices
@@ -83,7 +83,7 @@ def _parts(form: Form, task: Task, tried: Tried) -> Markup:
         right = here and place not in task.at
         kind = classes("er-part", wrong=place in task.at and bool(tried.spotted), right=right).replace(".", " ")
         cell = f"part {' '.join(map(str, place))}"
-        return form.button(cell, Markup(html), PointAt(place), kind, pressed=here)
+        return form.button(cell, task_part(html), PointAt(place), kind, pressed=here)
 
     rows = [[part(task.place(i, k), html) for k, html in enumerate(each)] for i, each in enumerate(task.parts)]
     if not task.in_rows:

@@ -20,6 +20,11 @@ def written(text: str) -> Markup:
     return Markup(to_html(text, FILE))
 
 
+def task_part(html: str) -> Markup:
+    """Return a part of a task, which its reader has made of LaTeX, as markup."""
+    return Markup(html)
+
+
 def headline(each: Erratum) -> str:
     """Return where an erratum is in the notes, to stand alone: ``Equation 1.58``."""
     return capitalised(each.place)
