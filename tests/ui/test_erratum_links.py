@@ -7,7 +7,7 @@ from armlab.ui.html import Markup
 from armlab.ui.lesson.errata import with_links, without_links
 from support.forms import BareForm, asked
 from support.lab import running_lab
-from support.own_lessons import ARM, in_lesson, lesson, piece, write
+from support.own_lessons import ARM, in_lesson, lesson, notes, piece, write
 from support.student import run
 
 TEXT = '<p>The notes print <a href="/erratum/5.58">one half in <b>5.58</b></a>, and <a href="/x">more</a>.</p>'
@@ -57,9 +57,12 @@ def test_a_lesson_opens_the_page_of_the_errata_beside_it(url):
         assert 'data-cell="erratum 5.58"' in text
         assert "It is" not in text
         question = piece(browser, 'class="ask"')
-        assert "Is 5.56 right?" in question and "no, see 5.58" in question
+        assert "Is 5.56 right?" in question
+        assert "no, see 5.58" in question
         assert "erratum" not in question
         await browser.press("erratum 5.58")
+        await browser.until(lambda: notes(browser).get("tab") == "Lessons")
+        await browser.open("errata")
         await browser.until(lambda: "<h3>Section 5.1.1, after 5.58" in browser.html())
         assert "lesson-text" in browser.html()
         await browser.close()
