@@ -12,6 +12,9 @@ from armlab.content.lessons import lessons
 from armlab.errors import UnknownName
 from armlab.kin.errata import run, trials
 
+LOW = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
+"""Raised digits, written low."""
+
 
 class Tags(HTMLParser):
     """The elements that are open, and what was wrong about them."""
@@ -48,7 +51,9 @@ def test_the_page_is_whole_and_needs_nothing_else():
 def test_residuals_are_those_of_the_points_of_the_seed():
     text = sheet("markdown", 7, ("5.58",))
     found = run(trials()["5.58"], 7)
-    assert f"Printed {found.worst_printed:.2g} m, correct {found.worst_correct:.2g} m: largest difference" in text
+    said = re.search(r"Printed (\S+) m, correct (\S+)·10⁻(\S+) m: largest difference", text)
+    assert float(said[1]) == pytest.approx(found.worst_printed, rel=0.05)
+    assert float(f"{said[2]}e-{said[3].translate(LOW)}") == pytest.approx(found.worst_correct, rel=0.05)
     assert "(seed 7)" in text
     assert "## 5 Differential kinematics" in text
     assert text != sheet("markdown", 8, ("5.58",))

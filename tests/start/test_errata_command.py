@@ -6,7 +6,7 @@ def test_one_erratum_is_printed_with_both_residuals(typed):
     assert (status, err) == (0, "")
     assert "### 4.110 Newton's step is taken for the new point" in out
     assert "* Printed 2" in out
-    assert "correct 2.2e-16: x after 6 steps, against the square root." in out
+    assert "correct 2.2·10⁻¹⁶: x after 6 steps, against the square root." in out
     assert "4.116" not in out
 
 

@@ -34,8 +34,11 @@ ABOUT = (
     "differences or the core of the lab. Given is the largest residual of each."
 )
 
+_POWERS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
 STYLE = """
 body { font: 14px/1.4 system-ui, sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; color: #1f2733; }
+math { font-family: "Cambria Math", "STIX Two Math", "Latin Modern Math", "DejaVu Math TeX Gyre", serif; }
 h2 { border-bottom: 1px solid #66717f; margin-top: 2em; break-after: avoid; }
 section { break-inside: avoid; border-top: 1px solid #d5dbe3; padding: .5em 0; }
 h3 { font-size: 14px; margin: 0 0 .2em; }
@@ -87,7 +90,10 @@ def _counts(chosen: Iterable[Erratum]) -> str:
 
 
 def _number(value: float) -> str:
-    return "no value" if math.isinf(value) else f"{value:.2g}"
+    if math.isinf(value):
+        return "no value"
+    mantissa, e, power = f"{value:.2g}".partition("e")
+    return f"{mantissa}·10{str(int(power)).translate(_POWERS)}" if e else mantissa
 
 
 def _ran(each: Erratum, found: dict[str, Run]) -> str:

@@ -7,6 +7,7 @@ import pytest
 from armlab.benches.lessons.errata.job import run_at_once
 from armlab.benches.lessons.errata.state import Choose, Errata, RunAgain
 from armlab.benches.lessons.errata.ui.card import card, where
+from armlab.benches.lessons.errata.ui.dots import dots
 from armlab.benches.lessons.errata.ui.listed import entries, filters
 from armlab.benches.lessons.errata.ui.practice import Spotting
 from armlab.benches.lessons.errata.ui.texts import residual
@@ -153,3 +154,13 @@ def test_all_tasks_can_be_gone_through(state):
         shown = str(form.fields.content)
         assert shown.count('data-cell="part ') == sum(len(row) for row in task_of(key).parts), key
         assert "Here it is wrong" not in shown
+        assert "row" not in shown.partition("</h3>")[0].partition("<h3>")[2], key
+
+
+def test_what_has_no_value_is_marked_as_such_in_the_picture(state):
+    found = chosen(state, "5.113")[Errata].run
+    shown = str(dots(found, found.trial))
+    assert "no value" in shown
+    assert shown.count('class="er-none"') == len(found.printed)
+    other = chosen(state, "5.58")[Errata].run
+    assert "no value" not in str(dots(other, other.trial))

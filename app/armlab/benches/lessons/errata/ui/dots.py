@@ -22,6 +22,9 @@ DECADES = tuple(10.0**k for k in range(-15, 6, 5))
 CROSS = 3.2
 """Half the size of a cross, pixels."""
 
+END = WIDTH - 4 * CROSS
+"""Place of what has no value, pixels."""
+
 
 def dots(found: Found, trial: Trial) -> Markup:
     """Return the picture of the residuals so far."""
@@ -34,6 +37,9 @@ def dots(found: Found, trial: Trial) -> Markup:
         svg.text("er-name", 2.0, chart.py(0.5) + 4.0, "correct"),
         svg.line("grid", LEFT, chart.py(1.0), WIDTH, chart.py(1.0)),
         *(_cross(chart, value, k) for k, value in enumerate(found.printed)),
+        svg.text("er-name", END - 2 * CROSS, chart.py(1.5) + 4.0, "no value", "end")
+        if math.inf in found.printed
+        else None,
         *(svg.circle("er-right", *_at(chart, value, k, 0.0), 2.6) for k, value in enumerate(found.correct)),
     ]
     seen = sum(value > trial.tolerance for value in found.printed)
@@ -52,13 +58,13 @@ def power(value: float) -> str:
 def _at(chart: Chart, value: float, k: int, row: float) -> tuple[float, float]:
     """Return the place of a dot; those of a row stand one below the other, so that equal ones are all seen."""
     part = (k + 0.5) / POINTS
-    shown = min(max(value, LOW * 1.5), HIGH / 1.5) if math.isfinite(value) else HIGH / 1.5
+    shown = min(max(value, LOW * 1.5), HIGH / 1.5)
     return chart.px(shown), chart.py(row + 0.12 + 0.76 * part)
 
 
 def _cross(chart: Chart, value: float, k: int) -> Markup:
     x, y = _at(chart, value, k, 1.0)
     if math.isinf(value):  # a triangle at the end of the axis: there is no number
-        return svg.path("er-none", f"M{x - CROSS:.1f} {y - CROSS:.1f}v{2 * CROSS:.1f}l{2 * CROSS:.1f} {-CROSS:.1f}z")
+        return svg.path("er-none", f"M{END:.1f} {y - CROSS:.1f}v{2 * CROSS:.1f}l{2 * CROSS:.1f} {-CROSS:.1f}z")
     wide = 2 * CROSS
     return svg.path("er-wrong", f"M{x - CROSS:.1f} {y - CROSS:.1f}l{wide} {wide}m0 {-wide}l{-wide} {wide}")

@@ -6,7 +6,7 @@ from functools import partial
 
 from armlab.benches.lessons.errata.commands import Correct, NextTask, PointAt, TryAgain, task_key
 from armlab.benches.lessons.errata.state import Choose, Errata
-from armlab.benches.lessons.errata.ui.texts import headline, task_part, written
+from armlab.benches.lessons.errata.ui.texts import asked_at, headline, task_part, written
 from armlab.content.errata import erratum
 from armlab.content.errata_task import Place, Task, task_of, with_tasks
 from armlab.content.question import Choices
@@ -36,7 +36,7 @@ class Spotting:
         done = is_done(task, tried)
         return (
             _progress(self._form, key, practice),
-            tag("h3", headline(erratum(key))),
+            tag("h3", headline(erratum(key)) if done else asked_at(erratum(key))),
             tag("p", "Printed:" if done else "Which part of it is wrong? Press it."),
             _parts(self._form, task, tried),
             _pointed(task, tried),

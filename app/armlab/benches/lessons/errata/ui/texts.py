@@ -30,6 +30,11 @@ def headline(each: Erratum) -> str:
     return capitalised(each.place)
 
 
+def asked_at(each: Erratum) -> str:
+    """Return where an erratum is in the notes without the entry of the matrix, which is to be found."""
+    return capitalised(each.place.partition(", row ")[0])
+
+
 def residual(value: float, unit: str) -> str:
     """Return a residual with its unit in words; an infinite one belongs to what has no value."""
     if math.isinf(value):
