@@ -1,0 +1,1 @@
+"""Drives of joints: motors, gears and encoders, and what they cause at the tool."""
