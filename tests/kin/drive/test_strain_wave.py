@@ -108,8 +108,8 @@ def test_between_the_lobes_the_teeth_are_free():
 @pytest.mark.parametrize(
     ("teeth", "difference", "told"),
     [
-        (0, 2, "teeth of the flexspline: expected a whole number, at least 40, got 0"),
-        (200.5, 2, "teeth of the flexspline: expected a whole number, at least 40, got 200.5"),
+        (0, 2, "teeth of the flexspline: expected a whole number from 40 to 400, got 0"),
+        (200.5, 2, "teeth of the flexspline: expected a whole number from 40 to 400, got 200.5"),
         (1000, 2, "expected a whole number from 40 to 400, got 1000"),
         (200, 0, "expected 2, 3 or 4 more than the 200 of the flexspline, which fit two, three or two lobes, got 200"),
         (200, 1, "three or two lobes, got 201"),

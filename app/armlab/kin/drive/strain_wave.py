@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
-from armlab.kin.checks import whole_number
+from armlab.kin.checks import whole_between
 from armlab.registry import known_name
 
 Floats = NDArray[np.float64]
@@ -139,10 +139,8 @@ def strain_wave(flexspline: object, difference: object = 2, fixed: str = "circul
     (-100.0, 101.0, 1.01)
     """
     known_name("fixed part", fixed, FIXED)
-    teeth = whole_number(flexspline, "teeth of the flexspline", FEWEST)
-    if teeth > MOST:
-        raise InputError(f"teeth of the flexspline: expected a whole number from {FEWEST} to {MOST}, got {teeth}")
-    apart = whole_number(difference, "difference of the teeth", -MOST)
+    teeth = whole_between(flexspline, "teeth of the flexspline", FEWEST, MOST)
+    apart = whole_between(difference, "difference of the teeth", -MOST, MOST)
     if apart not in LOBES:
         raise InputError(
             f"teeth of the circular spline: expected 2, 3 or 4 more than the {teeth} of the flexspline, which fit two, "

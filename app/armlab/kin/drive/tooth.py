@@ -12,8 +12,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.errors import InputError
-from armlab.kin.checks import whole_number
+from armlab.kin.checks import whole_between
 
 Floats = NDArray[np.float64]
 
@@ -41,10 +40,7 @@ def tooth_count(teeth: object, where: str) -> int:
     InputError
         No whole number, or outside `FEWEST` to `MOST`.
     """
-    found = whole_number(teeth, where, FEWEST)
-    if found > MOST:
-        raise InputError(f"{where}: expected a whole number of teeth from {FEWEST} to {MOST}, got {found}")
-    return found
+    return whole_between(teeth, where, FEWEST, MOST)
 
 
 def undercut(teeth: int) -> bool:
