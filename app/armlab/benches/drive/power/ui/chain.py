@@ -3,24 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import partial
 
 from armlab.benches.drive.power.chains import CHAINS, Chain, Passed, effort_typed
 from armlab.benches.drive.power.state import GIVEN, Power
+from armlab.benches.drive.power.ui.typed import typed
 from armlab.benches.drive.quantities import prefixed
-from armlab.kin.field import Field
 from armlab.session.amounts import amount
 from armlab.session.fields import Set, fields_of
-from armlab.session.state import Command
 from armlab.ui.form import Form
-from armlab.ui.format import capitalised, mathml, readable
+from armlab.ui.format import mathml
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import row
-from armlab.ui.option_text import option_value
 from armlab.ui.tables import line
-
-DECIMALS = 4
 
 
 def choices_markup(form: Form, part: Power) -> Markup:
@@ -39,7 +34,7 @@ def table_markup(form: Form, part: Power) -> Markup:
         if k > 0:
             title, field = chain.kind.converters[k - 1]
             lost = f"−{prefixed(chain.losses[k - 1], 'W')}"
-            rows.append(line(_typed(form, part, field), "", tag("span.dim", lost), name=tag("span.dim", title)))
+            rows.append(line(typed(form, part, field, "η ="), "", tag("span.dim", lost), name=tag("span.dim", title)))
         rows.append(_place(form, part, passed, _both(part, k)))
     return joined(tag("table.kit-points.pw-chain", rows), _whole(chain))
 
@@ -51,31 +46,21 @@ def _both(part: Power, k: int) -> bool:
 
 def _place(form: Form, part: Power, passed: Passed, both: bool) -> Markup:
     place, domain = passed.place, passed.domain
-    first = _typed(form, part, place.field)
+    first = _factor(form, part, place.field)
     other = domain.flow if effort_typed(domain.key) else domain.effort
     value = passed.flow if effort_typed(domain.key) else passed.effort
     unit = domain.flow_unit if effort_typed(domain.key) else domain.effort_unit
-    second: Inside = _typed(form, part, place.other) if both else f"{other} = {_text(value, unit)}"
+    second: Inside = _factor(form, part, place.other) if both else f"{other} = {_text(value, unit)}"
     return line(first, second, tag("b", prefixed(passed.power, "W")), name=place.title)
+
+
+def _factor(form: Form, part: Power, name: str) -> Markup:
+    return typed(form, part, name, f"{fields_of(Power)[name].symbol} =")
 
 
 def _text(value: float, unit: str) -> str:
     """Return a factor that follows; flow rates are in litres per minute, as on data sheets."""
     return f"{amount(6e4 * value)} L/min" if unit == "m³/s" else prefixed(value, unit)
-
-
-def _typed(form: Form, part: Power, name: str) -> Inside:
-    """Return a field with its symbol and unit."""
-    field = fields_of(Power)[name]
-    value = getattr(part, name)
-    title = capitalised(field.title)
-    typed = form.field(name, readable(value, DECIMALS), title, _action(field, value))
-    unit = "" if field.unit == "1" else f" {field.unit}"
-    return tag("label", f"{field.symbol} = ", typed, tag("i", unit), title=title)
-
-
-def _action(field: Field, value: float) -> Callable[[str], Command]:
-    return lambda text: Set(Power, field.key, option_value(field, text, value, needed=True))
 
 
 def _whole(chain: Chain) -> Markup:

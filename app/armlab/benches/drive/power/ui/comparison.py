@@ -8,11 +8,14 @@ from armlab.benches.drive.power.compared import BY_KIND, COMPARISONS, COMPUTED, 
 from armlab.benches.drive.power.state import COMPARED, Power
 from armlab.session.fields import Set
 from armlab.ui.form import Form
-from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.html import Inside, Markup, classes, tag
 from armlab.ui.tables import head_line
 
 MARKS = {TYPICAL: "t", COMPUTED: "c", BY_KIND: ""}
 """Marks of numbers without a source of their own."""
+
+SHORT = 12
+"""Largest number of characters of a number that stays on one line with its unit."""
 
 
 def comparison_markup(form: Form, part: Power) -> Inside:
@@ -37,4 +40,6 @@ def comparison_markup(form: Form, part: Power) -> Inside:
 
 def _number(number: Number) -> Markup:
     mark = MARKS.get(number.source, str(number.source))
-    return tag("span", number.text, tag("sup", mark) if mark else None)
+    return tag(
+        classes("span", **{"pw-short": len(number.text) <= SHORT}), number.text, tag("sup", mark) if mark else None
+    )

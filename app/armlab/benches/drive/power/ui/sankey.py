@@ -54,7 +54,7 @@ def _band(passed: Passed, k: int, wide: float) -> Inside:
     tip = f"M{right - 8:.1f} {TOP:.1f}l8 {0.5 * wide:.1f}l-8 {0.5 * wide:.1f}z" if right == WIDTH else ""
     end = right - 8.0 if tip else right
     return (
-        svg.shape("rect", x=left, y=TOP, width=end - left, height=max(wide, 0.5), fill=colour),
+        svg.shape("rect", x=left + 0.5, y=TOP, width=end - left - 0.5, height=max(wide, 0.5), fill=colour),
         tag("path", d=tip, fill=colour) if tip else None,
         svg.text("pw-product", middle, 17, f"{domain.effort} {domain.flow}", "middle"),
         svg.text("", middle, 33, prefixed(passed.power, "W"), "middle"),
