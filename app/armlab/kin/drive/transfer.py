@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 
 class Transfer(NamedTuple):
-    """What goes into a gear and what comes out of it.
+    """Speeds, torques and powers on both sides of a gear.
 
     Attributes
     ----------

@@ -94,4 +94,4 @@ class ChooseGearExample(Command):
         return put(state, EXAMPLES[self.key].part)
 
 
-BENCH = Bench("gears", 44, EXAMPLES, ChooseGearExample)
+BENCH = Bench("gears", 83, EXAMPLES, ChooseGearExample)

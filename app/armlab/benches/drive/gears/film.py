@@ -12,7 +12,7 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 
 TURN = 4.0
-"""Seconds in which the first wheel turns once."""
+"""Time in which the first wheel turns once, seconds."""
 
 TURNS = 3
 """Number of turns of the first wheel in the film."""

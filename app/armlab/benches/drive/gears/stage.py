@@ -17,7 +17,7 @@ HEIGHT, RADIUS = 0.38, 0.32
 """Height of its middle above the base, and half its height, in reaches of the arm."""
 
 ASIDE, LOWER = math.radians(22.0), math.radians(14.0)
-"""By how much its normal is turned from the line of sight of the home view, so that depth is seen, radians."""
+"""Angles by which its normal is turned from the line of sight of the home view, so that depth is seen, radians."""
 
 
 class Stage(NamedTuple):

@@ -106,7 +106,7 @@ class Gears(FieldPart):
 
     @property
     def load(self) -> Load:
-        """What the motor accelerates."""
+        """The motor and its load, for the best ratio."""
         return Load(self.motor_inertia, self.load_inertia, self.acceleration, self.load_torque)
 
     @cached_property

@@ -65,4 +65,4 @@ class ChooseHarmonicExample(Command):
         return put(state, EXAMPLES[self.key].part)
 
 
-BENCH = Bench("harmonic", 45, EXAMPLES, ChooseHarmonicExample)
+BENCH = Bench("harmonic", 84, EXAMPLES, ChooseHarmonicExample)

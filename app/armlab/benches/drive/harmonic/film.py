@@ -11,7 +11,7 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 
 TURN = 6.0
-"""Seconds in which the input turns once."""
+"""Time in which the input turns once, seconds."""
 
 TURNS = 3
 """Number of turns of the input in the film."""
@@ -20,7 +20,7 @@ DURATION = TURNS * TURN
 
 
 class Counted(NamedTuple):
-    """What can be counted in the picture since the film began.
+    """Turns and teeth that can be counted in the picture since the film began.
 
     Attributes
     ----------

@@ -115,4 +115,4 @@ class ChooseDriveExample(Command):
         return with_drives(state, EXAMPLES[self.key].part(state[RobotPart].robot.arm))
 
 
-BENCH = Bench("joint_drive", 46, EXAMPLES, ChooseDriveExample)
+BENCH = Bench("joint_drive", 88, EXAMPLES, ChooseDriveExample)

@@ -126,7 +126,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 LAYER = Layer(
     "gears",
-    order=73,
+    order=78,
     watches=(Gears, Timeline, Display, RobotPart),
     build=build,
     panel="gears",

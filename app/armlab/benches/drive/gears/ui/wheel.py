@@ -12,7 +12,7 @@ from armlab.ui.figure.mesh import Solid
 from armlab.ui.figure.solids import block, drum
 
 THINNED = 0.04
-"""By how much the drawn teeth are thinner than the gaps, modules: some backlash, so that they are seen to touch."""
+"""Difference between a gap and a drawn tooth, modules: some backlash, so that they are seen to touch."""
 
 FINE, COARSE, MANY = 7, 5, 60
 """Number of points of a flank, also for wheels of many teeth, and the number from which these are many."""

@@ -142,7 +142,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 LAYER = Layer(
     "harmonic",
-    order=74,
+    order=79,
     watches=(Harmonic, Timeline, Display, RobotPart),
     build=build,
     panel="harmonic",

@@ -124,7 +124,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 LAYER = Layer(
     "joint_drive",
-    order=76,
+    order=82,
     watches=(Drives, Joints, Notation, Display),
     build=build,
     panel="joint_drive",
