@@ -107,7 +107,7 @@ def test_the_ideal_gear_has_the_numbers_of_the_notes(truth):
     expected = truth["C2.2-ideal-gear"]["expected"]
     state = opened(ChooseGearExample("ideal"))
     assert value("load_speed", state) == pytest.approx(expected["theta_dot_u"])
-    assert value("load_side_torque", state) == pytest.approx(expected["tau_u"])
+    assert value("torque_on_load", state) == pytest.approx(expected["tau_u"])
     assert value("load_power", state) == pytest.approx(expected["P"])
     assert value("lost", state) == 0.0
 

@@ -9,8 +9,8 @@ from armlab.benches.drive.gears.stage import stage_of
 from armlab.benches.drive.harmonic.clip import CLIP
 from armlab.benches.drive.harmonic.examples import EXAMPLES, ChooseHarmonicExample
 from armlab.benches.drive.harmonic.facts import FACTS
-from armlab.benches.drive.harmonic.film import DURATION, TURN, counted, turned_at
-from armlab.benches.drive.harmonic.state import Harmonic, SetCircular, SetSplines
+from armlab.benches.drive.harmonic.film import DURATION, counted, turned_at
+from armlab.benches.drive.harmonic.state import TURN, Harmonic, SetCircular, SetSplines, ShowTurns
 from armlab.benches.drive.harmonic.ui.page import PANEL
 from armlab.benches.drive.harmonic.ui.parts import (
     circular_glb,
@@ -81,6 +81,8 @@ def test_facts_follow_the_film():
     assert CLIP.duration(state) == DURATION
     assert CLIP.stops(state) == (6.0, 12.0)
     assert turned_at(TURN) == pytest.approx(2.0 * math.pi)
+    assert apply(state, ShowTurns(2))[Timeline].time == 12.0
+    assert apply(opened(), ShowTurns(1))[Timeline].clip == "harmonic"
     # Other teeth begin the film anew.
     assert apply(state, Set(Harmonic, "flexspline", 80))[Timeline].time == 0.0
 
@@ -123,6 +125,7 @@ def test_parts_are_as_large_as_the_stage():
         (SetCircular(61), "expected 2, 3 or 4 more than the 60 of the flexspline, .* got 61"),
         (SetCircular(60), "got 60"),
         (SetSplines(200, 400), "got 400"),
+        (ShowTurns(4), "turns: expected 0 to 3, got 4"),
         (Set(Harmonic, "fixed", "nothing"), "nothing"),
         (ChooseHarmonicExample("best"), "best"),
     ],

@@ -28,7 +28,7 @@ FACTS = Facts(
         "turns": Fact("the turns of each wheel for one of the first", lambda s: _of(s).train.turns, kind="numbers"),
         "module": Fact("the module of the first pair", lambda s: _of(s).train.modules(_of(s).distances)[0], "m"),
         "load_speed": Fact("the speed of the load", lambda s: _of(s).transfer.load_speed, "rad/s"),
-        "load_side_torque": Fact("the torque on the load", lambda s: _of(s).transfer.load_torque, "N m"),
+        "torque_on_load": Fact("the torque on the load", lambda s: _of(s).transfer.load_torque, "N m"),
         "motor_power": Fact("the power of the motor", lambda s: _of(s).transfer.motor_power, "W"),
         "load_power": Fact("the power on the load", lambda s: _of(s).transfer.load_power, "W"),
         "lost": Fact("the power that is lost", lambda s: _of(s).transfer.lost, "W"),

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from armlab.benches.drive.harmonic.film import DURATION, TURN, TURNS
-from armlab.benches.drive.harmonic.state import CLIP_KEY
+from armlab.benches.drive.harmonic.film import DURATION
+from armlab.benches.drive.harmonic.state import CLIP_KEY, TURN, TURNS
 from armlab.session.parts.timeline import Clip
 
 CLIP = Clip(

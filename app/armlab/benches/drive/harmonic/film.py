@@ -5,16 +5,10 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from armlab.benches.drive.harmonic.state import CLIP_KEY, Harmonic
+from armlab.benches.drive.harmonic.state import CLIP_KEY, TURN, TURNS, Harmonic
 from armlab.kin.drive.strain_wave import StrainWave
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
-
-TURN = 6.0
-"""Time in which the input turns once, seconds."""
-
-TURNS = 3
-"""Number of turns of the input in the film."""
 
 DURATION = TURNS * TURN
 

@@ -6,11 +6,19 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import ClassVar
 
+from armlab.errors import InputError
 from armlab.kin.drive.strain_wave import FEWEST, FIXED, MOST, StrainWave, strain_wave
 from armlab.session.fields import FieldPart, Set, choice, flag, setting, text, whole
+from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import Command, PartType, State
 
 CLIP_KEY = "harmonic"
+
+TURN = 6.0
+"""Time in which the input turns once in the film, seconds."""
+
+TURNS = 3
+"""Number of turns of the input in the film."""
 
 
 @dataclass(frozen=True)
@@ -51,6 +59,22 @@ class Harmonic(FieldPart):
 
 
 PART = PartType(Harmonic, order=134)
+
+
+@dataclass(frozen=True)
+class ShowTurns(Command):
+    """Show the film after this many whole turns of the input, 0 to 3, paused."""
+
+    turns: int
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the film open there."""
+        if not 0 <= self.turns <= TURNS:
+            raise InputError(f"turns: expected 0 to {TURNS}, got {self.turns}")
+        if state[Timeline].clip != CLIP_KEY or state[Timeline].playing:
+            state = OpenClip(CLIP_KEY).apply(OpenClip("").apply(state))
+        return Seek(TURN * self.turns).apply(state)
 
 
 @dataclass(frozen=True)

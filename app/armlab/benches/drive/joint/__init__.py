@@ -24,8 +24,7 @@ PAGE = Page(
         "positioning error",
         "worst case",
         "one count",
-        "motor speed",
-        "motor torque",
+        "motors behind the joints",
         "zonotope",
     ),
 )

@@ -1,4 +1,4 @@
-"""The errors of the tool that the drives of the joints leave: the worst case by J, and a cloud by forward kinematics."""
+"""The errors of the tool that the drives leave open: the worst case by J, and a cloud by forward kinematics."""
 
 from __future__ import annotations
 

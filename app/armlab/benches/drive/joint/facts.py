@@ -30,6 +30,7 @@ FACTS = Facts(
         "half_widths": Fact(
             "by how much each joint may be off to either side, rad or m", lambda s: _errors(s).half, kind="numbers"
         ),
+        "backlash": Fact("the backlash of each joint, rad or m", lambda s: s[Drives].backlash, kind="numbers"),
         "worst_position": Fact("the largest error of the tool's position", lambda s: _errors(s).position.size, "m"),
         "worst_orientation": Fact(
             "the largest error of the tool's orientation", lambda s: _errors(s).orientation.size, "rad"

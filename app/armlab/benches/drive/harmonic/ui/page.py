@@ -9,15 +9,15 @@ from armlab.benches.drive.gears.stage import around
 from armlab.benches.drive.gears.ui.page import HIDES
 from armlab.benches.drive.gears.ui.typed import whole_field
 from armlab.benches.drive.harmonic.examples import EXAMPLES, ChooseHarmonicExample
-from armlab.benches.drive.harmonic.film import DURATION, TURN, counted_now
-from armlab.benches.drive.harmonic.state import CLIP_KEY, Harmonic, SetCircular
+from armlab.benches.drive.harmonic.film import DURATION, counted_now
+from armlab.benches.drive.harmonic.state import CLIP_KEY, TURN, TURNS, Harmonic, SetCircular, ShowTurns
 from armlab.kin.drive.strain_wave import FEWEST, FIXED, LOBES, MOST, StrainWave, counted_teeth
 from armlab.kin.field import Field
 from armlab.session.amounts import amount
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
-from armlab.session.parts.timeline import OpenClip, Seek, Timeline
+from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
@@ -92,11 +92,9 @@ def _turns(form: Form, state: State) -> Markup:
     timeline = state[Timeline]
     now = timeline.time if timeline.clip == CLIP_KEY else 0.0
     chips = []
-    for k in range(round(DURATION / TURN) + 1):
+    for k in range(TURNS + 1):
         text = "start" if k == 0 else "1 turn" if k == 1 else f"{k} turns"
-        chips.append(
-            form.chip(f"turn {k}", text, (OpenClip(CLIP_KEY), Seek(k * TURN)), "Of the input", now == k * TURN)
-        )
+        chips.append(form.chip(f"turn {k}", text, ShowTurns(k), "Of the input", now == k * TURN))
     return tag("div.bar", chips)
 
 

@@ -144,7 +144,7 @@ def motors_markup(state: State, units: Units) -> Markup:
         tag("table.kit-points.jd-both", head_line(None, "speed", "torque", "power"), rows),
         tag(
             "p.dim",
-            "For the joint speeds of the page Velocity and the wrench of the page Statics, without losses and without "
+            "For the joint speeds of the page Jacobian and the wrench of the page Statics, without losses and without "
             "the masses of the arm. A screw with lead p turns 2π/p times a metre.",
         ),
         key="motors",
