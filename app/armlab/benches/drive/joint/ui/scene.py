@@ -9,9 +9,8 @@ from numpy.typing import NDArray
 
 from armlab.benches.drive.joint.errors import cloud_at, errors_at, magnified
 from armlab.benches.drive.joint.state import Drives
-from armlab.benches.drive.joint.ui.table import small
+from armlab.benches.drive.joint.ui.table import small, times
 from armlab.kin.drive.zonotope import outline
-from armlab.session.amounts import amount
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
@@ -52,25 +51,25 @@ class _Cloud:
     def draw(self, state: State, q: Floats) -> None:
         """Draw the errors at a shown configuration."""
         part = state[Drives]
-        times, found = magnified(part), errors_at(part, q)
+        factor, found = magnified(part), errors_at(part, q)
         tool = np.asarray(part.arm.position(q), dtype=np.float64)
-        there = times > 0.0 and found.position.size > 0.0
+        there = factor > 0.0 and found.position.size > 0.0
         seen(self._root, there)
         if not there:
             self._sketch.draw(Marks())
             return
         move(self._root, tool)
-        generators = times * found.generators
+        generators = factor * found.generators
         self._draw_body(generators)
         corners, inside = thinned(cloud_at(part, q), 2**part.arm.n)
-        self._draw_points("inside", times * inside, POINT, part.points)
-        self._draw_points("corners", times * corners, CORNER, part.points)
-        worst = times * found.position.vector
+        self._draw_points("inside", factor * inside, POINT, part.points)
+        self._draw_points("corners", factor * corners, CORNER, part.points)
+        worst = factor * found.position.vector
         worst = worst if worst[2] >= 0.0 else -worst
         lines = [(tool - g, tool + g, joint_colour(i)) for i, g in enumerate(generators.T) if np.linalg.norm(g) > 0.0]
         label = f"± {small(units_of(state), found.position.size, False)}"
         self._sketch.draw(Marks([(tool, tool + worst, VERMILLION)], lines, label, tool + worst))
-        write(self._scale, f"drawn {amount(times)} times as large")
+        write(self._scale, f"drawn {times(factor)} times as large")
         low = float(np.abs(generators[2]).sum())
         move(self._scale, (0.0, 0.0, -low - 0.03 * self._canvas.size))
 

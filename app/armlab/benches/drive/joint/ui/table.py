@@ -34,11 +34,24 @@ NOTHING = 1e-15
 
 DECIMALS = 4
 
+MANY = 1e4
+"""Least number whose thousands are set apart."""
+
 
 def small(units: Units, value: float, revolute: bool) -> str:
     """Return a small angle or length with three significant digits and its unit; what is rounding is 0."""
     text = signed(value / units.factor(revolute), DIGITS) if abs(value) > NOTHING else "0"
     return f"{text}°" if revolute and units.in_degrees else f"{text} {units.unit(revolute)}"
+
+
+def times(factor: float) -> str:
+    """Return how many times as large something is drawn, with narrow spaces between thousands.
+
+    >>> times(5000.0), times(20000.0), times(0.5)
+    ('5000', '20\u202f000', '0.5')
+    """
+    text = f"{factor:,.10g}"
+    return text.replace(",", "\u202f" if factor >= MANY else "")
 
 
 def table_markup(form: Form, part: Drives, units: Units) -> Markup:

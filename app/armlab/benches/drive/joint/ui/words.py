@@ -7,11 +7,10 @@ from numpy.typing import NDArray
 
 from armlab.benches.drive.joint.errors import ToolErrors, compared, errors_of, magnified
 from armlab.benches.drive.joint.state import Drives
-from armlab.benches.drive.joint.ui.table import NOTHING, small
+from armlab.benches.drive.joint.ui.table import NOTHING, small, times
 from armlab.benches.drive.quantities import prefixed, rpm
 from armlab.benches.velocity.api import balance, speeds_of
 from armlab.kin.arm import Arm
-from armlab.session.amounts import amount
 from armlab.session.state import State
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.format import dot, mathml, number, subscript
@@ -34,11 +33,18 @@ def worst_markup(state: State, units: Units) -> Markup:
     )
 
 
+def _joints(numbers: list[str]) -> str:
+    return f"joint{'s' if len(numbers) > 1 else ''} {', '.join(numbers)}"
+
+
 def _check(state: State, units: Units) -> Markup:
     """Return how far forward kinematics is from what J says."""
     both = state.derived(compared)
     apart = small(units, both.position_apart, False), small(units, both.orientation_apart, True)
-    return tag("p", f"By J. Forward kinematics of the same joint errors differs by at most {apart[0]} and {apart[1]}.")
+    return tag(
+        "p",
+        f"All this is by J. Forward kinematics of the same joint errors differs by at most {apart[0]} and {apart[1]}.",
+    )
 
 
 def _where(found: ToolErrors, arm: Arm) -> str:
@@ -49,9 +55,10 @@ def _where(found: ToolErrors, arm: Arm) -> str:
     one = [str(i + 1) for i in range(arm.n) if moving[i] and found.position.signs[i] > 0]
     other = [str(i + 1) for i in range(arm.n) if moving[i] and found.position.signs[i] < 0]
     if not one or not other:
-        sides = "all joints to one side" if len(one or other) > 1 else "joint " + (one or other)[0]
+        every = "all joints" if moving.all() else _joints(one or other)
+        sides = f"{every} to one side"
     else:
-        sides = f"joints {', '.join(one)} to one side and {', '.join(other)} to the other"
+        sides = f"{_joints(one)} to one side and {_joints(other)} to the other"
     return f"Farthest along ({towards}) or against it, with {sides}."
 
 
@@ -110,8 +117,8 @@ def compared_markup(state: State, units: Units) -> Markup:
             name="largest difference of a point",
         ),
     ]
-    times = magnified(state[Drives])
-    drawn = f" Drawn {amount(times)} times as large at the tool." if times else ""
+    factor = magnified(state[Drives])
+    drawn = f" Drawn {times(factor)} times as large at the tool." if factor else ""
     corners = f"2{str(n).translate(str.maketrans('0123456789', '⁰¹²³⁴⁵⁶⁷⁸⁹'))} = {both.corners} corners"
     return fold(
         "By J and by forward kinematics",
