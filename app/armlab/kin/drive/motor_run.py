@@ -180,7 +180,7 @@ def run(motor: DcMotor, pieces: Sequence[Piece], start: ArrayLike = (0.0, 0.0, 0
     >>> round(float(found.omega[-1]), 6), round(float(found.theta[-1]), 6)
     (187.635918, 29.02738)
     """
-    checked = _checked(motor, pieces)
+    checked = check_pieces(motor, pieces)
     x = checked_start(start)[3 - len(motor.A) :]
     total = sum(piece.duration for piece in checked)
     fastest = 1.0 / float(np.abs(motor.poles).max())
@@ -203,7 +203,8 @@ def run(motor: DcMotor, pieces: Sequence[Piece], start: ArrayLike = (0.0, 0.0, 0
     return MotorRun(motor, checked, np.array(starts), t, v, load, i, omega, theta)
 
 
-def _checked(motor: DcMotor, pieces: Sequence[Piece]) -> tuple[Piece, ...]:
+def check_pieces(motor: DcMotor, pieces: Sequence[Piece]) -> tuple[Piece, ...]:
+    """Return pieces that a run can be made of; `InputError` for others, see `run`."""
     if not 1 <= len(pieces) <= MOST_PIECES:
         raise InputError(f"pieces: expected 1 to {MOST_PIECES}, got {len(pieces)}")
     for k, piece in enumerate(pieces):
