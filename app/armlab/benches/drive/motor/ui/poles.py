@@ -114,17 +114,16 @@ def _table(motor: DcMotor) -> Markup:
         constants.insert(0, ("electrical, L/R", motor.electrical_constant))
     rows = []
     for (name, constant), guess, pole in zip(constants, approximations(motor), motor.poles.tolist(), strict=True):
-        away = abs(guess - pole) / abs(pole)
-        rows.append(
-            line(prefixed(constant, "s"), amount(guess), pole_text(pole), f"{number(100.0 * away, 2)} %", name=name)
-        )
+        # A complex pair has one decay for both, and no two time constants.
+        away = f"{number(100.0 * abs(guess - pole) / abs(pole), 2)} %" if pole.imag == 0.0 else "–"
+        rows.append(line(prefixed(constant, "s"), amount(guess), pole_text(pole), away, name=name))
     head = head_line("time constant", "τ", "−1/τ", "pole, 1/s", "off by")
     return joined(
         tag("table.kit-points.mo-poles", head, rows),
         tag(
             "p.dim",
             "○ −1/τ are approximations: they are the poles where the electrical time constant is far below the "
-            "mechanical one. × are the poles.",
+            "mechanical one, and nothing of the kind where the poles are complex. × are the poles.",
         ),
     )
 

@@ -77,6 +77,7 @@ def units_markup(state: State) -> Inside:
     found = in_units(part.k)
     power = part.k * now.i * now.omega
     krpm = f"{amount(found['V/krpm'])} V/krpm"
+    head = head_line("", with_indices("k_v"), "ω in", joined(with_indices("v_emf"), " i"))
     rows = [
         line(f"{amount(part.k)} V s/rad", "rad/s", prefixed(power, "W"), name="SI"),
         line(krpm, "rad/s", prefixed(KRPM * power, "W"), name="mixed"),
@@ -88,14 +89,10 @@ def units_markup(state: State) -> Inside:
             f"k = {amount(part.k)} N m/A = {amount(part.k)} V s/rad, because 1 V A = 1 N m/s: only in SI are both one "
             f"number. Data sheets say {amount(found['V/krpm'])} V/krpm, or its inverse {amount(found['rpm/V'])} rpm/V.",
         ),
-        tag(
-            "table.kit-points.mo-units",
-            head_line("", with_indices("k_v"), "ω in", joined(with_indices("v_emf"), " i")),
-            rows,
-        ),
+        tag("table.kit-points.mo-units", head, rows),
         tag(
             "p.dim",
-            f"The mechanical side, torque times speed, is {prefixed(power, 'W')}. With k in V/krpm and the speed in rad/s the "
-            f"electrical side is {amount(KRPM)} times as large: power from nothing, a mistake of units.",
+            f"The mechanical side, torque times speed, is {prefixed(power, 'W')}. With k in V/krpm and the speed in "
+            f"rad/s the electrical side is {amount(KRPM)} times as large: power from nothing, a mistake of units.",
         ),
     )
