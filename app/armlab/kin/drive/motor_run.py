@@ -191,12 +191,11 @@ def run(motor: DcMotor, pieces: Sequence[Piece], start: ArrayLike = (0.0, 0.0, 0
         count = max(FEWEST, round(EVEN * piece.duration / total))
         even = _stepped(motor, x, u, piece.duration, count)
         early = _stepped(motor, x, u, min(piece.duration, LASTING * fastest), fine)
-        offsets = np.concatenate([even[0], early[0][1:-1]])
-        order = np.argsort(offsets, kind="stable")
-        states = np.concatenate([even[1], early[1][1:-1]])[order]
+        offsets, picked = np.unique(np.concatenate([even[0], early[0][1:-1]]), return_index=True)
+        states = np.concatenate([even[1], early[1][1:-1]])[picked]
         full = _full(motor, states, piece.voltage)
-        inputs = np.broadcast_to(u, (len(order), 2))
-        columns.append(np.column_stack([begun + offsets[order], inputs, full]))
+        inputs = np.broadcast_to(u, (len(offsets), 2))
+        columns.append(np.column_stack([begun + offsets, inputs, full]))
         starts.append(x)
         x, begun = even[1][-1], begun + piece.duration
     t, v, load, i, omega, theta = np.vstack(columns).T

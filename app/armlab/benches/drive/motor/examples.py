@@ -126,4 +126,4 @@ class ChooseMotorExample(Command):
 BENCH = Bench("motor", 82, EXAMPLES, ChooseMotorExample)
 
 SHEET = {"speed": 7580.0 * math.pi / 30.0, "current": 0.137, "stall_current": 80.2, "stall_torque": 2.42}
-"""What the data sheet of the maxon motor says that it does: rad/s and A without load, A and N m held, at 24 V."""
+"""Behaviour of the maxon motor by its data sheet at 24 V: rad/s and A without load, A and N m with the rotor held."""

@@ -9,7 +9,7 @@ from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 
 KRPM = 1000.0 * 2.0 * math.pi / 60.0
-"""Radians per second in a thousand turns per minute."""
+"""Angular speed of a thousand turns per minute, rad/s."""
 
 UNITS: dict[str, dict[str, float]] = {
     "R": {"Ω": 1.0, "ohm": 1.0, "mΩ": 1e-3, "kΩ": 1e3},

@@ -16,7 +16,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Twins:
-    """What tells two runs apart, and how far both vectors are from fulfilling dx/dt = A x + B u.
+    """Differences of two runs, and how far both vectors are from fulfilling dx/dt = A x + B u.
 
     Attributes
     ----------

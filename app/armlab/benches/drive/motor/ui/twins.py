@@ -1,4 +1,4 @@
-"""What is the state of the motor: two motors run, and two vectors compared."""
+"""The state of the motor: two motors run, and two vectors are compared."""
 
 from __future__ import annotations
 
