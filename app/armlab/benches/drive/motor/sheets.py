@@ -44,31 +44,28 @@ def read(name: str, title: str, text: str) -> float:
     >>> read("L", "inductance", "0.082 mH"), read("J", "inertia", "142 gcm²")
     (8.2e-05, 1.42e-05)
     """
-    for unit in sorted(UNITS[name], key=len, reverse=True):
-        number = _before(text, unit)
-        if number is None:
-            continue
-        try:
-            value = evaluate(number.replace("−", "-").replace(",", "."))
-        except InputError:
-            break
-        if unit != INVERSE:
-            return value * UNITS[name][unit]
-        if value > 0.0:
-            return 60.0 / (2.0 * math.pi * value)
-        break
+    number, unit = _split(name, text)
+    try:
+        value = evaluate(number.replace("−", "-").replace(",", "."))
+    except InputError:
+        value = math.nan
+    if unit == INVERSE:
+        value = 60.0 / (2.0 * math.pi * value) if value > 0.0 else math.nan
     else:
-        try:
-            return evaluate(text.strip().replace("−", "-").replace(",", "."))
-        except InputError:
-            pass
-    raise InputError(f"{title}: expected a number in {', '.join(UNITS[name])}, got {text.strip()[:40]!r}")
+        value *= UNITS[name].get(unit, 1.0)
+    if not math.isfinite(value):
+        raise InputError(f"{title}: expected a number in {', '.join(UNITS[name])}, got {text.strip()[:40]!r}")
+    return value
 
 
-def _before(text: str, unit: str) -> str | None:
-    """Return what stands before a unit at the end of a text, whatever blanks are in it; None if it does not end so."""
-    plain, ending = _plain(text), _plain(unit)
-    return plain[: -len(ending)] if plain.endswith(ending) and len(plain) > len(ending) else None
+def _split(name: str, text: str) -> tuple[str, str]:
+    """Return a text as a number and one of the units of a constant, with any blanks; no unit where it ends in none."""
+    plain = _plain(text)
+    for unit in sorted(UNITS[name], key=len, reverse=True):
+        ending = _plain(unit)
+        if plain.endswith(ending) and len(plain) > len(ending):
+            return plain[: -len(ending)], unit
+    return text.strip(), ""
 
 
 def _plain(text: str) -> str:
