@@ -81,7 +81,8 @@ def test_pieces_change_when_voltage_or_load_do_and_end_with_the_run():
     [
         ([], "expected 1 to 40 lines"),
         ([(0.0, 1.0)] * 41, "expected 1 to 40 lines"),
-        ("0 12", "expected 1 to 40 lines"),
+        ("", "expected 1 to 40 lines"),
+        ("0 12; soon 3", "line 2: expected a time in s and a value, got 'soon 3'"),
         ([(0.0,)], "line 1: expected a time in s and a value"),
         ([(0.0, 1.0), (0.0, 2.0)], "line 2: expected a time after 0 s, got 0 s"),
         ([(-1.0, 1.0)], "line 1: expected a time from 0 s on"),
@@ -144,9 +145,11 @@ def test_a_profile_is_typed_in_lines():
     def typed(text):
         return asked(lambda form: inputs_markup(form, part), "v_rows", text)
 
-    assert typed("0 12\n0,1  −6; 0.2 0") == (Set(Motor, "v_rows", ((0.0, 12.0), (0.1, -6.0), (0.2, 0.0))),)
-    with pytest.raises(InputError, match="Voltage, line 2: expected a time in s and a value"):
-        typed("0 12\n0.1")
+    (command,) = typed("0 12\n0,1  −6; 0.2 0")
+    assert apply(opened(), command)[Motor].v_rows == ((0.0, 12.0), (0.1, -6.0), (0.2, 0.0))
+    (wrong,) = typed("0 12\n0.1")
+    with pytest.raises(InputError, match="line 2: expected a time in s and a value"):
+        apply(opened(), wrong)
 
 
 def test_one_constant_in_the_units_of_data_sheets():

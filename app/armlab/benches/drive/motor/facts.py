@@ -58,6 +58,16 @@ def _damping(motor: DcMotor) -> float | None:
     return motor.damping if math.isfinite(motor.damping) else None
 
 
+def approximation_error(motor: DcMotor) -> float | None:
+    """Return by how much -1/tau of the two time constants misses the poles, relative; None where these are complex."""
+    if np.any(motor.poles.imag != 0.0):
+        return None
+    guesses = [-1.0 / motor.mechanical_constant]
+    if not motor.reduced:
+        guesses.insert(0, -1.0 / motor.electrical_constant)
+    return float(np.abs(np.array(guesses) / motor.poles.real - 1.0).max())
+
+
 FACTS = Facts(
     __name__,
     (Motor, Timeline),
@@ -70,6 +80,9 @@ FACTS = Facts(
         "electrical_constant": Fact("the electrical time constant L/R", _motor(lambda m: m.electrical_constant), "s"),
         "mechanical_constant": Fact(
             "the mechanical time constant R I_m/(R F_m + k²)", _motor(lambda m: m.mechanical_constant), "s"
+        ),
+        "approximation": Fact(
+            "the largest relative error of −1/τ as a pole", lambda s: approximation_error(s[Motor].motor)
         ),
         "voltage_gain": Fact("the steady speed for each volt", _motor(lambda m: m.voltage_gain), "rad/(V s)"),
         "open_gain": Fact(

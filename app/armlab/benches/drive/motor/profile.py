@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.kin.drive.motor_run import Piece
 
@@ -65,14 +66,16 @@ class Profile:
 
 
 def read_rows(data: object) -> Rows:
-    """Return the lines of a typed profile, each a time and a value.
+    """Return the lines of a profile, each a time and a value, from pairs of numbers or from a text.
 
     Raises
     ------
     InputError
         No lines or too many, one that is not two finite numbers, or times that do not rise from 0.
     """
-    if not isinstance(data, Sequence) or isinstance(data, str) or not 1 <= len(data) <= MOST_ROWS:
+    if isinstance(data, str):
+        data = [_pair(k, line) for k, line in enumerate(filter(str.strip, data.replace(";", "\n").splitlines()))]
+    if not isinstance(data, Sequence) or not 1 <= len(data) <= MOST_ROWS:
         raise InputError(f"profile: expected 1 to {MOST_ROWS} lines of a time and a value")
     rows: list[Row] = []
     for k, row in enumerate(data):
@@ -85,6 +88,16 @@ def read_rows(data: object) -> Rows:
     if rows[0][0] < 0.0:
         raise InputError(f"line 1: expected a time from 0 s on, got {rows[0][0]:g} s")
     return tuple(rows)
+
+
+def _pair(k: int, line: str) -> Row:
+    """Return the two numbers of a line of a text, counted from 0."""
+    try:
+        time, value = (evaluate(word.replace(",", ".")) for word in line.replace("−", "-").split())
+    except (InputError, ValueError):
+        said = f"expected a time in s and a value, got {line.strip()[:40]!r}"
+        raise InputError(f"line {k + 1}: {said}") from None
+    return time, value
 
 
 def _is_number(value: object) -> bool:

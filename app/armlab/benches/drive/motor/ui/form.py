@@ -9,10 +9,7 @@ from armlab.benches.drive.motor.profile import KINDS, Rows
 from armlab.benches.drive.motor.sheets import UNITS, read
 from armlab.benches.drive.motor.state import Motor
 from armlab.benches.drive.power.ui.typed import typed
-from armlab.content.arithmetic import evaluate
-from armlab.errors import InputError
 from armlab.session.fields import Set, fields_of
-from armlab.session.state import Command
 from armlab.ui.form import Form
 from armlab.ui.format import readable
 from armlab.ui.html import Markup, joined, tag
@@ -63,23 +60,9 @@ def _profile(form: Form, part: Motor, name: str, title: str, kind: str, rows: Ro
             text,
             f"{title}: lines of a time in s and {unit} from then on",
             max(2, min(len(rows), 5)),
-            lambda typed: _rows(typed, name, title),
+            partial(Set, Motor, f"{name}_rows"),
         )
         below = tag("div.mo-rows", typed_rows, tag("i", f"time in s, then {unit}"))
         return joined(tag("div.options.mo-form", head), below)
     names = [name, f"{name}_start", *([f"{name}_stop"] if kind in ("ramp", "pulse") else [])]
     return tag("div.options.mo-input", head, [typed(form, part, each) for each in names])
-
-
-def _rows(text: str, name: str, title: str) -> Command:
-    rows = []
-    for k, line in enumerate(filter(str.strip, text.replace(";", "\n").splitlines())):
-        words = line.replace("−", "-").split()
-        try:
-            time, value = (evaluate(word.replace(",", ".")) for word in words)
-        except (InputError, ValueError):
-            raise InputError(
-                f"{title}, line {k + 1}: expected a time in s and a value, got {line.strip()[:40]!r}"
-            ) from None
-        rows.append((time, value))
-    return Set(Motor, f"{name}_rows", tuple(rows))
