@@ -10,7 +10,7 @@ PREFIXES = {1e9: "G", 1e6: "M", 1e3: "k", 1.0: "", 1e-3: "m", 1e-6: "µ"}
 """Letters of the prefixes, by their factors, the largest first."""
 
 RPM = 2.0 * math.pi / 60.0
-"""Radians per second in one turn per minute."""
+"""Angular speed of one turn per minute, rad/s."""
 
 
 def prefixed(value: float, unit: str) -> str:

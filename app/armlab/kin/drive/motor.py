@@ -240,12 +240,12 @@ class Balance:
 
     @property
     def electrical_rest(self) -> float:
-        """What is left of the electrical equation, which is rounding."""
+        """Rest of the electrical equation, W, which is rounding."""
         return self.supplied - self.copper - self.magnetic - self.converted
 
     @property
     def mechanical_rest(self) -> float:
-        """What is left of the mechanical equation, which is rounding."""
+        """Rest of the mechanical equation, W, which is rounding."""
         return self.converted - self.kinetic - self.friction - self.load
 
 

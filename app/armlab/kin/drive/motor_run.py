@@ -180,7 +180,7 @@ def run(motor: DcMotor, pieces: Sequence[Piece], start: ArrayLike = (0.0, 0.0, 0
     >>> round(float(found.omega[-1]), 6), round(float(found.theta[-1]), 6)
     (187.635918, 29.02738)
     """
-    checked = _checked(motor, pieces)
+    checked = check_pieces(motor, pieces)
     x = checked_start(start)[3 - len(motor.A) :]
     total = sum(piece.duration for piece in checked)
     fastest = 1.0 / float(np.abs(motor.poles).max())
@@ -191,19 +191,19 @@ def run(motor: DcMotor, pieces: Sequence[Piece], start: ArrayLike = (0.0, 0.0, 0
         count = max(FEWEST, round(EVEN * piece.duration / total))
         even = _stepped(motor, x, u, piece.duration, count)
         early = _stepped(motor, x, u, min(piece.duration, LASTING * fastest), fine)
-        offsets = np.concatenate([even[0], early[0][1:-1]])
-        order = np.argsort(offsets, kind="stable")
-        states = np.concatenate([even[1], early[1][1:-1]])[order]
+        offsets, picked = np.unique(np.concatenate([even[0], early[0][1:-1]]), return_index=True)
+        states = np.concatenate([even[1], early[1][1:-1]])[picked]
         full = _full(motor, states, piece.voltage)
-        inputs = np.broadcast_to(u, (len(order), 2))
-        columns.append(np.column_stack([begun + offsets[order], inputs, full]))
+        inputs = np.broadcast_to(u, (len(offsets), 2))
+        columns.append(np.column_stack([begun + offsets, inputs, full]))
         starts.append(x)
         x, begun = even[1][-1], begun + piece.duration
     t, v, load, i, omega, theta = np.vstack(columns).T
     return MotorRun(motor, checked, np.array(starts), t, v, load, i, omega, theta)
 
 
-def _checked(motor: DcMotor, pieces: Sequence[Piece]) -> tuple[Piece, ...]:
+def check_pieces(motor: DcMotor, pieces: Sequence[Piece]) -> tuple[Piece, ...]:
+    """Return pieces that a run can be made of; `InputError` for others, see `run`."""
     if not 1 <= len(pieces) <= MOST_PIECES:
         raise InputError(f"pieces: expected 1 to {MOST_PIECES}, got {len(pieces)}")
     for k, piece in enumerate(pieces):

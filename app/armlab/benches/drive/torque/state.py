@@ -20,9 +20,9 @@ CLIP_KEY = "coils"
 MOTIONS = {"turned": "turned evenly", "free": "let go"}
 
 TURN = 8.0
-"""Seconds of one turn that is made evenly."""
+"""Duration of one turn that is made evenly, seconds."""
 
-MOST_TURNS = 100.0
+MOST_TURNS = 40.0
 """Largest number of turns of a rotor that is let go."""
 
 

@@ -1,4 +1,4 @@
-"""What is said of the coils: force, torque now from the vectors, and over a turn in closed form and sampled."""
+"""Numbers of the coils: force, torque now from the vectors, and over a turn in closed form and sampled."""
 
 from __future__ import annotations
 
