@@ -17,7 +17,7 @@ from armlab.kin.drive.best_ratio import (
     slope,
 )
 from armlab.kin.drive.tooth import ADDENDUM, DEDENDUM, FEWEST, half_gap, half_tooth, outline, undercut
-from armlab.kin.drive.train import train
+from armlab.kin.drive.train import Train, train
 from armlab.kin.drive.transfer import transfer
 
 THINNED = 0.02
@@ -155,7 +155,7 @@ def test_wheels_mesh_without_interference_and_touch(teeth, other):
 
 
 def test_a_wheel_that_is_off_by_half_a_tooth_would_interfere(monkeypatch):
-    monkeypatch.setattr("armlab.kin.drive.train.Train.angles", lambda self, theta: np.array([theta, math.pi]))
+    monkeypatch.setattr(Train, "angles", lambda self, theta: np.array([theta, math.pi]))
     assert overlap(20, 40, 0.0) > 0.5
 
 

@@ -9,9 +9,8 @@ from functools import cached_property
 from typing import ClassVar
 
 from armlab.errors import InputError
-from armlab.kin.drive import train as trains
 from armlab.kin.drive.best_ratio import Best, Load, best_ratio
-from armlab.kin.drive.train import LAYOUTS, Train
+from armlab.kin.drive.train import LAYOUTS, STAGES, Train, train
 from armlab.kin.drive.transfer import Transfer, transfer
 from armlab.session.fields import FieldPart, Set, choice, number, own, setting, text
 from armlab.session.state import Command, Json, PartType, State
@@ -31,7 +30,7 @@ STRONGEST = 1e6
 
 
 def _teeth(data: Json) -> tuple[int, ...]:
-    return trains.train(tuple(data)).teeth
+    return train(tuple(data)).teeth
 
 
 @dataclass(frozen=True)
@@ -82,7 +81,7 @@ class Gears(FieldPart):
 
     def check(self) -> None:
         """Refuse wheels that make no train."""
-        trains.train(self.teeth, self.layout)
+        train(self.teeth, self.layout)
 
     @cached_property
     def train(self) -> Train:
@@ -180,7 +179,7 @@ class ArrangeWheels(Command):
     def apply(self, state: State) -> State:
         """Return the state with the wheels so arranged."""
         teeth = state[Gears].teeth
-        missing = trains.STAGES - len(teeth) if self.layout == "compound" else 0
+        missing = STAGES - len(teeth) if self.layout == "compound" else 0
         return setting(state, Gears, {"teeth": (*teeth, *teeth[:missing]), "layout": self.layout})
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.drive.gears.state import Gears, TakeRatio
-from armlab.benches.drive.gears.ui.typed import typed
+from armlab.benches.drive.power.ui.typed import typed
 from armlab.benches.drive.quantities import prefixed
 from armlab.kin.drive.best_ratio import Load, measured_slope, motor_torque, printed_slope, reflected, slope
 from armlab.session.amounts import amount
@@ -143,7 +143,7 @@ def best_markup(form: Form, part: Gears, shown: TorqueChart) -> Inside:
         tag(
             "div.eq.small", mathml(r"\tau_m=J_m\,n\,a+\frac{J_u\,a+\tau_L}{n}"), "⟦ (2.36) and the torque of the load⟧"
         ),
-        tag("div.kit-numbers.gr-load", [typed(form, part, name) for name in names]),
+        tag("div.options.gr-load", [typed(form, part, name) for name in names]),
         shown.markup(form, part),
         _looked_at(form, part),
         _verdict(part),

@@ -9,7 +9,8 @@ from armlab.benches.drive.gears.film import slowed
 from armlab.benches.drive.gears.stage import stage_of
 from armlab.benches.drive.gears.state import AddWheel, ArrangeWheels, Gears, RemoveWheel, SetTeeth
 from armlab.benches.drive.gears.ui.scene import drawn_places
-from armlab.benches.drive.gears.ui.typed import length_scale, typed, whole_field
+from armlab.benches.drive.gears.ui.typed import typed_length, whole_field
+from armlab.benches.drive.power.ui.typed import typed
 from armlab.benches.drive.quantities import prefixed, rpm
 from armlab.kin.drive.tooth import FEWEST, MOST, undercut
 from armlab.kin.drive.train import FEWEST as FEWEST_WHEELS
@@ -68,15 +69,14 @@ def _arrangement(form: Form, part: Gears, units: Units) -> Markup:
     layouts = form.chips("layout", LAYOUTS, part.layout, "Arrangement of the wheels", ArrangeWheels)
     add = form.chip("add", "+", AddWheel(), "Add a wheel at the end", off=count >= MOST_WHEELS)
     remove = form.chip("remove", "−", RemoveWheel(), "Remove the last wheel", off=count <= FEWEST_WHEELS)
-    scales = length_scale(units)
     modules = part.train.modules(part.distances)
-    second = typed(form, part, "second", scales) if stages else None
+    second = typed_length(form, part, "second", units) if stages else None
     said = " and ".join(
         units.constant(float(each), False, 2) for each in ([modules[0], modules[2]] if stages else modules[:1])
     )
     distance = tag(
-        "div.kit-numbers",
-        typed(form, part, "distance", scales),
+        "div.options",
+        typed_length(form, part, "distance", units),
         second,
         tag("span.dim.gr-module", mathml(r"m=2a/(z_i+z_j)"), f" = {said}"),
     )
@@ -105,7 +105,7 @@ def _sides(form: Form, part: Gears) -> Markup:
     """Return what goes in and what comes out, after the fields of the motor."""
     found = part.transfer
     meshes = len(part.train.meshes)
-    fields = tag("div.kit-numbers", [typed(form, part, name) for name in ("speed", "torque", "efficiency")])
+    fields = tag("div.options.gr-motor", [typed(form, part, name) for name in ("speed", "torque", "efficiency")])
     rows = [
         line(
             amount(found.motor_speed, "rad/s"),
