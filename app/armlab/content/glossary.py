@@ -260,8 +260,8 @@ TERMS: tuple[Term, ...] = (
     ),
     Term(
         "Torque ripple",
-        "The largest less the least torque of a motor over a turn, divided by the mean. It falls with the square of the "
-        "number of coils.",
+        "The largest less the least torque of a motor over a turn, divided by the mean. It falls with the square of "
+        "the number of coils.",
         "",
         "torque",
     ),
