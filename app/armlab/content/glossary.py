@@ -33,6 +33,14 @@ class Term:
 
 TERMS: tuple[Term, ...] = (
     Term(
+        "Back-EMF",
+        "The voltage that a turning motor makes against the one that drives it: k times its speed. It is a loop inside "
+        "the motor and limits its speed.",
+        r"v_{emf}=k\,\omega",
+        "motor",
+        ("back electromotive force", "speed constant"),
+    ),
+    Term(
         "Backlash",
         "The motion that a joint can make while its motor stands still, because teeth or threads have room between "
         "them. An encoder on the motor does not see it.",
@@ -47,6 +55,14 @@ TERMS: tuple[Term, ...] = (
         "",
         "by_hand",
         ("analytic solution",),
+    ),
+    Term(
+        "Commutator",
+        "A divided ring on the rotor of a motor that reverses the current of a coil at each half turn, so that its "
+        "torque keeps one sign. A brushless motor switches its currents electronically instead.",
+        "",
+        "torque",
+        ("brushes", "brushless motor"),
     ),
     Term(
         "Condition number",
@@ -82,6 +98,14 @@ TERMS: tuple[Term, ...] = (
         r"a,\,\alpha,\,d,\,\theta",
         "table",
         ("DH parameters", "link length", "link twist", "link offset", "joint angle"),
+    ),
+    Term(
+        "Efficiency",
+        "Useful power over the power that is supplied. Those of converters in a chain multiply. A motor that holds a "
+        "load still has the efficiency zero.",
+        r"\eta=P_u/P_c",
+        "drive",
+        ("losses",),
     ),
     Term(
         "End effector",
@@ -185,6 +209,13 @@ TERMS: tuple[Term, ...] = (
         ("redundancy", "self-motion"),
     ),
     Term(
+        "Servomotor",
+        "A motor with a sensor of its angle and a controller that compares the angle with the wanted one.",
+        "",
+        "drive",
+        ("actuator",),
+    ),
+    Term(
         "Singular configuration",
         "A configuration in which the rank of the Jacobian drops: in some direction no joint speed moves the tool, "
         "and in "
@@ -239,10 +270,24 @@ TERMS: tuple[Term, ...] = (
         ("tool frame", "tool point", "TCP", "tool centre point"),
     ),
     Term(
+        "Torque constant",
+        "Torque of a motor for each ampere. In SI it is the same number as its voltage for each radian per second.",
+        r"k_t=k_v=k",
+        "motor",
+        ("voltage constant",),
+    ),
+    Term(
         "Torque of a joint",
         "What a motor exerts about the axis of a revolute joint; of a prismatic joint it is a force along its axis.",
         r"\tau=J^TF",
         "statics",
+    ),
+    Term(
+        "Torque ripple",
+        "The largest less the least torque of a motor over a turn, divided by the mean. It falls with the square of "
+        "the number of coils.",
+        "",
+        "torque",
     ),
     Term(
         "Trajectory",

@@ -30,6 +30,8 @@ from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
+WITHOUT_L = "Without inductance the model is of first order: the current follows the voltage at once."
+
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the constants, the inputs, the choice of what is shown, and that."""
@@ -43,6 +45,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             head.show(
                 examples(head, EXAMPLES, part.example, ChooseMotorExample),
                 constants_markup(head, part),
+                tag("p.dim", WITHOUT_L) if part.motor.reduced else None,
                 inputs_markup(head, part),
                 _views(head, part),
             )
@@ -76,7 +79,15 @@ def _markup(form: Form, state: State, units: Units) -> Inside:
         ("ω", f"{prefixed(now.omega, 'rad/s')} = {rpm(now.omega)}"),
         ("θ", units.angle(now.theta)),
     )
-    return tag("p.mo-now", [tag("span", tag("i", name), f" = {value}") for name, value in values])
+    current, speed = part.motor.steady(now.v, now.load)
+    return (
+        tag("p.mo-now", [tag("span", tag("i", name), f" = {value}") for name, value in values]),
+        tag(
+            "p.dim",
+            f"With {prefixed(now.v, 'V')} and {prefixed(now.load, 'N m')} it ends at "
+            f"{prefixed(float(current), 'A')} and {prefixed(float(speed), 'rad/s')}.",
+        ),
+    )
 
 
 PANEL = Panel(
