@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from armlab.benches.drive.stage import around, placed_at, stage_of
+from armlab.benches.drive.stage import around, placed_at, stage_of, turned
 from armlab.benches.drive.torque.clip import CLIP
 from armlab.benches.drive.torque.examples import EXAMPLES, ChooseTorqueExample
 from armlab.benches.drive.torque.facts import FACTS
@@ -13,7 +13,7 @@ from armlab.benches.drive.torque.sampled import curve, sampled_of
 from armlab.benches.drive.torque.state import CLIP_KEY, TURN, Torque, present_angle
 from armlab.benches.drive.torque.ui.model import brushes_glb, coil_glb, shaft_glb
 from armlab.benches.drive.torque.ui.numbers import now_markup, turn_markup
-from armlab.benches.drive.torque.ui.scene import marks_of, rotation
+from armlab.benches.drive.torque.ui.scene import marks_of
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.drive.coils import AXIS, MOST_COILS, UP
@@ -119,7 +119,7 @@ def test_the_scene_draws_force_and_torque_as_they_are():
 def test_the_rotor_turns_as_the_lever_arm_does():
     state = opened(Set(Torque, "start", 1.2))
     arm = state.derived(sampled_of).arms[0]
-    np.testing.assert_allclose(rotation(1.2) @ UP, arm / np.linalg.norm(arm), atol=1e-12)
+    np.testing.assert_allclose(turned(1.2) @ UP, arm / np.linalg.norm(arm), atol=1e-12)
 
 
 def test_the_model_has_two_segments_for_each_coil():

@@ -39,6 +39,12 @@ def placed_at(pose: Floats, unit: float, points: NDArray[np.floating]) -> Floats
     return np.asarray(unit * points @ pose[:3, :3].T + pose[:3, 3])
 
 
+def turned(angle: float) -> Floats:
+    """Return the turn of a rotor about y of the model, (3, 3); for the eye a positive angle is clockwise."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+
+
 def around(state: State, half: tuple[float, float, float]) -> Floats:
     """Return the corners (8, 3) of a box around the model that belongs in the picture, with its half edges in units."""
     pose, unit = stage_of(state)

@@ -12,7 +12,8 @@ from armlab.benches.drive.motor.facts import moment_of
 from armlab.benches.drive.motor.state import TURN, Motor, present_time
 from armlab.benches.drive.motor.ui.model import DISC, DISC_AT, disc_glb, housing_glb, places
 from armlab.benches.drive.quantities import prefixed, rpm
-from armlab.benches.drive.stage import placed_at, stage_of
+from armlab.benches.drive.stage import placed_at, stage_of, turned
+from armlab.benches.drive.torque.ui.placed import in_world
 from armlab.kin.drive.coils import AXIS, UP
 from armlab.kin.drive.motor_run import Moment
 from armlab.session.parts.display import Display
@@ -71,7 +72,7 @@ class _Motors:
             here = pose.copy()
             here[:3, 3] = placed_at(pose, self._unit, middles[k])
             put(node, here)
-            turn(self._discs[k], about_axis(angles[k]))
+            turn(self._discs[k], turned(angles[k]))
             write(self._names[k], names[k])
             move(self._names[k], self._unit * np.array([0.0, DISC_AT, -1.45 * DISC]))
 
@@ -93,15 +94,9 @@ def build(canvas: LayerCanvas, state: State) -> Show:
         motors.show(pose, middles, angles, names)
         for name, marks in torque_marks(part, now, middles[0]).items():
             shown = marks if len(middles) == 1 else Marks()
-            sketches[name].draw(_in_world(shown, pose, unit))
+            sketches[name].draw(in_world(shown, pose, unit))
 
     return show
-
-
-def about_axis(angle: float) -> Floats:
-    """Return the turn of the disc, shape (3, 3); seen from the disc it is clockwise for positive angles."""
-    c, s = math.cos(angle), math.sin(angle)
-    return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
 
 
 def slowed(part: Motor) -> float:
@@ -132,16 +127,9 @@ def _arc(middle: Floats, radius: float, angle: float, colour: Rgb, words: str) -
     if abs(angle) < LEAST:
         return Marks()
     head = math.copysign(min(HEAD, abs(angle)), angle)
-    before, tip = (centre + radius * (about_axis(at) @ UP) for at in (angle - head, angle))
+    before, tip = (centre + radius * (turned(at) @ UP) for at in (angle - head, angle))
     arrows: list[Segment] = [(before, tip, colour)]
     return Marks(arrows, arc(centre, radius * UP, AXIS, angle - 0.5 * head, colour), words, tip)
-
-
-def _in_world(marks: Marks, pose: Floats, unit: float) -> Marks:
-    def moved(segments: list[Segment]) -> list[Segment]:
-        return [(placed_at(pose, unit, a), placed_at(pose, unit, b), colour) for a, b, colour in segments]
-
-    return Marks(moved(marks.arrows), moved(marks.strokes), marks.label, placed_at(pose, unit, marks.at))
 
 
 LAYER = Layer(

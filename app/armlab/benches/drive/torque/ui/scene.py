@@ -10,7 +10,7 @@ import viser
 from numpy.typing import NDArray
 
 from armlab.benches.drive.quantities import prefixed
-from armlab.benches.drive.stage import placed_at, stage_of
+from armlab.benches.drive.stage import stage_of, turned
 from armlab.benches.drive.torque.sampled import Sampled, sampled_of
 from armlab.benches.drive.torque.state import Torque
 from armlab.benches.drive.torque.ui.model import (
@@ -27,6 +27,7 @@ from armlab.benches.drive.torque.ui.model import (
     magnet,
     shaft_glb,
 )
+from armlab.benches.drive.torque.ui.placed import in_world
 from armlab.kin.drive.coils import AXIS, MOST_COILS, UP
 from armlab.session.parts.display import Display
 from armlab.session.parts.notation import Notation
@@ -76,7 +77,7 @@ class _Model:
         self._coils = []
         for k in range(MOST_COILS):
             node = scene.add_frame(f"{path}/rotor/coil{k}", show_axes=False)
-            turn(node, rotation(k * math.pi / MOST_COILS))
+            turn(node, turned(k * math.pi / MOST_COILS))
             scene.add_glb(f"{path}/rotor/coil{k}/wire", coil_glb(k == 0), **plain)
             self._coils.append(node)
         self._plain = plain
@@ -93,14 +94,14 @@ class _Model:
 
     def show(self, part: Torque, theta: float, pose: Floats) -> None:
         put(self._root, pose)
-        turn(self._rotor, rotation(theta))
+        turn(self._rotor, turned(theta))
         if self._made != (part.coils, part.switched):
             self._made = part.coils, part.switched
             self._make(part.coils, part.switched)
         for k, node in enumerate(self._coils):
             seen(node, k < part.coils)
             if k < part.coils:
-                turn(node, rotation(k * math.pi / part.coils))
+                turn(node, turned(k * math.pi / part.coils))
         for label, sign in zip(self._signs, (1.0, -1.0), strict=True):
             write(label, "+" if sign * part.current >= 0.0 else "−")
             move(label, self._unit * np.array([sign * (RING + 0.34), RING_AT, 0.0]))
@@ -126,15 +127,9 @@ def build(canvas: LayerCanvas, state: State) -> Show:
         pose, unit = stage_of(state)
         model.show(part, found.angle, pose)
         for name, marks in marks_of(part, found, units, DARK.on(state)).items():
-            sketches[name].draw(_in_world(marks, pose, unit))
+            sketches[name].draw(in_world(marks, pose, unit))
 
     return show
-
-
-def rotation(theta: float) -> Floats:
-    """Return the turn of the rotor by an angle about its axis, shape (3, 3)."""
-    c, s = math.cos(theta), math.sin(theta)
-    return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
 
 
 def marks_of(part: Torque, found: Sampled, units: Units, dark: bool) -> dict[str, Marks]:
@@ -163,7 +158,7 @@ def marks_of(part: Torque, found: Sampled, units: Units, dark: bool) -> dict[str
     marks["angle"] = Marks(
         strokes=arc(-0.55 * SIDE * AXIS, ANGLE * UP, AXIS, math.remainder(found.angle, 2.0 * math.pi), GREY),
         label=f"θ = {units.angle(found.angle)}",
-        at=-0.55 * SIDE * AXIS + 1.5 * ANGLE * (rotation(0.5 * math.remainder(found.angle, 2.0 * math.pi)) @ UP),
+        at=-0.55 * SIDE * AXIS + 1.5 * ANGLE * (turned(0.5 * math.remainder(found.angle, 2.0 * math.pi)) @ UP),
     )
     return marks
 
@@ -183,13 +178,6 @@ def _field(sign: float, at: tuple[float, float]) -> Floats:
 
 def _arrow(start: Floats, vector: Floats, colour: tuple[int, int, int]) -> Segment:
     return start - 0.5 * vector, start + 0.5 * vector, colour
-
-
-def _in_world(marks: Marks, pose: Floats, unit: float) -> Marks:
-    def moved(segments: list[Segment]) -> list[Segment]:
-        return [(placed_at(pose, unit, a), placed_at(pose, unit, b), colour) for a, b, colour in segments]
-
-    return Marks(moved(marks.arrows), moved(marks.strokes), marks.label, placed_at(pose, unit, marks.at))
 
 
 LAYER = Layer(
