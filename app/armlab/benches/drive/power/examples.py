@@ -47,7 +47,7 @@ EXAMPLES = part_examples(
             force=20000.0,
         ),
         "All four products in one chain. A valve that throttles the oil makes heat, so that less than half of the "
-        "power arrives, though the cylinder pushes with two tonnes.",
+        "power arrives; but the cylinder pushes with 20 kN.",
     ),
     PartExample(
         "hold",

@@ -51,7 +51,8 @@ EXAMPLES = part_examples(
         "three",
         "Three coils",
         Torque(coils=3),
-        "The least number with which small motors are made, since it starts from every angle. The ripple is 14 %.",
+        "Most small motors have three coils. Two would start from every angle as well, but with more than twice the "
+        "ripple, which is 14 % here.",
     ),
     PartExample(
         "twelve",
