@@ -82,6 +82,13 @@ class CourseFiles:
         return (*own, *(course for course in good if course.key == OF_THE_LAB)), problems
 
 
+def mistakes_in(folder: Traversable, known: Collection[str], needs: Mapping[str, Iterable[str]]) -> list[ContentError]:
+    """Return what is wrong with the file of the course of a folder, if it has one; see `CourseFiles.judged`."""
+    files = CourseFiles()
+    files.look([(folder, "")])
+    return files.judged(known, needs)[1]
+
+
 def _free(key: str, taken: Collection[str]) -> str:
     """Return a key that no other course has."""
     name, number = key, 1

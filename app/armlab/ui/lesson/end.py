@@ -9,13 +9,13 @@ from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.way import Way
 from armlab.ui.form import Form
-from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.html import Markup, joined, tag
 
 ONWARD = "lesson-onward"
 """Cell of the button that opens the next lesson."""
 
 
-def with_end(form: Form, lesson: Lesson, part: LessonPart, foot: Markup) -> Inside:
+def with_end(form: Form, lesson: Lesson, part: LessonPart, foot: Markup) -> Markup:
     """Return the foot of the last step with the lesson that comes next.
 
     That is a main button when all steps are done, with what one can do now; until then it stands below the foot, and
@@ -23,7 +23,7 @@ def with_end(form: Form, lesson: Lesson, part: LessonPart, foot: Markup) -> Insi
     """
     done = len(part.progress.passed(lesson)) == len(lesson.steps)
     onward = _onward(form, Way.of(part), done)
-    return (_can_now(lesson.can), onward, foot) if done else (foot, onward)
+    return joined(_can_now(lesson.can), onward, foot) if done else joined(foot, onward)
 
 
 def _can_now(can: tuple[str, ...]) -> Markup | None:
