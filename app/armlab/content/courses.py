@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.resources.abc import Traversable
 
 from armlab.content.course import Course, misplaced, parse_course
@@ -70,13 +70,14 @@ class CourseFiles:
             Keys of the lessons that each one needs.
         """
         problems: list[ContentError] = []
+        judged: dict[str, _File] = {}
         for key, file in self._files.items():
             wrong = [file.problem] if file.problem is not None else []
             if file.course is not None:
                 wrong += misplaced(file.course, file.text, file.source.file, known, needs)
             problems += wrong
-            if not wrong:
-                self._files[key] = _File(file.source, file.text, file.course, None, file.course)
+            judged[key] = file if wrong else replace(file, good=file.course)
+        self._files = judged
         good = [file.good for file in self._files.values() if file.good is not None]
         own = [course for course in good if course.key != OF_THE_LAB]
         return (*own, *(course for course in good if course.key == OF_THE_LAB)), problems

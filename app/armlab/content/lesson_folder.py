@@ -133,7 +133,7 @@ def course_of(folder: Traversable, label: str = "") -> Source | None:
     try:
         if not entry.is_file():
             return None
-        key = re.sub(r"[^a-z0-9]+", "_", folder.name.lower()).strip("_") or "course"
+        key = re.sub(r"[^a-z0-9]+", "_", folder.name.lower())[:40].strip("_") or "course"
         root = folder if isinstance(folder, Path) else None
         return Source(key, f"{label}{COURSE}", entry, None, root, _stamp([entry]))
     except OSError:
