@@ -90,7 +90,12 @@ def test_what_a_course_holds():
         ('title = "Two"', 'title = "One"', 13, r"chapters\[2\].title: chapter 1 has this title, too; change one"),
         ("lessons = [\"c\", 'd']", "lessons = []", 15, r"chapters\[2\].lessons: expected at least one lesson"),
         ("lessons = [\"c\", 'd']", 'lessons = "c"', 15, r"chapters\[2\].lessons: expected a list of texts, got 'c'"),
-        ("[\"c\", 'd']", "[\"c\",\n  'b']", 16, r"chapters\[2\].lessons\[2\]: the lesson 'b' is in the course already, at"),
+        (
+            "[\"c\", 'd']",
+            "[\"c\",\n  'b']",
+            16,
+            r"chapters\[2\].lessons\[2\]: the lesson 'b' is in the course already, at",
+        ),
         (COURSE[COURSE.index("[[chapters]]") :], "", 1, "chapters: expected at least one chapter, a table"),
     ],
 )
@@ -110,6 +115,14 @@ def test_lessons_that_do_not_exist_or_stand_too_early_have_their_lines(tmp_path)
         "course.toml, line 15: chapters[2].lessons[2]: unknown lesson 'd'. Available: a, b, c, e",
     ]
     assert mistakes_in(tmp_path, known, {}) == []
+
+
+def test_the_example_of_the_readme_is_a_course():
+    readme = (resources.folder("lessons") / "README.md").read_text(encoding="utf-8")
+    (example,) = (part.split("```")[0] for part in readme.split("```toml\n") if part.startswith('title = "My course"'))
+    course = parse_course("mine", example, "course.toml")
+    assert [len(each.lessons) for each in course.chapters] == [2, 1]
+    assert set(course.lessons) - set(lessons().lessons) == {"my_lesson"}
 
 
 # --- What lessons say of themselves
@@ -146,7 +159,9 @@ def test_a_lesson_need_not_say_it():
 
 
 def test_the_head_is_that_of_the_lesson_also_in_a_broken_one():
-    whole = text("x", "b").replace("Lesson x", "Lesson {{=n}}").replace("+++\n##", "[variants]\nn = {choose=[4]}\n+++\n##")
+    whole = (
+        text("x", "b").replace("Lesson x", "Lesson {{=n}}").replace("+++\n##", "[variants]\nn = {choose=[4]}\n+++\n##")
+    )
     head, lesson = head_of("x", whole, "x.md"), parse_lesson("x", whole)
     names = ("key", "title", "chapter", "after", "can", "minutes")
     assert [getattr(head, name) for name in names] == [getattr(lesson, name) for name in names]
@@ -166,7 +181,14 @@ def test_circles_are_named_and_leave_the_rest_sound():
 
 
 def test_the_time_is_told_as_people_say_it():
-    assert [time_said(minutes) for minutes in (0, 1, 59, 60, 61, 120)] == ["", "1 min", "59 min", "1 h", "1 h 1 min", "2 h"]
+    assert [time_said(minutes) for minutes in (0, 1, 59, 60, 61, 120)] == [
+        "",
+        "1 min",
+        "59 min",
+        "1 h",
+        "1 h 1 min",
+        "2 h",
+    ]
 
 
 # --- In a library
@@ -198,10 +220,15 @@ def test_without_a_file_all_lessons_are_a_course_by_their_chapters(tmp_path):
 
 
 def test_an_own_course_is_shown_before_that_of_the_lab_which_can_be_chosen(lab, tmp_path):
-    own = write(tmp_path / "My Folder", COURSE.replace("A course", "Mine").replace('"b",', '"own",'), own=text("own", "a"))
+    own = write(
+        tmp_path / "My Folder", COURSE.replace("A course", "Mine").replace('"b",', '"own",'), own=text("own", "a")
+    )
     found = Library([lab])
     found.add_folder(own)
-    assert [(course.key, course.title) for course in found.lessons.courses] == [("my_folder", "Mine"), ("lab", "A course")]
+    assert [(course.key, course.title) for course in found.lessons.courses] == [
+        ("my_folder", "Mine"),
+        ("lab", "A course"),
+    ]
     assert found.lessons.course().lessons == ("a", "own", "c", "d")
     assert found.lessons.course("lab").lessons == ("a", "b", "c", "d")
     assert found.lessons.course("gone").title == "Mine"
@@ -229,7 +256,10 @@ def test_folders_of_one_name_have_courses_of_their_own(lab, tmp_path):
         (COURSE.replace('"a",', '"a",\n    "zz",'), "course.toml, line 9: chapters[1].lessons[2]: unknown lesson 'zz'"),
         (COURSE.replace("'d'", "'a'"), "course.toml, line 15: chapters[2].lessons[2]: the lesson 'a' is in the course"),
         (COURSE.replace("[[chapters]]", "[[chapters]"), "course.toml, line 5: not valid TOML"),
-        (COURSE.replace('"a",\n    "b"', '"b",\n    "a"'), "course.toml, line 8: chapters[1].lessons[1]: the lesson 'b'"),
+        (
+            COURSE.replace('"a",\n    "b"', '"b",\n    "a"'),
+            "course.toml, line 8: chapters[1].lessons[1]: the lesson 'b'",
+        ),
     ],
 )
 def test_a_file_with_a_mistake_is_told_and_leaves_the_course_as_it_was(lab, course, says):

@@ -1,5 +1,6 @@
 """Courses as pages to print: what stands on them, who gets them, and that they need no lab behind the front."""
 
+import gzip
 import html
 import json
 import re
@@ -44,6 +45,10 @@ def url():
 def words(body):
     """Return the text of a page."""
     return html.unescape(re.sub(r"<style>.*?</style>|<[^>]*>", " ", body.decode(), flags=re.DOTALL))
+
+
+def html_of(pages, key=""):
+    return pages.page(key).html.decode()
 
 
 def test_the_course_is_a_page_with_a_box_for_each_lesson(url):
@@ -107,25 +112,35 @@ def test_an_own_course_comes_first_and_follows_its_file(tmp_path):
     write(tmp_path, own=lesson(front=front, title=f"Own {PWN}".replace('"', "'")))
     file = tmp_path / "course.toml"
     file.write_text(COURSE.format(title="course"), encoding="utf-8")
-    pages = CoursePages([tmp_path])
-    page = pages.page()
+    pages = CoursePages([tmp_path], interval=0.0)
+    page = html_of(pages)
     text = words(page.encode())
     assert "My course" in text
     assert "1 h 5 min" in text
     assert "Two elbows for one point" in text
     assert "<script" not in page
     assert "Do  this." in text
-    assert pages.page() is page
+    assert pages.page() is pages.page()
+    assert gzip.decompress(pages.page().compressed) == pages.page().html
     assert 'href="/course/lab"' in page
-    assert "Robot arms" in pages.page("lab")
+    assert "Robot arms" in html_of(pages, "lab")
     assert pages.page("gone") is None
     file.write_text(COURSE.format(title="other course").replace("ik_2r", "gone"), encoding="utf-8")
-    assert "My course" in pages.page(), "a course with a mistake changes nothing"
+    assert "My course" in html_of(pages), "a course with a mistake changes nothing"
     file.write_text(COURSE.format(title="other course"), encoding="utf-8")
-    assert "My other course" in pages.page()
+    assert "My other course" in html_of(pages)
     write(tmp_path, loose=lesson(title="Loose one"))
-    assert "More lessons" in pages.page()
-    assert "0 Tests" in pages.page()
+    assert "More lessons" in html_of(pages)
+    assert "0 Tests" in html_of(pages)
+
+
+def test_whoever_asks_often_gets_the_page_that_was_made(tmp_path, monkeypatch):
+    pages = CoursePages([write(tmp_path, own=lesson(title="Own one"))], interval=WAIT)
+    page = pages.page()
+    write(tmp_path, own=lesson(title="Another"))
+    assert pages.page() is page
+    monkeypatch.setattr(pages, "_until", 0.0)
+    assert b"Another" in pages.page().html
 
 
 def test_the_page_is_there_before_the_lab_and_reads_no_lesson():

@@ -137,7 +137,7 @@ def misplaced(
     known : collection of str
         Keys of all lessons.
     needs : mapping of str to iterable of str
-        Keys of the lessons that each one needs. What the course does not hold need not come first.
+        Keys of the lessons that each one needs; those that the course does not hold need not come first.
     """
     order = {key: i for i, key in enumerate(course.lessons)}
     for key, where in _places(course):

@@ -15,7 +15,7 @@ import aiohttp
 from aiohttp import WSCloseCode, web
 
 from armlab.front.course_pages import POLICY as OF_PAPER
-from armlab.front.course_pages import CoursePages
+from armlab.front.course_pages import CoursePages, Printed
 from armlab.front.doors import Doors
 from armlab.front.limits import Addresses, Limits, Meter
 from armlab.front.page import Page
@@ -126,9 +126,7 @@ class Front:
         page = await asyncio.to_thread(self._courses.page, request.match_info.get("name", ""))
         if page is None:
             return _text(404, "There is no such course.")
-        response = web.Response(text=page, content_type="text/html", headers={"Content-Security-Policy": OF_PAPER})
-        response.enable_compression()
-        return response
+        return _html(request, page, OF_PAPER)
 
     def _turned_away(self, request: web.Request, is_socket: bool) -> web.Response | None:
         """Return the answer to a request that is not served, or not before the code of the room has been given."""
@@ -173,16 +171,7 @@ class Front:
             kept = {key: value for key, value in request.query.items() if key not in FOREIGN}
             raise web.HTTPFound(request.rel_url.with_query(kept))
         sockets = f"ws://{request.host} wss://{request.host}" if HOST.match(request.host) else "'self'"
-        compressed = "gzip" in request.headers.get("Accept-Encoding", "")
-        response = web.Response(
-            # Read in pieces: of a page that a browser is slow to take, only the piece at hand is kept for it.
-            body=io.BytesIO(self._page.compressed if compressed else self._page.html),
-            content_type="text/html",
-            charset="utf-8",
-            headers={"Content-Security-Policy": self._page.policy(sockets)},
-        )
-        if compressed:
-            response.headers["Content-Encoding"] = "gzip"
+        response = _html(request, self._page, self._page.policy(sockets))
         token = self._tokens.read(request.cookies.get(self._tokens.cookie))
         if token is None:
             value = self._tokens.new()
@@ -278,6 +267,21 @@ def _bare(host: str) -> str:
     if host.startswith("["):
         return host[1:].partition("]")[0]
     return host.partition(":")[0]
+
+
+def _html(request: web.Request, page: Page | Printed, policy: str) -> web.Response:
+    """Return the answer that holds a page, gzipped for browsers that take it so."""
+    compressed = "gzip" in request.headers.get("Accept-Encoding", "")
+    response = web.Response(
+        # Read in pieces: of a page that a browser is slow to take, only the piece at hand is kept for it.
+        body=io.BytesIO(page.compressed if compressed else page.html),
+        content_type="text/html",
+        charset="utf-8",
+        headers={"Content-Security-Policy": policy},
+    )
+    if compressed:
+        response.headers["Content-Encoding"] = "gzip"
+    return response
 
 
 def _text(status: int, text: str) -> web.Response:
