@@ -66,7 +66,8 @@ STOPS = (
     Stop(
         "lessons",
         "Learn with lessons",
-        "Lessons ask questions, check what you do with the arm, and give hints. Your progress is saved.",
+        "The map shows all lessons in order, and what comes next. Lessons ask questions, check what you do with the "
+        "arm, and give hints.",
         tab="lessons",
     ),
 )
