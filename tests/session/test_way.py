@@ -66,7 +66,7 @@ def do(session, *keys):
 
 
 def way(session):
-    return Way.of(session.state[LessonPart])
+    return Way.of(session.state[LessonPart], lessons())
 
 
 def test_a_newcomer_begins_with_the_first_lesson_and_sees_what_follows(session):
@@ -121,7 +121,7 @@ def test_a_lesson_of_no_course_is_followed_by_the_first_of_the_course(session):
 
 def test_how_far_one_is(session):
     applied(session, OpenLesson("a"), Answer("1"))
-    assert standings(session.state[LessonPart]) == {"a": Standing(1, 2)}
+    assert standings(session.state[LessonPart], lessons()) == {"a": Standing(1, 2)}
     assert not way(session).standings["a"].done
     do(session, "a")
     assert way(session).standings["a"].done

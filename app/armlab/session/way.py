@@ -8,8 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from armlab.content.course import Course
-from armlab.content.lesson import Lesson
-from armlab.content.lessons import lessons
+from armlab.content.lessons import Lessons
 from armlab.session.parts.lesson import LessonPart
 
 
@@ -53,10 +52,9 @@ class Way:
     needs: Mapping[str, tuple[str, ...]]
 
     @classmethod
-    def of(cls, part: LessonPart) -> Way:
-        """Return the way through the course that the student has chosen."""
-        found = lessons()
-        return cls(found.course(part.course), part.open.partition("/")[0], standings(part), found.needs)
+    def of(cls, part: LessonPart, found: Lessons) -> Way:
+        """Return the way through the course that the student has chosen among all lessons."""
+        return cls(found.course(part.course), part.open.partition("/")[0], standings(part, found), found.needs)
 
     @cached_property
     def done(self) -> frozenset[str]:
@@ -97,14 +95,13 @@ class Way:
         return tuple(other for other in self.needs.get(key, ()) if other in self.course.chapter_of)
 
 
-def standings(part: LessonPart) -> dict[str, Standing]:
+def standings(part: LessonPart, found: Lessons) -> dict[str, Standing]:
     """Return how far a student is in each lesson that was opened and still is there."""
-    there = lessons().lessons
-    found: dict[str, Standing] = {}
+    reached: dict[str, Standing] = {}
     for place, progress in part.progress_of.items():
         key = place.partition("/")[0]
-        lesson: Lesson | None = there.get(key)
+        lesson = found.lessons.get(key)
         if lesson is not None:
             standing = Standing(len(progress.passed(lesson)), len(lesson.steps))
-            found[key] = max(standing, found.get(key, standing))
-    return found
+            reached[key] = max(standing, reached.get(key, standing))
+    return reached

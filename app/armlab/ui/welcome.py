@@ -83,7 +83,7 @@ def offered(state: State) -> tuple[Headed, ...]:
     found = lessons_read()
     if found is None:
         return first_heads(OFFERED)
-    return tuple(found[key] for key in Way.of(state[LessonPart]).coming(OFFERED))
+    return tuple(found[key] for key in Way.of(state[LessonPart], found).coming(OFFERED))
 
 
 def welcome_markup(form: Form, welcome: Welcome, lessons: Sequence[Headed]) -> Markup | None:

@@ -33,7 +33,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
     def show(state: State) -> None:
         found, part = lessons(), state[LessonPart]
-        way = Way.of(part)
+        way = Way.of(part, found)
         now.show(_head(now, found, way), Map(now, way, found.lessons).now())
         course_map = Map(entries, way, found.lessons).markup(way.course.chapters, found.others)
         entries.show(course_map, broken_files("lesson", found.problems))
