@@ -102,6 +102,7 @@ def test_lessons_of_no_course_stand_at_the_end_under_their_chapters():
     _, markup = made(others=(Chapter("7 Control", "", ("velocity_loop",)),))
     assert markup.index("More lessons") < markup.index("7 Control") < markup.index('data-cell="lesson:velocity_loop"')
     assert markup.index('data-cell="lesson:ik_2r"') < markup.index("More lessons")
+    assert '<details class="kit-fold lm" open data-fold="7 Control">' in markup
 
 
 # --- In the page

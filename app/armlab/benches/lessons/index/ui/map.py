@@ -42,14 +42,17 @@ class Map:
         self._next = way.next
 
     def markup(self, chapters: Sequence[Chapter], others: Sequence[Chapter]) -> Inside:
-        """Return the chapters of the course, and behind them those of lessons that no course names."""
+        """Return the chapters of the course, and behind them, open, those of lessons that no course names.
+
+        Of the course the chapter is open that holds the lesson which is open or comes next.
+        """
         present = self._way.here or self._next
-        opened = next((each.title for each in (*chapters, *others) if present in each.lessons), "")
+        opened = next((each.title for each in chapters if present in each.lessons), "")
         more = tag("h3", "More lessons") if others else None
         return (
             [self._chapter(each, each.title == opened) for each in chapters],
             more,
-            [self._chapter(each, each.title == opened) for each in others],
+            [self._chapter(each, True) for each in others],
             _legend(),
         )
 
@@ -79,7 +82,7 @@ class Map:
         return line, go
 
     def _chapter(self, chapter: Chapter, opened: bool) -> Markup:
-        """Return a chapter, which is open when it holds the lesson that is open or comes next."""
+        """Return a chapter, with how much of it is done."""
         lessons = [self._found[key] for key in chapter.lessons]
         states = [self._state(lesson.key) for lesson in lessons]
         done, minutes = len(self._way.done & set(chapter.lessons)), time_said(sum(each.minutes for each in lessons))
