@@ -44,7 +44,7 @@ class Map:
     def markup(self, chapters: Sequence[Chapter], others: Sequence[Chapter]) -> Inside:
         """Return the chapters of the course, and behind them, open, those of lessons that no course names.
 
-        Of the course the chapter is open that holds the lesson which is open or comes next.
+        In the course that chapter is open which holds the open lesson or the next one.
         """
         present = self._way.here or self._next
         opened = next((each.title for each in chapters if present in each.lessons), "")
