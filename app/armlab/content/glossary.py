@@ -33,12 +33,36 @@ class Term:
 
 TERMS: tuple[Term, ...] = (
     Term(
+        "Back-EMF",
+        "The voltage that a turning motor makes against the one that drives it: k times its speed. It is a loop inside "
+        "the motor and limits its speed.",
+        r"v_{emf}=k\,\omega",
+        "motor",
+        ("back electromotive force", "speed constant"),
+    ),
+    Term(
+        "Backlash",
+        "The motion that a joint can make while its motor stands still, because teeth or threads have room between "
+        "them. An encoder on the motor does not see it.",
+        "",
+        "joint_drive",
+        ("play",),
+    ),
+    Term(
         "Closed form",
         "A formula that gives all solutions of the inverse kinematics in finitely many steps. An arm has one if, for "
         "example, three neighbouring axes meet in one point or are parallel.",
         "",
         "by_hand",
         ("analytic solution",),
+    ),
+    Term(
+        "Commutator",
+        "A divided ring on the rotor of a motor that reverses the current of a coil at each half turn, so that its "
+        "torque keeps one sign. A brushless motor switches its currents electronically instead.",
+        "",
+        "torque",
+        ("brushes", "brushless motor"),
     ),
     Term(
         "Condition number",
@@ -76,6 +100,14 @@ TERMS: tuple[Term, ...] = (
         ("DH parameters", "link length", "link twist", "link offset", "joint angle"),
     ),
     Term(
+        "Efficiency",
+        "Useful power over the power that is supplied. Those of converters in a chain multiply. A motor that holds a "
+        "load still has the efficiency zero.",
+        r"\eta=P_u/P_c",
+        "drive",
+        ("losses",),
+    ),
+    Term(
         "End effector",
         "What is mounted on the last link to do the work, such as a gripper. The lab calls it the tool.",
         "",
@@ -97,6 +129,14 @@ TERMS: tuple[Term, ...] = (
         r"\{i\}",
         "pose",
         ("world frame", "base frame"),
+    ),
+    Term(
+        "Harmonic drive",
+        "A gear whose flexible ring, bent by a turning wave generator, loses two of its teeth in each turn: a large "
+        "ratio in one stage, with hardly any backlash. Also called strain wave gear.",
+        "",
+        "harmonic",
+        ("flexspline", "wave generator", "circular spline"),
     ),
     Term(
         "Inverse kinematics",
@@ -154,11 +194,26 @@ TERMS: tuple[Term, ...] = (
         "solve",
     ),
     Term(
+        "Reduction ratio",
+        "The turns of the motor for one turn of the load. The speed is divided by it, and without losses the torque is "
+        "multiplied by it; a negative ratio turns the sense round.",
+        "n",
+        "gears",
+        ("gear ratio", "transmission ratio"),
+    ),
+    Term(
         "Redundant arm",
         "An arm with more joints than its task has components. It can move while its tool stays: a self-motion.",
         r"n>m",
         "solutions",
         ("redundancy", "self-motion"),
+    ),
+    Term(
+        "Servomotor",
+        "A motor with a sensor of its angle and a controller that compares the angle with the wanted one.",
+        "",
+        "drive",
+        ("actuator",),
     ),
     Term(
         "Singular configuration",
@@ -215,10 +270,24 @@ TERMS: tuple[Term, ...] = (
         ("tool frame", "tool point", "TCP", "tool centre point"),
     ),
     Term(
+        "Torque constant",
+        "Torque of a motor for each ampere. In SI it is the same number as its voltage for each radian per second.",
+        r"k_t=k_v=k",
+        "motor",
+        ("voltage constant",),
+    ),
+    Term(
         "Torque of a joint",
         "What a motor exerts about the axis of a revolute joint; of a prismatic joint it is a force along its axis.",
         r"\tau=J^TF",
         "statics",
+    ),
+    Term(
+        "Torque ripple",
+        "The largest less the least torque of a motor over a turn, divided by the mean. It falls with the square of "
+        "the number of coils.",
+        "",
+        "torque",
     ),
     Term(
         "Trajectory",
