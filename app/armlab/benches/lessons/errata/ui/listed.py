@@ -65,5 +65,12 @@ def entries(form: Form, state: State) -> Inside:
 def _entry(form: Form, each: Erratum, here: bool, entry: bool, done: bool) -> Markup:
     """Return one line; the keyboard comes to the list at one of them, and arrow keys go on from there."""
     inside = (tag("b", each.id), tag("i", each.severity), tag("span", each.title), "✓" if done else None)
-    named = {"aria_current": "true" if here else "", "data_rove": "1", "tabindex": "0" if entry else "-1"}
-    return form.button(f"erratum {each.id}", inside, Choose(each.id), "er-entry", **named)
+    return form.button(
+        f"erratum {each.id}",
+        inside,
+        Choose(each.id),
+        "er-entry",
+        aria_current="true" if here else "",
+        data_rove="1",
+        tabindex="0" if entry else "-1",
+    )
