@@ -1,7 +1,7 @@
 """Pose accuracy and repeatability of an arm: the figures AP and RP of ISO 9283, and an arm that is commanded n times.
 
-Position and orientation each have figures of their own; metres and radians are never added. Of a pose that is commanded
-n times and attained n times,
+Position and orientation each have figures of their own; metres and radians are never added. For a pose that is
+commanded and attained n times,
 
     AP  = |mean - p_c|                            accuracy of position
     RP  = mean of l + 3 S_l,  l_j = |p_j - mean|  repeatability of position

@@ -60,7 +60,7 @@ def throws(count: int, bias: ArrayLike, spread: float, seed: int) -> Floats:
 
 @dataclass(frozen=True, eq=False)
 class Estimate:
-    """What attempts tell of bias and spread; see `estimate`.
+    """Bias and spread as attempts tell them; see `estimate`.
 
     Attributes
     ----------

@@ -1,0 +1,29 @@
+"""The page Speed by counting of the lab."""
+
+from armlab.page import Export, Page
+
+PAGE = Page(
+    __name__,
+    "encoder_speed",
+    "Speed from an encoder",
+    "BRAND_SPEEDTEST",
+    58,
+    tab="absolute_encoder",
+    page="Speed",
+    about=(
+        "S2.3.1-encoder-speed",
+        "2.3.1",
+        "2.42",
+        "2.43",
+        "speed from an encoder",
+        "angular velocity from counts",
+        "counts per window",
+        "time between edges",
+        "M method",
+        "T method",
+        "quantisation",
+        "delay of a measurement",
+        "tachometer",
+    ),
+    exports=(Export("csv", "Measured speeds of a run as CSV", ("encoder", "curves", "table")),),
+)
