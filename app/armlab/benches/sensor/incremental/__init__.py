@@ -9,6 +9,7 @@ PAGE = Page(
     "WAVE_SQUARE",
     57,
     tab="absolute_encoder",
+    page="Incremental",
     about=(
         "S2.3.1-inc-encoder",
         "S2.3.2-quadrature",

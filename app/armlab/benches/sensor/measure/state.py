@@ -78,6 +78,11 @@ class Throws(FieldPart):
         return math.sqrt(float((self.points**2).sum(axis=1).mean()))
 
     @property
+    def about(self) -> float:
+        """Root mean square of the distances from their centre, metres."""
+        return math.sqrt(float(((self.points - self.found.mean) ** 2).sum(axis=1).mean()))
+
+    @property
     def bias_share(self) -> float:
         """Part of the mean square distance that the bias makes; the rest is spread. 0 where all is hit exactly."""
         whole = self.rms**2

@@ -1,4 +1,4 @@
-"""What both codes read of the same sensors, and how the words of neighbouring sectors differ."""
+"""Readings of both codes by the same sensors, and the differences between words of neighbouring sectors."""
 
 from __future__ import annotations
 

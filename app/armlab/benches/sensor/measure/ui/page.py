@@ -106,7 +106,7 @@ def _estimates(part: Throws, units: Units) -> Markup:
 def _verdict(part: Throws, units: Units) -> Markup:
     """Return which of bias and spread makes the misses, and what helps against it."""
     found, share = part.found, part.bias_share
-    rms, spread = units.length(part.rms), units.length(part.rms * (1.0 - share) ** 0.5)
+    rms, spread = units.length(part.rms), units.length(part.about)
     parts = (
         tag("div.eq.small", mathml(r"\overline{|x|^2}=|\bar x|^2+\overline{|x-\bar x|^2}")),
         f"The root mean square miss is {rms}: bias {units.length(found.distance)}, spread {spread} about the centre. "

@@ -14,9 +14,6 @@ from armlab.ui.markup import verdict_box
 from armlab.ui.tables import head_line
 from armlab.ui.units import Units
 
-MILLI = 1e-3
-"""Seconds below which a time is in milliseconds, and milliseconds below which it is in microseconds."""
-
 
 def seconds(value: float) -> str:
     """Return a time in the unit that leaves it readable.
