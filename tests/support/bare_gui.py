@@ -25,7 +25,7 @@ from armlab.ui.plugin import panel
 from armlab.ui.widgets import Gui
 
 _COUNT = itertools.count(1)
-_CONTROL = re.compile(r"<(input|textarea|button|select)\b([^>]*)>(.*?(?=</select>))?", re.S)
+_CONTROL = re.compile(r"<((select)|input|textarea|button)\b([^>]*)>(?(2)(.*?)(?=</select>))", re.S)
 _OPTION = re.compile(r'<option value="([^"]*)"')
 
 
@@ -142,7 +142,7 @@ class BarePage:
         for fields in self._gui.has:
             if not fields.html.visible:
                 continue
-            for kind, attributes, inside in _CONTROL.findall(content(fields)):
+            for kind, _, attributes, inside in _CONTROL.findall(content(fields)):
                 cell = re.search(r'data-cell="([^"]*)"', attributes)
                 if kind in kinds and cell and " disabled" not in attributes:
                     yield fields, unescape(cell[1]), inside
