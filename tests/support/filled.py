@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import re
-from html import unescape
-
 from armlab.content.robots import catalogue
 from armlab.session.session import Undo
 from armlab.session.state import Command, State
-from support.bare_gui import BarePage, content
+from support.bare_gui import BarePage, content, words
 
 
 class Filled:
@@ -56,5 +53,5 @@ class Filled:
 
     @property
     def text(self) -> str:
-        """Everything that the page says in forms, without tags."""
-        return unescape(re.sub(r"<[^>]+>", " ", " ".join(content(each) for each in self._page._gui.has)))
+        """Everything that the page says, without tags."""
+        return words(self._page)

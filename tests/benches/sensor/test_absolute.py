@@ -158,7 +158,9 @@ def test_what_is_said_of_the_readings():
     straight = opened(Set(Absolute, "code", "binary"))[Absolute]
     assert "up to 4 bits change at once" in verdict(straight, UNITS)
     assert label(part) == "1111 = sector 15"
-    rows = re.findall(r"<td>(\d+)</td><td>([01]+)</td><td>(\d)</td><td>([01]+)</td><td>(\d)</td>", neighbours_markup(part))
+    rows = re.findall(
+        r"<td>(\d+)</td><td>([01]+)</td><td>(\d)</td><td>([01]+)</td><td>(\d)</td>", neighbours_markup(part)
+    )
     assert rows[2] == ("7", "0111", "4", "0100", "1")
 
 

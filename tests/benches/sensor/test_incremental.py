@@ -93,10 +93,10 @@ def test_z_makes_the_count_the_angle_wherever_the_disk_began():
     assert math.degrees(fact(state, "measured")) == pytest.approx(45.0)
     assert fact(state, "missed") == 0
     without = apply(state, Set(Incremental, "index", False))
-    assert math.degrees(fact(without, "measured")) == pytest.approx(-45.0)  # the way from 100°, in whole counts of 11.25°
-    before = opened(
-        ChooseIncrementalExample("index"), OpenClip(CLIP_KEY), Seek(0.5)
-    )
+    assert math.degrees(fact(without, "measured")) == pytest.approx(
+        -45.0
+    )  # the way from 100°, in whole counts of 11.25°
+    before = opened(ChooseIncrementalExample("index"), OpenClip(CLIP_KEY), Seek(0.5))
     assert not fact(before, "zero_found")
     assert fact(before, "angle") == pytest.approx(55.0 * DEG)
 
@@ -105,9 +105,7 @@ def test_z_makes_the_count_the_angle_wherever_the_disk_began():
 def test_whatever_a_hand_drags_the_counts_are_those_of_the_place(seed):
     """Hundreds of small drags to and fro, in the moves of which each goes on in one direction."""
     rng = np.random.default_rng(seed)
-    state = opened(
-        Set(Incremental, "pulses", int(rng.integers(1, 60))), BeginAgain(), Set(Incremental, "speed", 10.0)
-    )
+    state = opened(Set(Incremental, "pulses", int(rng.integers(1, 60))), BeginAgain(), Set(Incremental, "speed", 10.0))
     angle = state[Incremental].start
     for drag in range(30):
         for _ in range(8):
@@ -168,11 +166,7 @@ def test_the_disk_lets_light_through_where_its_signals_are_high(pulses):
     found = arcs(pulses)
     z, b, a = np.unique(found[:, 2])
     for angle in (0.02, 1.0, 2.5, 4.4, 6.2):
-        dark = {
-            low
-            for begin, end, low, _ in found.tolist()
-            if begin <= angle < end or begin <= angle + TURN < end
-        }
+        dark = {low for begin, end, low, _ in found.tolist() if begin <= angle < end or begin <= angle + TURN < end}
         expected = tuple(low not in dark for low in (a, b, z))
         assert seen(part, angle) == expected
         assert tuple(head.lit for head in reversed(heads(part, angle))) == expected

@@ -197,7 +197,8 @@ def _polynomial(part: Curve) -> Inside:
     terms = []
     for power, value in enumerate(part.calibration.coefficients.tolist()):
         factor = "" if power == 0 else " y" if power == 1 else f" y{_raised(power)}"
-        sign = "" if power == 0 and value >= 0.0 else " − " if value < 0.0 else " + "
+        plus, minus = (" + ", " − ") if power else ("", "−")
+        sign = minus if value < 0.0 else plus
         terms.append(f"{sign}{amount(abs(value))}{factor}")
     return tag("p.dim", f"Input from output, full scale 1: u = {''.join(terms)}")
 
