@@ -138,7 +138,7 @@ def test_calibration_leaves_what_the_sentences_say():
 
 
 def test_injected_errors_are_found_again():
-    alone = {name: 0.0 for name in ("offset", "gain", "bend", "hysteresis", "resolution", "noise")}
+    alone = dict.fromkeys(("offset", "gain", "bend", "hysteresis", "resolution", "noise"), 0.0)
     for name, fact_name, value in (
         ("offset", "offset", 3.0),
         ("gain", "gain", -4.0),

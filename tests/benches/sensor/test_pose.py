@@ -80,6 +80,9 @@ def test_moving_again_changes_the_attempts_and_nothing_else():
     again = apply(state, MoveAgain())
     assert again[Repeats].seed == state[Repeats].seed + 1
     assert fact(again, "accuracy") != fact(state, "accuracy")
+    assert abs(fact(again, "accuracy") - fact(state, "accuracy")) < fact(state, "repeatability")  # the same zeros
+    other = apply(state, Set(Repeats, "specimen", 5))
+    assert abs(fact(other, "accuracy") - fact(state, "accuracy")) > 2.0 * fact(state, "repeatability")
     assert fact(again, "expected_spread") == pytest.approx(fact(state, "expected_spread"))
     assert apply(opened("puma560", Set(Repeats, "seed", 1_000_000)), MoveAgain())[Repeats].seed == 0
 

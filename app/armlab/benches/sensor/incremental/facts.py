@@ -35,7 +35,11 @@ FACTS = Facts(
     {
         "pulses": Fact("the number of periods in a turn", lambda s: s[Incremental].pulses, kind="count"),
         "decoder": Fact("the rule of counting", lambda s: s[Incremental].decoder, kind="text"),
-        "rule": Fact("what both orders of the edges are taken for", lambda s: s[Incremental].rule, kind="text"),
+        "rule": Fact(
+            "the directions for which both orders of the edges are taken, opposite or same",
+            lambda s: s[Incremental].rule,
+            kind="text",
+        ),
         "per_period": Fact("D, the counts in a period", lambda s: _chosen(s).per_period, kind="count"),
         "resolution": Fact("AR, the angle of a count", lambda s: _chosen(s).resolution, "rad"),
         "angle": Fact("the angle of the disk", lambda s: _now(s).angle, "rad"),

@@ -12,7 +12,7 @@ from armlab.session.state import Command, State
 
 @dataclass(frozen=True)
 class MoveAgain(Command):
-    """Send the arm to its pose as often again, with the next seed: another arm of the same make."""
+    """Send the same arm to its pose as often again, with the next seed."""
 
     label: ClassVar[str] = "new attempts"
 

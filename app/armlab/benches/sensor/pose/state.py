@@ -25,7 +25,7 @@ FARTHEST = 0.05
 """Largest error of a sliding joint, metres."""
 
 ZERO = 7
-"""Second seed of the errors of the zeros, so that other attempts leave them alone."""
+"""Seed beside the number of an arm, from which the errors of its zeros come."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,10 @@ class Repeats(FieldPart):
         Standard deviation of the errors of the zeros of turning and of sliding joints, rad and m.
     approach : str
         Some of `APPROACHES`.
+    specimen : int
+        Number of the arm among those of its make, whose zeros are its own.
     times, seed : int
+        How often it is sent there, and the seed of these attempts.
     example : str
         Key of the example it still is; empty when something has been changed.
     """
@@ -60,6 +63,7 @@ class Repeats(FieldPart):
     play: float = number("", "play of sliding joints", 2e-5, 0.0, FARTHEST, "m")
     zero: float = number("", "error of the zeros of turning joints", math.radians(0.05), 0.0, LARGEST, "rad")
     zero_slide: float = number("", "error of the zeros of sliding joints", 1e-4, 0.0, FARTHEST, "m")
+    specimen: int = whole("zeros of arm number", 1, 1, 1_000_000)
     approach: str = choice("approach", "either", APPROACHES)
     times: int = whole("times", STANDARD, 2, MOST_TIMES)
     seed: int = whole("seed", 1, 0, 1_000_000)
@@ -68,7 +72,7 @@ class Repeats(FieldPart):
     def errors(self, arm: Arm) -> JointErrors:
         """Return the errors of the joints of an arm."""
         counts = encoder(self.counts, self.shaft, self.ratio).resolution(arm.revolute)
-        zeros = np.random.default_rng([self.seed, ZERO]).standard_normal(arm.n)
+        zeros = np.random.default_rng([self.specimen, ZERO]).standard_normal(arm.n)
         return JointErrors(
             counts,
             np.where(arm.revolute, self.backlash, self.play),

@@ -68,7 +68,7 @@ def _head(form: Form, state: State, part: Repeats, units: Units) -> Markup:
         row(
             "Encoder", tag("div.se-line.pa-wide", typed(form, part, "counts", units), tag("i", "counts"), shafts, ratio)
         ),
-        tag("div.pa-errors", numbers(form, part, (*turning, *sliding), units)),
+        tag("div.pa-errors", numbers(form, part, (*turning, *sliding, "specimen"), units)),
         row("Approach", approaches),
         row(
             "Sent there",
@@ -77,7 +77,7 @@ def _head(form: Form, state: State, part: Repeats, units: Units) -> Markup:
                 typed(form, part, "times", units),
                 "times, seed",
                 typed(form, part, "seed", units),
-                form.chip("again", "Again", MoveAgain(), "Another arm of the same make"),
+                form.chip("again", "Again", MoveAgain(), "Send the same arm there as often again"),
             ),
             hint=f"The standard asks for {STANDARD} times",
         ),
