@@ -38,7 +38,7 @@ class Absolute(FieldPart):
         Key of the example it still is; empty when something has been changed.
     """
 
-    key: ClassVar[str] = "absolute"
+    key: ClassVar[str] = "absolute_encoder"
     leave_example: ClassVar[tuple[str, ...]] = ("example", "angle")
 
     tracks: int = whole("number of tracks", 4, 1, MOST_TRACKS)

@@ -67,7 +67,7 @@ class Incremental(FieldPart):
         Key of the example it still is; empty when something has been changed.
     """
 
-    key: ClassVar[str] = "incremental"
+    key: ClassVar[str] = "incremental_encoder"
     clip: ClassVar[str] = CLIP_KEY
 
     pulses: int = whole("periods in a turn, PPR", 8, 1, 100_000)

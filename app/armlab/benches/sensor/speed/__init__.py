@@ -1,4 +1,4 @@
-"""The page Speed by counting of the lab."""
+"""The page Encoder speed of the lab."""
 
 from armlab.page import Export, Page
 
@@ -9,7 +9,7 @@ PAGE = Page(
     "BRAND_SPEEDTEST",
     58,
     tab="absolute_encoder",
-    page="Speed",
+    page="Encoder speed",
     about=(
         "S2.3.1-encoder-speed",
         "2.3.1",
