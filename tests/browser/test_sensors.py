@@ -75,7 +75,7 @@ def test_throws_are_corrected_a_sensor_is_calibrated_and_an_arm_is_sent_somewher
     lab.until(lambda: "no function of the output takes them away" in lab.page.content())
     lab.press("pose_accuracy")
     lab.until(lambda: any(name.endswith("/pose_accuracy/points") for name in lab.nodes()))
-    lab.until(lambda: any(name.endswith("/pose_accuracy/arrow/label") for name in lab.nodes()))
+    lab.until(lambda: any(name.endswith("/pose_accuracy/arrow/arrows") for name in lab.nodes()))
     lab.page.locator('select[data-cell="example"]:visible').select_option("either_side")
     lab.until(lambda: "Accurate on the mean, not repeatable" in lab.page.content())
     lab.press("approach same")

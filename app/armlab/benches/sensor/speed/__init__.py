@@ -1,15 +1,14 @@
-"""The page Encoder speed of the lab."""
+"""The page Encoder velocity of the lab."""
 
 from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
     "encoder_speed",
-    "Speed from an encoder",
+    "Encoder velocity",
     "BRAND_SPEEDTEST",
     58,
     tab="absolute_encoder",
-    page="Encoder speed",
     about=(
         "S2.3.1-encoder-speed",
         "2.3.1",

@@ -1,1 +1,1 @@
-"""Everything that the page Speed draws."""
+"""Everything that the page Encoder velocity draws."""
