@@ -16,26 +16,23 @@ HEIGHT, RADIUS = 0.37, 0.33
 """Height of its middle above the base, and radius of the disk, in reaches of the arm."""
 
 ASIDE = math.radians(32.0)
-"""Angle by which its axis is turned away from the home view, so that lamps and sensors are seen apart."""
-
-LOWER = 0.6
-"""Elevation of its axis, in elevations of the home view."""
+"""Angle by which its axis is turned sideways from the home view, so that lamps and sensors are seen apart."""
 
 
 def stage_of(state: State) -> tuple[Floats, float]:
     """Return the pose of the encoder, (4, 4), and the radius of its disk, metres.
 
-    The z axis is that of the shaft, towards the home view; y goes up to the sensors.
+    The z axis is that of the shaft, towards the home view; y goes up to the sensors, as seen from there.
     """
     robot = state[RobotPart].robot
     reach = 2.0 * robot.arm.length_scale
-    azimuth = math.radians(robot.camera.azimuth_deg) + ASIDE
-    elevation = LOWER * math.radians(robot.camera.elevation_deg)
-    x = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
+    azimuth, elevation = math.radians(robot.camera.azimuth_deg), math.radians(robot.camera.elevation_deg)
+    right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
     level = np.array([math.cos(azimuth), math.sin(azimuth), 0.0])
-    z = math.cos(elevation) * level + math.sin(elevation) * np.array([0.0, 0.0, 1.0])
+    towards = math.cos(elevation) * level + math.sin(elevation) * np.array([0.0, 0.0, 1.0])
+    z, y = math.cos(ASIDE) * towards + math.sin(ASIDE) * right, np.cross(towards, right)
     pose = np.eye(4)
-    pose[:3, :3] = np.stack([x, np.cross(z, x), z], axis=1)
+    pose[:3, :3] = np.stack([np.cross(y, z), y, z], axis=1)
     pose[:3, 3] = robot.arm.base[:3, 3] + np.array([0.0, 0.0, HEIGHT * reach])
     return pose, RADIUS * reach
 
