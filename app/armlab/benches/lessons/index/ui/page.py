@@ -22,10 +22,7 @@ from armlab.ui.plugin import Panel, Show
 from armlab.ui.search.markup import search_button
 from armlab.ui.widgets import Gui
 
-NOTES = (
-    "“The notes” in the lessons are the lecture notes of the course Robotics 1. You need none of them: whatever a "
-    "lesson uses stands in it. Where it says that they err, a number leads to the page "
-)
+NOTES = "“The notes” are those of the course Robotics 1. No lesson needs them; what they print wrongly is on the page "
 PRINTED = "course"
 """Address of the course as a page to print."""
 
