@@ -49,7 +49,7 @@ class ScrewMotion:
     angle : float
         About the axis, radians in [0, pi].
     distance : float
-        Along the axis, metres; negative against ``direction``. Of a translation its length.
+        Along the axis, metres, negative against ``direction``; the length of a translation.
     twist : ndarray, shape (6,)
         ``(v; omega)`` in m and rad: the transform is its exponential.
     """
@@ -87,7 +87,7 @@ def screw_motion(T: ArrayLike, where: str = "T") -> ScrewMotion:
     """Return the screw of a rigid transform, the one that turns by half a turn at most.
 
     With the axis ``omega`` and the angle ``theta`` of R, the part ``d = omega . p`` of the translation is along the
-    axis. What is left of p is across it and tells where the axis is: a point c that is only shifted along it fulfils
+    axis. The rest of p is across it and tells where the axis is: a point c that is only shifted along it fulfils
     ``(I - R) c = p - d omega``, and nearest to the origin is
 
         c = ((p - d omega) + cot(theta / 2) omega x p) / 2
