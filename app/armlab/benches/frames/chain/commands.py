@@ -252,8 +252,8 @@ class SetFrameMatrix(Command):
         nearest = nearest_rotation(typed, "matrix")
         if not nearest.only:
             raise InputError(
-                "matrix: expected one with a single nearest rotation, such as three columns of which none is zero and no "
-                f"two are parallel; several rotations are at the same distance {nearest.distance:.3g} of this one"
+                "matrix: expected one with a single nearest rotation, whose columns are not zero and not parallel; of "
+                f"this one several rotations are at the same distance {nearest.distance:.3g}"
             )
         matrix = tuple(tuple(row) for row in typed.tolist())
         angles = angles_of(nearest.rotation)

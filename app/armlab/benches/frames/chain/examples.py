@@ -67,7 +67,7 @@ EXAMPLES = Registry(
             "chain",
             "World, A, B, C",
             FIRST,
-            (0.15, 0.1, 0.2),
+            (0.2, 0.3, 0.0),
             "C",
             WORLD,
             "C",
@@ -112,7 +112,7 @@ EXAMPLES = Registry(
                 _turned("K", WORLD, (0.0, 0.5, 0.9), 150.0, 0.0, -60.0),
                 _turned("O", "K", (0.1, -0.1, 0.8), 0.0, 30.0, 0.0),
             ),
-            (0.0, 0.0, 0.0),
+            (0.15, 0.0, 0.1),
             "O",
             "B",
             "O",
@@ -129,7 +129,7 @@ EXAMPLES = Registry(
                 _turned("EB", "EA", (0.0, 0.0, 0.0), 0.0, 0.0, 180.0),
                 _turned("B", WORLD, (1.0, 2.0, 0.0), 0.0, 0.0, 30.0),
             ),
-            (0.0, 0.0, 0.0),
+            (0.4, 0.2, 0.0),
             "EA",
             "B",
             "EB",
@@ -154,4 +154,3 @@ class ChooseChainExample(Command):
 
 
 BENCH = Bench("frames", 15, EXAMPLES, ChooseChainExample)
-

@@ -58,13 +58,13 @@ FACTS = Facts(
         "frame": Fact("the frame of the chosen transform", lambda s: s[Chain].frame, kind="text"),
         "way": Fact("the names from the reference to the frame", _way, kind="text"),
         "steps": Fact("the number of factors", lambda s: len(s.derived(pair_of).steps), kind="count"),
-        "relative": Fact(
-            "the chosen transform, row by row, m", lambda s: s.derived(pair_of).T.ravel(), kind="numbers"
-        ),
+        "relative": Fact("the chosen transform, row by row, m", lambda s: s.derived(pair_of).T.ravel(), kind="numbers"),
         "position": Fact(
             "the origin of the frame in the reference", lambda s: s.derived(pair_of).T[:3, 3], "m", "numbers"
         ),
-        "inverse": Fact("the inverse of it, row by row, m", lambda s: s.derived(pair_of).inverse.ravel(), kind="numbers"),
+        "inverse": Fact(
+            "the inverse of it, row by row, m", lambda s: s.derived(pair_of).inverse.ravel(), kind="numbers"
+        ),
         "in_world": Fact("the pose of the frame in the world, row by row, m", _placed, kind="numbers"),
         "given": Fact("the frame in which the point is given", lambda s: s[Chain].given, kind="text"),
         "point_in": Fact("the coordinates of the point in the reference", _point_in("reference"), "m", "numbers"),

@@ -176,7 +176,7 @@ class Chain(FieldPart):
     leave_example: ClassVar[tuple[str, ...]] = ("example", "reference", "frame", "count", "given")
 
     frames: tuple[Frame, ...] = own("frames", FIRST, _frames, _written)
-    point: Triple = vector("p", "point", (0.15, 0.1, 0.2), -FARTHEST, FARTHEST, "m")
+    point: Triple = vector("p", "point", (0.2, 0.3, 0.0), -FARTHEST, FARTHEST, "m")
     given: str = text("frame of the point", "C", 4)
     reference: str = text("reference of the transform", WORLD, 4)
     frame: str = text("frame of the transform", "C", 4)

@@ -100,7 +100,8 @@ def pair(part: Chain, reference: str, frame: str) -> Pair:
     steps = steps_between(part, reference, frame)
     factors = tuple(_factor(part, step) for step in steps)
     T = reduce(np.matmul, factors, np.eye(4))
-    return Pair(reference, frame, steps, factors, T, np.asarray(inverse(T)), np.linalg.inv(T))
+    quick, general = (np.asarray(each, dtype=np.float64) for each in (inverse(T), np.linalg.inv(T)))
+    return Pair(reference, frame, steps, factors, T, quick, general)
 
 
 def _factor(part: Chain, step: Step) -> Floats:
