@@ -26,8 +26,8 @@ Floats = NDArray[np.float64]
 AXES = ("x", "y", "z")
 
 ORIGINS, FROM_FRAME = PURPLE, ORANGE
-"""Colours of the arrows from the reference to the frame, and from the frame to the point; that from the reference to the
-point has the colour of ink."""
+"""Colours of the arrows from the reference to the frame, and from the frame to the point; the one from the reference to
+the point has the colour of ink."""
 
 KINDS = {"rotation": "rotations, 3 × 3", "transform": "transforms", "whole": "4 × 4, all entries"}
 
