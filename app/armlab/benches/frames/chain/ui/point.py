@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 from armlab.benches.frames.chain.commands import GivePointIn, SetPointCoordinate
 from armlab.benches.frames.chain.state import WORLD, Chain
 from armlab.benches.frames.chain.tree import counts_of, pair_of, points_of
+from armlab.benches.frames.chain.ui.colours import FROM_FRAME, ORIGINS
 from armlab.benches.frames.chain.ui.symbols import point_name, transform_name
 from armlab.kin.operations import COSTS, Count, worth_multiplying
 from armlab.session.fields import Set
 from armlab.session.state import Command, State
-from armlab.ui.colours import INK, ORANGE, PURPLE, css
+from armlab.ui.colours import INK, css
 from armlab.ui.form import Form
 from armlab.ui.format import EN_SPACE, dot
 from armlab.ui.html import Inside, Markup, joined, tag
@@ -24,10 +25,6 @@ from armlab.ui.units import Units, plain_number, units_of
 Floats = NDArray[np.float64]
 
 AXES = ("x", "y", "z")
-
-ORIGINS, FROM_FRAME = PURPLE, ORANGE
-"""Colours of the arrows from the reference to the frame, and from the frame to the point; the one from the reference to
-the point has the colour of ink."""
 
 KINDS = {"rotation": "rotations, 3 × 3", "transform": "transforms", "whole": "4 × 4, all entries"}
 

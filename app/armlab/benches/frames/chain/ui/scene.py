@@ -12,8 +12,8 @@ from armlab.benches.frames.chain.commands import DragFrame, DragFramePoint, Sele
 from armlab.benches.frames.chain.stage import places_of, unit_of
 from armlab.benches.frames.chain.state import MOST_FRAMES, POINT, WORLD, Chain
 from armlab.benches.frames.chain.tree import point_of, points_of, poses_of
+from armlab.benches.frames.chain.ui.colours import FROM_FRAME, ORIGINS
 from armlab.benches.frames.chain.ui.globe import Globe
-from armlab.benches.frames.chain.ui.point import FROM_FRAME, ORIGINS
 from armlab.kin.transforms import transform
 from armlab.session.parts.display import Display
 from armlab.session.state import State

@@ -40,7 +40,7 @@ SIZE = 2.0
 DASHES = 60
 """Number of dashes of the circle that B reaches."""
 
-NAMED = 0.8
+NAMED = -0.7
 """Angle from the place of the tools to the name of the circle, radians."""
 
 SHORT = 1e-3
