@@ -10,7 +10,6 @@ import numpy as np
 
 from armlab.benches.frames.chain.stage import box_of
 from armlab.benches.frames.chain.ui.page import HIDES
-from armlab.benches.frames.chain.ui.posed import length_row
 from armlab.benches.frames.coordinates.examples import EXAMPLES, ChoosePointExample
 from armlab.benches.frames.coordinates.state import (
     SHOWN,
@@ -31,12 +30,15 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.markup import row, verdict_box
+from armlab.ui.markup import verdict_box
 from armlab.ui.plugin import Panel, Points, Show
+from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
-LETTERS = {"r": "r", "theta": "θ", "h": "h", "phi": "φ"}
+LETTERS = {"theta": "θ", "phi": "φ"}
+
+ANGLES = ("theta", "phi")
 
 SAME = 1e-9
 """Difference of two angles, radians, up to which they are the same."""
@@ -62,9 +64,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         form.show(
             examples(form, EXAMPLES, part.example, ChoosePointExample),
             tag("h3", "One point, three kinds of coordinates"),
-            length_row(form, "cartesian", "x y z", part.p, units, SetCartesian),
-            _row(form, "cylindrical", ("r", "theta", "h"), (found.r, found.theta, found.h), units, SetCylindrical),
-            _row(form, "spherical", ("r", "theta", "phi"), (found.R, found.theta, found.phi), units, SetSpherical),
+            _fields(form, found, units),
             tag("div.bar", tag("span.dim", "drawn in the scene "), chips),
             _singular(found),
             _equations(part.shown),
@@ -74,26 +74,35 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _row(
-    form: Form,
-    cell: str,
-    names: tuple[str, ...],
-    values: tuple[float, ...],
-    units: Units,
-    action: Callable[[str, float], Command],
+def _fields(form: Form, found: Where, units: Units) -> Markup:
+    """Return the fields of all coordinates, each below its letter, its colour in the scene and its unit."""
+    x, y, z = found.p.tolist()
+    kinds: tuple[tuple[str, dict[str, float], Callable[[str, float], Command]], ...] = (
+        ("Cartesian", {"x": x, "y": y, "z": z}, lambda name, value: SetCartesian("xyz".index(name), value)),
+        ("cylindrical", {"r": found.r, "theta": found.theta, "h": found.h}, SetCylindrical),
+        ("spherical", {"r": found.R, "theta": found.theta, "phi": found.phi}, SetSpherical),
+    )
+    rows = []
+    for kind, values, action in kinds:
+        heads = [(dot(css(COLOURS[name])) if name in COLOURS else None, _head(name, units)) for name in values]
+        cells = [_field(form, kind, name, value, units, action) for name, value in values.items()]
+        rows += [head_line(None, *heads), line(*cells, name=kind)]
+    return tag("table.kit-points.fr-coordinates", rows)
+
+
+def _head(name: str, units: Units) -> str:
+    return f"{LETTERS.get(name, name)}, {units.unit(name in ANGLES)}"
+
+
+def _field(
+    form: Form, kind: str, name: str, value: float, units: Units, action: Callable[[str, float], Command]
 ) -> Markup:
-    def field(name: str, value: float) -> Markup:
-        turns = name in ("theta", "phi")
+    turns, letter = name in ANGLES, LETTERS.get(name, name)
 
-        def taken(text: str) -> Command:
-            return action(name, units.read(text, turns, LETTERS[name]))
+    def taken(text: str) -> Command:
+        return action(name, units.read(text, turns, letter))
 
-        label = f"{LETTERS[name]}, {cell}, in {units.unit(turns)}"
-        return form.field(f"{cell} {name}", units.entry(value, turns), label, taken)
-
-    letters = [(dot(css(COLOURS[name])), LETTERS[name], " ") for name in names]
-    fields = [field(name, value) for name, value in zip(names, values, strict=True)]
-    return row((letters, units.length_unit, ", ", units.angle_unit), fields, wide=True, cells=True)
+    return form.field(f"{kind.lower()} {name}", units.entry(value, turns), f"{letter}, {kind}", taken)
 
 
 def _singular(found: Where) -> Markup | None:

@@ -10,6 +10,9 @@ from armlab.ui.html import Markup
 SIZE, RADIUS, ARC = 150.0, 52.0, 22.0
 """Width and height of the picture, and radii of the rays and of the arc, pixels."""
 
+CORNERS = {"I": (SIZE - 12.0, 16.0), "II": (12.0, 16.0), "III": (12.0, SIZE - 8.0), "IV": (SIZE - 12.0, SIZE - 8.0)}
+"""Places of the numbers of the quadrants."""
+
 STEPS = 24
 """Number of strokes of the arc."""
 
@@ -39,12 +42,9 @@ def quadrants(x: float, y: float, theta: float, by_atan: float | None, label: st
     shapes = [
         svg.line("fr-axis", 8.0, middle, SIZE - 8.0, middle),
         svg.line("fr-axis", middle, 8.0, middle, SIZE - 8.0),
-        svg.text("", SIZE - 8.0, middle - 5.0, "x", "end"),
-        svg.text("", middle + 6.0, 16.0, "y"),
-        *[
-            svg.text("fr-quadrant", *at(math.radians(45.0 + 90.0 * k), RADIUS + 14.0), each, "middle")
-            for k, each in enumerate(("I", "II", "III", "IV"))
-        ],
+        svg.text("", SIZE - 4.0, middle - 5.0, "x", "end"),
+        svg.text("", middle + 6.0, 14.0, "y"),
+        *[svg.text("fr-quadrant", *place, each, "middle") for each, place in CORNERS.items()],
     ]
     if by_atan is not None and abs(by_atan - theta) > 1e-9:
         shapes.append(svg.line("fr-wrong", middle, middle, *at(by_atan, RADIUS)))

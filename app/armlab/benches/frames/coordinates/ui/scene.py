@@ -15,13 +15,14 @@ from armlab.kin.transforms import transform
 from armlab.session.parts.display import Display
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State
+from armlab.ui.colours import AXES as COLOURS_OF
 from armlab.ui.colours import FINE_INK, INK, Rgb
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.marks import FRAME_LENGTH
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.scene._handle import Handle
 from armlab.ui.scene._marks import Marks, Named, Segment, Sketch, arc
-from armlab.ui.scene._nodes import add_triad, move
+from armlab.ui.scene._nodes import move
 from armlab.ui.switches import DARK
 from armlab.ui.units import units_of
 
@@ -41,6 +42,8 @@ THICK, FINE = 0.7, 0.35
 LEAST = 1e-6
 """Length, metres, and angle, radians, below which nothing is drawn."""
 
+COLOURS_OF_AXES: tuple[Rgb, ...] = tuple(COLOURS_OF.values())
+
 NAMES = ("r", "theta", "third")
 
 
@@ -49,7 +52,7 @@ class _Picture:
 
     def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas = canvas
-        self._axes = add_triad(canvas.scene, canvas.path("coordinates/axes"), canvas.size)
+        self._axes = Sketch(canvas, "coordinates/axes")
         self._letters = [Named(canvas, f"coordinates/axis{k}") for k in range(3)]
         self._thick, self._fine = Sketch(canvas, "coordinates/thick"), Sketch(canvas, "coordinates/fine")
         self._names = [Named(canvas, f"coordinates/{name}") for name in NAMES]
@@ -82,12 +85,13 @@ class _Picture:
             self._ball.color = INK[dark]
         if unit == self._unit:
             return
-        self._axes.scale = AXES * unit
         self._ball.scale = BALL * unit
         for k, letter in enumerate("xyz"):
             self._letters[k].show(letter, (AXES + 0.2) * unit * np.eye(3)[k])
-        for sketch, weight in ((self._thick, THICK), (self._fine, FINE)):
+        for sketch, weight in ((self._axes, FINE), (self._thick, THICK), (self._fine, FINE)):
             sketch.weigh(weight * unit / (FRAME_LENGTH * self._canvas.size))
+        ends = zip(AXES * unit * np.eye(3), COLOURS_OF_AXES, strict=True)
+        self._axes.draw(Marks([(np.zeros(3), end, colour) for end, colour in ends]))
 
     def _show_handle(self, found: Where, unit: float) -> None:
         if self._handle is None or (unit != self._unit and not self._handle.held):
@@ -128,7 +132,7 @@ def drawn(shown: str, found: Where, radius: float, ink: Rgb) -> tuple[list[Segme
     at_phi = None
     if not found.at_origin:
         lines += arc(np.zeros(3), radius * Z, across, found.phi, COLOURS["phi"])
-        fine += arc(np.zeros(3), found.R * Z, across, math.pi, ink)
+        fine += arc(np.zeros(3), found.R * Z, across, max(found.phi, 0.5 * math.pi), ink)
         fine += arc(np.array([0.0, 0.0, found.h]), foot, Z, 2.0 * math.pi, ink)
         at_phi = 1.35 * radius * (math.cos(0.5 * found.phi) * Z + math.sin(0.5 * found.phi) * direction)
     return _long(lines), _long(fine), (None if found.at_origin else 0.65 * found.p, at_theta, at_phi)
