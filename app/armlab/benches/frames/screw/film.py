@@ -83,7 +83,7 @@ class Ways:
 def ways_of(state: State) -> Ways:
     """Return both ways between the poses."""
     part = state[Screw]
-    first, second = part.pose("1"), part.pose("2")
+    first, second = part.pose("first"), part.pose("second")
     return Ways(first, second, screw_motion(second @ inverse(first)))
 
 

@@ -23,7 +23,10 @@ Floats = NDArray[np.float64]
 
 CLIP_KEY = "screw"
 
-POSES = {"1": "pose 1", "2": "pose 2"}
+POSES = {"first": "pose 1", "second": "pose 2"}
+
+NONE = "none"
+"""Key of the choice of no handle."""
 
 MOST = 1e6
 """Largest component of a direction that can be typed."""
@@ -46,7 +49,7 @@ class Screw(FieldPart):
         Roll, pitch and yaw, radians: ``R = Rz(yaw) Ry(pitch) Rx(roll)``.
     axis : (float, float, float)
         Direction of the axis as it was typed, which need not be of unit length.
-    selected : "1", "2" or ""
+    selected : "first", "second" or "none"
         Pose with the handle.
     handle : "move" or "turn"
     straight : bool
@@ -64,7 +67,7 @@ class Screw(FieldPart):
     position2: Triple = vector("p₂", "position of pose 2", (-0.1, 0.55, 0.5), -FARTHEST, FARTHEST, "m")
     angles2: Triple = vector("", "orientation of pose 2", _rad(20.0, -10.0, 120.0), -MOST_TURNED, MOST_TURNED, "rad")
     axis: Triple = vector("", "direction of the axis", (0.0, 0.0, 1.0), -MOST, MOST)
-    selected: str = choice("pose with the handle", "2", ("1", "2", ""))
+    selected: str = choice("pose with the handle", "second", (*POSES, NONE))
     handle: str = choice("what dragging does", "move", HANDLES)
     straight: bool = flag("straight way", True)
     example: str = text("example", "general")
@@ -75,9 +78,9 @@ class Screw(FieldPart):
             raise InputError("axis: expected a direction that is not zero: zero has no direction")
 
     def pose(self, which: str) -> Floats:
-        """Return pose 1 or 2 in the world, (4, 4)."""
+        """Return the pose "first" or "second" in the world, (4, 4)."""
         known_name("pose", which, POSES)
-        position, angles = (self.position1, self.angles1) if which == "1" else (self.position2, self.angles2)
+        position, angles = (self.position1, self.angles1) if which == "first" else (self.position2, self.angles2)
         R = rotation_from_sequence("zyx", angles[::-1])
         return np.asarray(transform(R, position), dtype=np.float64)
 
@@ -99,7 +102,7 @@ def _with(values: Sequence[float], index: int, value: float, what: str) -> Tripl
 
 def _of(which: str, name: str) -> str:
     """Return the name of a field of pose 1 or 2."""
-    return f"{name}{known_name('pose', which, POSES)}"
+    return f"{name}{1 if known_name('pose', which, POSES) == 'first' else 2}"
 
 
 def with_pose(state: State, which: str, T: Floats) -> State:
@@ -110,7 +113,7 @@ def with_pose(state: State, which: str, T: Floats) -> State:
 
 @dataclass(frozen=True)
 class SetPosePosition(Command):
-    """Set x (0), y (1) or z (2) of pose "1" or "2", metres."""
+    """Set x (0), y (1) or z (2) of the pose "first" or "second", metres."""
 
     which: str
     axis: int
@@ -125,7 +128,7 @@ class SetPosePosition(Command):
 
 @dataclass(frozen=True)
 class SetPoseAngle(Command):
-    """Set roll (0), pitch (1) or yaw (2) of pose "1" or "2", radians."""
+    """Set roll (0), pitch (1) or yaw (2) of the pose "first" or "second", radians."""
 
     which: str
     index: int
@@ -140,7 +143,7 @@ class SetPoseAngle(Command):
 
 @dataclass(frozen=True)
 class PlacePose(Command):
-    """Set the position of pose "1" or "2", metres, and roll, pitch and yaw, radians."""
+    """Set the position of the pose "first" or "second", metres, and roll, pitch and yaw, radians."""
 
     which: str
     position: tuple[float, ...]
@@ -155,7 +158,7 @@ class PlacePose(Command):
 
 @dataclass(frozen=True, eq=False)
 class DragPose(Command):
-    """Drag the handle of pose "1" or "2" to a pose (4, 4) in the world; this is one event of a drag."""
+    """Drag the handle of the pose "first" or "second" to a pose (4, 4) in the world; this is one event of a drag."""
 
     which: str
     pose: NDArray[np.floating]
@@ -205,4 +208,4 @@ class MakeScrew(Command):
         R = np.asarray(rotation_from_axis_angle(r, self.angle))
         along = triple((self.distance * r).tolist(), "distance", 2.0 * FARTHEST, "m")
         motion = transform(R, c - R @ c + np.array(along))
-        return changed(with_pose(state, "2", motion @ part.pose("1")), axis=list(self.direction))
+        return changed(with_pose(state, "second", motion @ part.pose("first")), axis=list(self.direction))

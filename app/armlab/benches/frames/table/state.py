@@ -35,7 +35,9 @@ MOST_TURNED = 20.0 * math.pi
 SHARES = (0.5, 0.35, 0.3)
 """Place of the object on the table, x and y, and height of the tool above it, at first, in length scales of the arm."""
 
-SELECTED = {"table": "table", "object": "object", "": "none"}
+NONE = "none"
+
+SELECTED = ("table", "object", NONE)
 
 
 def _corner(data: Json) -> Three | None:
@@ -63,7 +65,7 @@ class TableTask(FieldPart):
         From the object up to the tool, metres; the h of 3.118.
     spin : float
         Angle of the tool about its own z axis, radians; 0 in the notes.
-    selected : "table", "object" or ""
+    selected : "table", "object" or "none"
         Which of them has the handle.
     follows : bool
         Whether the arm follows as things are moved.

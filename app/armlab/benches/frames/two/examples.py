@@ -56,16 +56,16 @@ EXAMPLES = Registry(
     "example",
     (
         TwoExample(
-            "3r",
+            "three",
             "B has three links of 1 m",
-            "3r",
+            "three_links",
             1.0,
             "Three joints have just what position and angle of the tool ask for: two solutions, elbow up and down.",
         ),
         TwoExample(
-            "2r",
+            "two",
             "B has two links of 1 m⟦ (3.132)⟧",
-            "2r",
+            "two_links",
             1.0,
             "The tools would meet 2.226 m from the base of B, and two links of 1 m end at 2 m⟦. The notes announce two "
             "solutions of 3.132; with two joints there is none⟧.",
@@ -73,14 +73,14 @@ EXAMPLES = Registry(
         TwoExample(
             "position",
             "B has two links of 1.2 m and no angle to keep",
-            "2r_position",
+            "two_links_position",
             1.2,
             "Only the position is asked for: two solutions, and in both the tool of B points elsewhere.",
         ),
         TwoExample(
             "one",
             "B has two links of just the right length",
-            "2r",
+            "two_links",
             ONLY_LINK,
             "Two equal links have position and angle at once only if they are 1.618 m long, and then in one way.",
         ),

@@ -129,7 +129,7 @@ def meeting(part: TwoRobots) -> Meeting:
     T_w_eb = T_wa @ T_a_ea @ T_ea_eb
     T_b_eb = np.asarray(inverse(T_wb) @ T_w_eb)
     p, angle = T_b_eb[:2, 3], math.atan2(float(T_b_eb[1, 0]), float(T_b_eb[0, 0]))
-    joints = 3 if part.version == "3r" else 2
+    joints = 3 if part.version == "three_links" else 2
     arm = planar(joints, part.link)
     found = ik.solve_all(arm, T_b_eb)
     ways = tuple(_way(arm, q, name, T_b_eb) for q, name in zip(found.q, found.names, strict=True))
@@ -151,7 +151,7 @@ def meeting(part: TwoRobots) -> Meeting:
         ways,
         found.sentence,
         np.array(nearest),
-        part.version != "2r_position",
+        part.version != "two_links_position",
     )
 
 

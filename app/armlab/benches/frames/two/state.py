@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
@@ -22,12 +22,15 @@ Two = tuple[float, float]
 ROBOTS = {"A": "robot A", "B": "robot B"}
 
 VERSIONS = {
-    "3r": "3R, pose",
-    "2r": "2R, pose",
-    "2r_position": "2R, position only",
+    "three_links": "3R, pose",
+    "two_links": "2R, pose",
+    "two_links_position": "2R, position only",
 }
 """Kinds of robot B: three links that have position and angle of the tool to reach, or two links with both, or with the
 position alone."""
+
+NONE = "none"
+"""Key of the choice of no handle."""
 
 ELBOWS = {"up": "elbow up", "down": "elbow down"}
 
@@ -72,7 +75,7 @@ class TwoRobots(FieldPart):
         Length of each link of robot B, metres.
     elbow : "up" or "down"
         Solution in which robot B is drawn, if there are two.
-    selected : "A", "B" or ""
+    selected : "A", "B" or "none"
         Robot whose base has the handle.
     example : str
         Key of the example in place; empty if there is none.
@@ -88,11 +91,11 @@ class TwoRobots(FieldPart):
     base_b: Two = vector("B", "base of robot B", BASE_B, -FARTHEST, FARTHEST, "m")
     turn_b: float = number("", "angle of the base of robot B", TURN_B, -MOST_TURNED, MOST_TURNED, "rad")
     between: float = number("", "angle between the tools", math.pi, -MOST_TURNED, MOST_TURNED, "rad")
-    version: str = choice("kind of robot B", "3r", VERSIONS)
+    version: str = choice("kind of robot B", "three_links", VERSIONS)
     link: float = number("l", "length of the links of robot B", 1.0, SHORTEST, LONGEST, "m")
     elbow: str = choice("solution of robot B", "up", ELBOWS)
-    selected: str = choice("robot with the handle", "B", ("A", "B", ""))
-    example: str = text("example", "3r")
+    selected: str = choice("robot with the handle", "B", ("A", "B", NONE))
+    example: str = text("example", "three")
 
     def base(self, robot: str) -> Floats:
         """Return the pose of the base of robot A or B in the world, (4, 4)."""
@@ -191,17 +194,3 @@ class DragRobotBase(Command):
         before = getattr(state[TwoRobots], _of(self.robot, "turn"))
         turn = before + math.remainder(turn - before, 2.0 * math.pi)
         return _changed(state, **{_of(self.robot, "base"): (x, y), _of(self.robot, "turn"): turn})
-
-
-@dataclass(frozen=True)
-class SelectRobot(Command):
-    """Give the base of robot A or B the handle in the scene; an empty name takes it away."""
-
-    robot: str
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the selection."""
-        part = state[TwoRobots]
-        known_name("robot", self.robot, (*ROBOTS, ""))
-        return state if part.selected == self.robot else state.replace(replace(part, selected=self.robot))

@@ -12,7 +12,7 @@ from armlab.benches.frames.chain.ui.page import HIDES
 from armlab.benches.frames.chain.ui.posed import angle_row, length_row
 from armlab.benches.frames.screw.examples import EXAMPLES, ChooseScrewExample
 from armlab.benches.frames.screw.film import DURATION, film_time, part_of, ways_of
-from armlab.benches.frames.screw.state import CLIP_KEY, POSES, Screw, SetPoseAngle, SetPosePosition
+from armlab.benches.frames.screw.state import CLIP_KEY, NONE, POSES, Screw, SetPoseAngle, SetPosePosition
 from armlab.benches.frames.screw.ui.numbers import screw_form, verdict, ways_markup
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
@@ -61,11 +61,11 @@ def _poses(form: Form, state: State) -> Inside:
     part, units = state[Screw], units_of(state)
     rows: list[Inside] = []
     for which, name in POSES.items():
-        chosen = "" if part.selected == which else which
+        chosen = NONE if part.selected == which else which
         on = part.selected == which
         chip = form.chip(f"select {which}", name, Set(Screw, "selected", chosen), "Its handle in the scene", on)
-        position = part.position1 if which == "1" else part.position2
-        angles = part.angles1 if which == "1" else part.angles2
+        position = part.position1 if which == "first" else part.position2
+        angles = part.angles1 if which == "first" else part.angles2
         rows += [
             length_row(form, f"position {which}", chip, position, units, partial(SetPosePosition, which)),
             angle_row(form, f"angle {which}", "roll pitch yaw", angles, units, partial(SetPoseAngle, which)),

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.frames.screw.film import Ways, part_of, ways_of
-from armlab.benches.frames.screw.state import DragPose, Screw
+from armlab.benches.frames.screw.state import NONE, POSES, DragPose, Screw
 from armlab.session.parts.display import Display
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import Timeline
@@ -61,8 +61,8 @@ class _Picture:
     def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas = canvas
         scale = AXES / FRAME_LENGTH
-        self._poses = {which: add_triad(canvas.scene, canvas.path(f"screw/pose{which}"), scale) for which in ("1", "2")}
-        self._names = {which: Named(canvas, f"screw/name{which}") for which in ("1", "2")}
+        self._poses = {which: add_triad(canvas.scene, canvas.path(f"screw/pose{which}"), scale) for which in POSES}
+        self._names = {which: Named(canvas, f"screw/name{which}") for which in POSES}
         self._world = add_triad(canvas.scene, canvas.path("screw/world"), scale)
         self._world_name = Named(canvas, "screw/world_name")
         self._pale = [
@@ -75,7 +75,7 @@ class _Picture:
             sketch.weigh(weight * AXES / (FRAME_LENGTH * canvas.size))
         self._said, self._straight = Named(canvas, "screw/said"), Named(canvas, "screw/straight")
         self._handle = Handle(canvas, canvas.path("screw/handle"), self._dragged, scale=HANDLE / canvas.size)
-        self._selected = ""
+        self._selected = NONE
 
     def show(self, state: State) -> None:
         """Show both ways of a state, and the body at the time of the film."""
@@ -92,9 +92,9 @@ class _Picture:
 
     def _show_poses(self, found: Ways) -> None:
         self._world_name.show("world", np.array([0.0, 0.0, -NAMED]))
-        for which, T in (("1", found.first), ("2", found.second)):
+        for which, T in zip(POSES, (found.first, found.second), strict=True):
             put(self._poses[which], T)
-            self._names[which].show(f"pose {which}", T[:3, 3] - NAMED * T[:3, 2] - 0.5 * NAMED * T[:3, 0])
+            self._names[which].show(POSES[which], T[:3, 3] - NAMED * T[:3, 2] - 0.5 * NAMED * T[:3, 0])
         for frame, T in zip(self._pale, found.at(np.array(BETWEEN)), strict=True):
             seen(frame, found.screw.kind != "none")
             put(frame, T)
@@ -122,7 +122,7 @@ class _Picture:
 
     def _show_handle(self, part: Screw) -> None:
         self._selected = part.selected
-        if not part.selected:
+        if part.selected == NONE:
             if not self._handle.held:
                 self._handle.remove()
             return
@@ -133,7 +133,7 @@ class _Picture:
             self._handle.show_arrows(T, np.eye(3))
 
     def _dragged(self, pose: NDArray[np.floating], drag: object, ends: bool) -> None:
-        if self._selected:
+        if self._selected != NONE:
             self._canvas.post(DragPose(self._selected, pose, drag))
 
 

@@ -19,7 +19,7 @@ from armlab.benches.frames.table.commands import (
 )
 from armlab.benches.frames.table.examples import EXAMPLES, ChooseTableExample
 from armlab.benches.frames.table.reach import Asked, asked_of
-from armlab.benches.frames.table.state import TableTask, Task, corner_of, task_of
+from armlab.benches.frames.table.state import NONE, TableTask, Task, corner_of, task_of
 from armlab.benches.frames.table.ui.scene import corners
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
@@ -66,7 +66,7 @@ def _table(form: Form, state: State) -> Inside:
         form.chip(
             f"handle {key}",
             title,
-            Set(TableTask, "selected", "" if part.selected == key else key),
+            Set(TableTask, "selected", NONE if part.selected == key else key),
             "",
             part.selected == key,
         )

@@ -7,7 +7,7 @@ import viser
 from numpy.typing import NDArray
 
 from armlab.benches.frames.table.commands import DragObject, DragTable
-from armlab.benches.frames.table.state import TableTask, Task, task_of
+from armlab.benches.frames.table.state import NONE, TableTask, Task, task_of
 from armlab.kin.transforms import transform
 from armlab.session.parts.display import Display
 from armlab.session.parts.notation import Notation
@@ -120,7 +120,7 @@ class _Picture:
         if self._handle is not None and self._made_for != selected and not self._handle.held:
             self._handle.remove()
             self._handle = None
-        if not selected:
+        if selected == NONE:
             return
         if self._handle is None:
             self._handle = Handle(self._canvas, self._canvas.path(f"table/handle_{selected}"), self._dragged)

@@ -14,9 +14,9 @@ from armlab.benches.frames.two.examples import EXAMPLES, ChooseTwoExample
 from armlab.benches.frames.two.reach import Meeting, meeting_of
 from armlab.benches.frames.two.state import (
     LINK_A,
+    NONE,
     ROBOTS,
     VERSIONS,
-    SelectRobot,
     SetJointOfA,
     SetRobotBase,
     TurnRobotBase,
@@ -99,7 +99,11 @@ def _robot_b(form: Form, state: State) -> Inside:
 def _handle(form: Form, part: TwoRobots, robot: str) -> Markup:
     on = part.selected == robot
     return form.chip(
-        f"handle {robot}", robot, SelectRobot("" if on else robot), f"Handle of the base of {ROBOTS[robot]}", on
+        f"handle {robot}",
+        robot,
+        Set(TwoRobots, "selected", NONE if on else robot),
+        f"Handle of the base of {ROBOTS[robot]}",
+        on,
     )
 
 

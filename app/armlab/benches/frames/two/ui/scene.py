@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.frames.two.reach import Meeting, end_of_b, meeting_of, q_of_b
-from armlab.benches.frames.two.state import LINK_A, DragRobotBase, TwoRobots
+from armlab.benches.frames.two.state import LINK_A, NONE, DragRobotBase, TwoRobots
 from armlab.benches.frames.two.ui.robot import Robot
 from armlab.session.parts.display import Display
 from armlab.session.parts.notation import Notation
@@ -65,7 +65,7 @@ class _Picture:
         self._said = Named(canvas, "two/said")
         self._circle = Named(canvas, "two/circle")
         self._handle = Handle(canvas, canvas.path("two/handle"), self._dragged, scale=HANDLE / canvas.size)
-        self._selected = ""
+        self._selected = NONE
 
     def show(self, state: State) -> None:
         """Show both robots of a state."""
@@ -106,7 +106,7 @@ class _Picture:
 
     def _show_handle(self, part: TwoRobots) -> None:
         self._selected = part.selected
-        if not part.selected:
+        if part.selected == NONE:
             if not self._handle.held:
                 self._handle.remove()
             return
@@ -115,7 +115,7 @@ class _Picture:
         self._handle.show_arrows(base, base[:3, :3], "xy", "z")
 
     def _dragged(self, pose: NDArray[np.floating], drag: object, ends: bool) -> None:
-        if self._selected:
+        if self._selected != NONE:
             self._canvas.post(DragRobotBase(self._selected, pose, drag))
 
 
