@@ -262,7 +262,7 @@ class SetFrameMatrix(Command):
 
 @dataclass(frozen=True)
 class SetFrameEntry(Command):
-    """Set one entry of the orientation of a frame in its parent, rows and columns from 0; see `SetFrameMatrix`."""
+    """Set one entry of the orientation of a frame in its parent, from 0; the nearest rotation is taken."""
 
     name: str
     row: int
