@@ -138,7 +138,7 @@ def _azimuth(found: Where, units: Units) -> Inside:
     said = (
         "They agree: x is positive, the point lies in the first or the fourth quadrant."
         if not off
-        else "atan does not know the signs of x and y apart: it is off by half a turn."
+        else "atan gets the quotient only, in which the signs are lost: it is off by half a turn."
         if by_atan is not None
         else "atan would divide by zero: the point lies above or below the y axis."
     )

@@ -36,8 +36,8 @@ AXES = 2.2
 ARC, BALL = 1.1, 0.12
 """Radius of the arcs of angles, and of the point, in the same."""
 
-THICK, FINE = 0.7, 0.35
-"""Thickness of the lengths and arcs, and of the circles, in usual thicknesses for axes of the usual length."""
+THICK, AXIS, FINE = 0.7, 0.6, 0.35
+"""Thickness of lengths and arcs, axes, and circles, in usual thicknesses for axes of the usual length."""
 
 LEAST = 1e-6
 """Length, metres, and angle, radians, below which nothing is drawn."""
@@ -88,7 +88,7 @@ class _Picture:
         self._ball.scale = BALL * unit
         for k, letter in enumerate("xyz"):
             self._letters[k].show(letter, (AXES + 0.2) * unit * np.eye(3)[k])
-        for sketch, weight in ((self._axes, FINE), (self._thick, THICK), (self._fine, FINE)):
+        for sketch, weight in ((self._axes, AXIS), (self._thick, THICK), (self._fine, FINE)):
             sketch.weigh(weight * unit / (FRAME_LENGTH * self._canvas.size))
         ends = zip(AXES * unit * np.eye(3), COLOURS_OF_AXES, strict=True)
         self._axes.draw(Marks([(np.zeros(3), end, colour) for end, colour in ends]))
