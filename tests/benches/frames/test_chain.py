@@ -10,23 +10,25 @@ import pytest
 from armlab.benches.frames.chain.commands import (
     AddFrame,
     DragFrame,
-    DragFramePoint,
-    GivePointIn,
-    LookAtFrames,
     NameFrame,
     PlaceFrame,
     RemoveFrame,
-    SelectFrame,
     SetFrameAngle,
     SetFrameEntry,
     SetFrameMatrix,
-    SetFramePoint,
     SetFramePosition,
     SetParent,
-    SetPointCoordinate,
 )
 from armlab.benches.frames.chain.examples import EXAMPLES, ChooseChainExample
 from armlab.benches.frames.chain.facts import FACTS
+from armlab.benches.frames.chain.point import (
+    DragFramePoint,
+    GivePointIn,
+    LookAtFrames,
+    SelectFrame,
+    SetFramePoint,
+    SetPointCoordinate,
+)
 from armlab.benches.frames.chain.stage import LEAST, SHARE, STEP, unit_of
 from armlab.benches.frames.chain.state import MOST_FRAMES, WORLD, Chain, Frame
 from armlab.benches.frames.chain.tree import counts_of, pair_of, point_of, points_of, poses_of, steps_between

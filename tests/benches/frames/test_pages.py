@@ -5,17 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from armlab.benches.frames.chain.commands import (
-    AddFrame,
-    LookAtFrames,
-    SelectFrame,
-    SetFrameEntry,
-    SetFrameMatrix,
-    SetFramePosition,
-    SetParent,
-    SetPointCoordinate,
-)
+from armlab.benches.frames.chain.commands import AddFrame, SetFrameEntry, SetFrameMatrix, SetFramePosition, SetParent
 from armlab.benches.frames.chain.examples import ChooseChainExample
+from armlab.benches.frames.chain.point import LookAtFrames, SelectFrame, SetPointCoordinate
 from armlab.benches.frames.chain.state import WORLD, Chain
 from armlab.benches.frames.chain.tree import point_of, points_of, poses_of
 from armlab.benches.frames.chain.ui.frames import frames_markup

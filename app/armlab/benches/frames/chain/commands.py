@@ -1,4 +1,4 @@
-"""Commands of the chain: frames added, removed, named, given in another parent, placed; the point; the pair."""
+"""Commands of frames: they are added, removed, named, given in another parent, moved and turned."""
 
 from __future__ import annotations
 
@@ -14,7 +14,6 @@ from armlab.benches.frames.chain.state import (
     FARTHEST,
     MOST_FRAMES,
     MOST_TURNED,
-    POINT,
     WORLD,
     Chain,
     Frame,
@@ -22,11 +21,10 @@ from armlab.benches.frames.chain.state import (
     checked_name,
     triple,
 )
-from armlab.benches.frames.chain.tree import line_of, moved, pair, pose_in, poses
+from armlab.benches.frames.chain.tree import line_of, moved, pose_in, poses
 from armlab.errors import InputError
 from armlab.kin.nearest import nearest_rotation
 from armlab.kin.rotations import euler_zyx
-from armlab.kin.transforms import inverse
 from armlab.registry import known_name
 from armlab.session.fields import put
 from armlab.session.state import Command, State
@@ -51,7 +49,7 @@ def angles_of(R: Floats) -> Triple:
     return roll + 0.0, pitch + 0.0, yaw + 0.0
 
 
-def _changed(state: State, **values: Any) -> State:
+def changed(state: State, **values: Any) -> State:
     """Return the state with fields of the chain set, and no example in place."""
     return put(state, state[Chain].with_values(values).without_example())
 
@@ -65,7 +63,8 @@ def _place(part: Chain, name: str, T: Floats) -> tuple[Frame, ...]:
     return part.with_frame(name, position=position, angles=angles_of(T[:3, :3]), matrix=None)
 
 
-def _with(values: Sequence[float], index: int, value: float, names: Sequence[str]) -> Triple:
+def with_one(values: Sequence[float], index: int, value: float, names: Sequence[str]) -> Triple:
+    """Return three values with one replaced, counted from 0; `InputError` for any other index."""
     if not 0 <= index < len(values):
         raise InputError(f"index: expected 0 to 2 for {', '.join(names)}, got {index}")
     x, y, z = (value if k == index else each for k, each in enumerate(values))
@@ -92,7 +91,7 @@ class AddFrame(Command):
         if len(part.frames) >= MOST_FRAMES:
             raise InputError(f"frames: expected at most {MOST_FRAMES} besides the world; remove one first")
         name = next(letter for letter in LETTERS if letter not in part.names)
-        return _changed(state, frames=(*part.frames, Frame(name, self.parent, STEP)), selected=name)
+        return changed(state, frames=(*part.frames, Frame(name, self.parent, STEP)), selected=name)
 
 
 @dataclass(frozen=True)
@@ -120,7 +119,7 @@ class RemoveFrame(Command):
         values |= {what: frame.parent for what in ("reference", "frame") if getattr(part, what) == self.name}
         if part.selected == self.name:
             values["selected"] = "" if frame.parent == WORLD else frame.parent
-        return _changed(state, **values)
+        return changed(state, **values)
 
 
 @dataclass(frozen=True)
@@ -143,7 +142,7 @@ class NameFrame(Command):
 
         frames = tuple(replace(each, name=named(each.name), parent=named(each.parent)) for each in part.frames)
         others = {what: named(getattr(part, what)) for what in ("given", "reference", "frame", "selected")}
-        return _changed(state, frames=frames, **others)
+        return changed(state, frames=frames, **others)
 
 
 @dataclass(frozen=True)
@@ -166,7 +165,7 @@ class SetParent(Command):
         given = replace(part.named(self.name), parent=self.parent)
         frames = tuple(given if each.name == self.name else each for each in part.frames)
         ordered = part.with_values({"frames": _parents_first(frames)})
-        return _changed(state, frames=_place(ordered, self.name, T))
+        return changed(state, frames=_place(ordered, self.name, T))
 
 
 def _parents_first(frames: Iterable[Frame]) -> tuple[Frame, ...]:
@@ -191,7 +190,7 @@ class SetFramePosition(Command):
     def apply(self, state: State) -> State:
         """Return the state with the frame there."""
         part = state[Chain]
-        position = _with(part.named(self.name).position, self.axis, self.value, AXES)
+        position = with_one(part.named(self.name).position, self.axis, self.value, AXES)
         return PlaceFrame(self.name, position).apply(state)
 
 
@@ -213,7 +212,7 @@ class PlaceFrame(Command):
         if self.angles is not None:
             angles = triple(self.angles, f"{self.name}: angles", MOST_TURNED, "rad")
             values |= {"angles": angles, "matrix": None}
-        return _changed(state, frames=part.with_frame(self.name, **values))
+        return changed(state, frames=part.with_frame(self.name, **values))
 
 
 @dataclass(frozen=True)
@@ -227,7 +226,7 @@ class SetFrameAngle(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the frame turned so."""
-        angles = _with(state[Chain].named(self.name).angles, self.index, self.value, ANGLES)
+        angles = with_one(state[Chain].named(self.name).angles, self.index, self.value, ANGLES)
         if abs(self.value) > MOST_TURNED:
             raise InputError(
                 f"{ANGLES[self.index]}: expected at most {math.degrees(MOST_TURNED):g}° either way, got "
@@ -257,7 +256,7 @@ class SetFrameMatrix(Command):
             )
         matrix = tuple(tuple(row) for row in typed.tolist())
         angles = angles_of(nearest.rotation)
-        return _changed(state, frames=state[Chain].with_frame(self.name, angles=angles, matrix=matrix))
+        return changed(state, frames=state[Chain].with_frame(self.name, angles=angles, matrix=matrix))
 
 
 @dataclass(frozen=True)
@@ -313,106 +312,4 @@ class DragFrame(Command):
         """Return the state with the frame there."""
         part = state[Chain]
         T = pose_in(part, part.named(self.name).parent, np.asarray(self.pose, dtype=np.float64))
-        return _changed(state, frames=_place(part, self.name, T))
-
-
-@dataclass(frozen=True)
-class SetFramePoint(Command):
-    """Set the coordinates of the point in a frame, metres; the point then moves with that frame.
-
-    Parameters
-    ----------
-    xyz : tuple of 3 float
-    frame : str
-        Name of a frame, or w for the world; left out: the frame in which the point is given.
-    """
-
-    xyz: tuple[float, ...]
-    frame: str | None = None
-    label: ClassVar[str] = "point"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the point there."""
-        part = state[Chain]
-        frame = part.given if self.frame is None else known_name("frame", self.frame, part.names)
-        return _changed(state, point=triple(self.xyz, "point", FARTHEST, "m"), given=frame)
-
-
-@dataclass(frozen=True)
-class SetPointCoordinate(Command):
-    """Set one coordinate of the point in the frame in which it is given, metres; axes from 0 for x."""
-
-    axis: int
-    value: float
-    label: ClassVar[str] = "point"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the point there."""
-        return SetFramePoint(_with(state[Chain].point, self.axis, self.value, AXES)).apply(state)
-
-
-@dataclass(frozen=True)
-class GivePointIn(Command):
-    """Give the point in another frame, with which it moves from now on; it stays where it is."""
-
-    frame: str
-    label: ClassVar[str] = "frame of the point"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the point given there."""
-        part = state[Chain]
-        if self.frame == part.given:
-            return state
-        known_name("frame", self.frame, part.names)
-        p = moved(pair(part, self.frame, part.given).T, part.point)
-        return put(state, part.with_values({"point": p.tolist(), "given": self.frame}))
-
-
-@dataclass(frozen=True, eq=False)
-class DragFramePoint(Command):
-    """Drag the handle of the point to a place (3,) in the world; this is one event of a drag."""
-
-    place: NDArray[np.floating]
-    drag: object
-    snapshot: ClassVar[bool] = True
-    label: ClassVar[str] = "drag of the point"
-
-    @property
-    def stroke(self) -> object:
-        """Make one step of history of one drag."""
-        return DragFramePoint, self.drag
-
-    def apply(self, state: State) -> State:
-        """Return the state with the point there."""
-        part = state[Chain]
-        p = moved(np.asarray(inverse(poses(part)[part.given])), np.asarray(self.place, dtype=np.float64))
-        return SetFramePoint(tuple(p.tolist())).apply(state)
-
-
-@dataclass(frozen=True)
-class LookAtFrames(Command):
-    """Choose whose transform is shown: the pose of a frame in a reference; what is left out stays."""
-
-    reference: str | None = None
-    frame: str | None = None
-    label: ClassVar[str] = "pair of frames"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the pair chosen."""
-        given = {"reference": self.reference, "frame": self.frame}
-        return put(state, state[Chain].with_values({key: name for key, name in given.items() if name is not None}))
-
-
-@dataclass(frozen=True)
-class SelectFrame(Command):
-    """Give a frame, or the point p, the handle in the scene; an empty name takes it away."""
-
-    name: str
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the selection."""
-        part = state[Chain]
-        if self.name not in ("", POINT):
-            part.named(self.name)
-        return state if part.selected == self.name else state.replace(replace(part, selected=self.name))
+        return changed(state, frames=_place(part, self.name, T))

@@ -23,7 +23,7 @@ DURATION = 4.0
 """Duration of the film, seconds."""
 
 STOPS = (1.0, 2.0, 3.0)
-"""Times at which stepping stops, seconds."""
+"""Stops of stepping, seconds."""
 
 
 @dataclass(frozen=True, eq=False)

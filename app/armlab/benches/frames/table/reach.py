@@ -1,4 +1,4 @@
-"""What is asked of the arm for the table task, and how far its tool is from it."""
+"""The pose that the table task asks of the arm, and how far its tool is from it."""
 
 from __future__ import annotations
 

@@ -10,7 +10,6 @@ from armlab.benches.frames.chain.commands import (
     AddFrame,
     NameFrame,
     RemoveFrame,
-    SelectFrame,
     SetFrameAngle,
     SetFrameEntry,
     SetFrameMatrix,
@@ -18,6 +17,7 @@ from armlab.benches.frames.chain.commands import (
     SetParent,
     shown_matrix,
 )
+from armlab.benches.frames.chain.point import SelectFrame
 from armlab.benches.frames.chain.state import HANDLES, POINT, WORLD, WRITTEN, Chain, Frame
 from armlab.benches.frames.chain.ui.posed import angle_row, length_row, matrix_fields, projected
 from armlab.session.fields import Set

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.frames.chain.commands import GivePointIn, SetPointCoordinate
+from armlab.benches.frames.chain.point import GivePointIn, SetPointCoordinate
 from armlab.benches.frames.chain.state import WORLD, Chain
 from armlab.benches.frames.chain.tree import counts_of, pair_of, points_of
 from armlab.benches.frames.chain.ui.colours import FROM_FRAME, ORIGINS

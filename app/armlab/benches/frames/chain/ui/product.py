@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from armlab.benches.frames.chain.commands import LookAtFrames
+from armlab.benches.frames.chain.point import LookAtFrames
 from armlab.benches.frames.chain.state import WORLD, Chain
 from armlab.benches.frames.chain.tree import Pair, pair_of
 from armlab.benches.frames.chain.ui.symbols import product, transform_name

@@ -8,7 +8,8 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
-from armlab.benches.frames.chain.commands import DragFrame, DragFramePoint, SelectFrame
+from armlab.benches.frames.chain.commands import DragFrame
+from armlab.benches.frames.chain.point import DragFramePoint, SelectFrame
 from armlab.benches.frames.chain.stage import places_of, unit_of
 from armlab.benches.frames.chain.state import MOST_FRAMES, POINT, WORLD, Chain
 from armlab.benches.frames.chain.tree import point_of, points_of, poses_of
