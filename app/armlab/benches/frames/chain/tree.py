@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.frames.chain.state import WORLD, Chain
 from armlab.kin.operations import COSTS, Count, multiplied_first, one_by_one
-from armlab.kin.transforms import inverse, transform
+from armlab.kin.transforms import inverse
 from armlab.registry import known_name
 from armlab.session.state import State
 
@@ -165,8 +165,3 @@ def counts_of(state: State) -> Counts | None:
 def pose_in(part: Chain, name: str, world: Floats) -> Floats:
     """Return a pose (4, 4), given in the world, in a frame."""
     return np.asarray(inverse(poses(part)[known_name("frame", name, part.names)]) @ world)
-
-
-def turned_pose(R: Floats, position: Floats) -> Floats:
-    """Return a pose (4, 4) of an orientation and a position."""
-    return np.asarray(transform(R, position), dtype=np.float64)

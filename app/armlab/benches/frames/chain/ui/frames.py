@@ -20,6 +20,7 @@ from armlab.benches.frames.chain.commands import (
 from armlab.benches.frames.chain.point import SelectFrame
 from armlab.benches.frames.chain.state import HANDLES, POINT, WORLD, WRITTEN, Chain, Frame
 from armlab.benches.frames.chain.ui.posed import angle_row, length_row, matrix_fields, projected
+from armlab.benches.frames.chain.ui.symbols import called
 from armlab.session.fields import Set
 from armlab.session.state import State
 from armlab.ui.form import Form
@@ -44,13 +45,13 @@ def _list(form: Form, part: Chain) -> Markup:
             f"frame {each.name}",
             each.name,
             SelectFrame("" if each.name == part.selected else each.name),
-            f"Frame {each.name}, given in {_called(each.parent)}",
+            f"Frame {each.name}, given in {called(each.parent)}",
             each.name == part.selected,
         )
         for each in part.frames
     ]
     parent = part.selected if part.selected not in ("", POINT) else WORLD
-    add = form.chip("add", "+ frame", AddFrame(parent), f"A new frame, given in {_called(parent)}")
+    add = form.chip("add", "+ frame", AddFrame(parent), f"A new frame, given in {called(parent)}")
     point = form.chip(
         "frame p",
         "point p",
@@ -61,17 +62,13 @@ def _list(form: Form, part: Chain) -> Markup:
     return tag("div.bar", chips, add, point)
 
 
-def _called(name: str) -> str:
-    return "the world" if name == WORLD else name
-
-
 def _selected(form: Form, state: State) -> Markup:
     part, units = state[Chain], units_of(state)
     frame = part.named(part.selected)
     moved = partial(SetFramePosition, frame.name)
     return joined(
         _head(form, part, frame),
-        length_row(form, "position", f"in {_called(frame.parent)}", frame.position, units, moved),
+        length_row(form, "position", f"in {called(frame.parent)}", frame.position, units, moved),
         _orientation(form, state, frame),
     )
 

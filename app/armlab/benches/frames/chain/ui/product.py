@@ -7,7 +7,7 @@ from functools import partial
 from armlab.benches.frames.chain.point import LookAtFrames
 from armlab.benches.frames.chain.state import WORLD, Chain
 from armlab.benches.frames.chain.tree import Pair, pair_of
-from armlab.benches.frames.chain.ui.symbols import product, transform_name
+from armlab.benches.frames.chain.ui.symbols import called, product, transform_name
 from armlab.session.state import State
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, matrix, scientific
@@ -67,11 +67,7 @@ def _against(found: Pair) -> Markup | None:
 def title_of(found: Pair) -> Inside:
     """Return the heading of the matrix."""
     name = transform_name(found.reference, found.frame)
-    return (name, " ", tag("small", f"{_called(found.frame)} in {_called(found.reference)}, p in m"))
-
-
-def _called(name: str) -> str:
-    return "the world" if name == WORLD else name
+    return (name, " ", tag("small", f"{called(found.frame)} in {called(found.reference)}, p in m"))
 
 
 def inverse_markup(state: State) -> Markup:

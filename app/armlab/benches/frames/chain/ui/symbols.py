@@ -4,8 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from armlab.benches.frames.chain.state import WORLD
 from armlab.benches.frames.chain.tree import Step
 from armlab.ui.html import Inside, Markup, joined, tag
+
+
+def called(name: str) -> str:
+    """Return a frame in a sentence: its name, or the world."""
+    return "the world" if name == WORLD else name
 
 
 def transform_name(reference: Inside, frame: Inside, letter: str = "T") -> Markup:

@@ -28,6 +28,9 @@ from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
+FAR = 3.0
+"""Distance of the axis from pose 1, in lengths of the straight way, beyond which it is not brought into the picture."""
+
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the fields of both poses, the screw, the clock, and the pose at present."""
@@ -87,10 +90,6 @@ def near_foot(state: State) -> Points:
     found = state.derived(ways_of)
     far = found.radius > FAR * max(found.chord, 0.1)
     return found.first[:3, 3] if far else found.foot
-
-
-FAR = 3.0
-"""Distance of the axis from pose 1, in lengths of the straight way, beyond which it is not brought into the picture."""
 
 
 PANEL = Panel(
