@@ -54,6 +54,7 @@ TEXTS = {
     "author title",
     "control name",
     "errata query",
+    "frame_chain name",
     "lessons lesson-load",
     "motion_files read-motion",
     "newton_1d f",
