@@ -22,7 +22,9 @@ from armlab.ui.plugin import Panel, Show
 from armlab.ui.search.markup import search_button
 from armlab.ui.widgets import Gui
 
-NOTES = "“The notes” are those of the course Robotics 1. No lesson needs them; what they print wrongly is on the page "
+NOTES = (
+    "“The notes” are those of the course Robotics 1. No lesson needs them; the page Errata has what they print wrongly"
+)
 PRINTED = "course"
 """Address of the course as a page to print."""
 
@@ -31,7 +33,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the map, the button of the search, and what is needed seldom."""
     now = gui.form(post)
     gui.html(search_button("Find: 3.66, section 4.1, quaternion …", "field"))
-    entries, saved, notes = gui.form(post), gui.form(post, MOST), gui.form(post)
+    entries, saved = gui.form(post), gui.form(post, MOST)
 
     def show(state: State) -> None:
         found, part = lessons(), state[LessonPart]
@@ -39,9 +41,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         now.show(_head(now, found, way), Map(now, way, found.lessons).now())
         course_map = Map(entries, way, found.lessons).markup(way.course.chapters, found.others)
         entries.show(course_map, broken_files("lesson", found.problems))
-        saved.show(tag("div.chips", load_work(saved), _printed(way.course)))
-        errata = notes.button("errata", "Errata", partial(gui.open_panel, "errata"), "copy", "Open the page Errata")
-        notes.show(tag("p.dim", NOTES, errata, "."))
+        errata = saved.chip("errata", "Errata of the notes", partial(gui.open_panel, "errata"), NOTES)
+        saved.show(tag("div.chips", load_work(saved), _printed(way.course), errata))
 
     return show
 
