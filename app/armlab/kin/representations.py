@@ -43,7 +43,7 @@ def stick_end(theta: float, length: float) -> tuple[float, float]:
 
 
 def stick_residual(x: float, y: float, length: float) -> float:
-    """Return ``x^2 + y^2 - length^2``, which is 0 where (x, y) can be the end of a stick of this length, m² (notes 4.4).
+    """Return ``x^2 + y^2 - length^2``, m²: 0 where (x, y) can be the end of a stick of this length (notes 4.4).
 
     >>> stick_residual(0.6, -0.8, 1.0)
     0.0

@@ -45,15 +45,15 @@ EXAMPLES = Registry(
             "electric",
             "From oil to electric motors",
             {"shown": "timeline", "lane": "factory", "event": "irb6"},
-            "Until 1973 the robots of factories are hydraulic, after that nearly all are electric. Hydraulics stay where "
+            "Until 1973 the robots of factories are hydraulic, later nearly all are electric. Hydraulics stay where "
             "loads are heavy.",
         ),
         HistoryExample(
             "space",
             "Arms without weight",
             {"shown": "timeline", "lane": "space", "event": "canadarm"},
-            "In orbit an arm may be fifteen metres long and thin, since it carries no weight, only mass: it moves a few "
-            "degrees a second.",
+            "In orbit an arm may be fifteen metres long and thin, since it carries no weight, only mass: it moves a "
+            "few degrees a second.",
         ),
         HistoryExample(
             "axes",

@@ -22,12 +22,12 @@ SIGNS: dict[str, tuple[int, int]] = {
 """What may be true of an action: the law that it concerns, and whether it speaks for (1) or against (-1) the action."""
 
 FLAGS = {
-    "harms": "would harm a person",
-    "saves": "saves a person from harm",
-    "ordered": "is ordered by a person",
-    "forbidden": "is forbidden by a person",
-    "risks": "would damage the robot",
-    "protects": "saves the robot from damage",
+    "harms": "harms a person",
+    "saves": "saves a person",
+    "ordered": "is ordered",
+    "forbidden": "is forbidden",
+    "risks": "damages the robot",
+    "protects": "saves the robot",
 }
 """The same in words, which continue "the action"."""
 

@@ -60,9 +60,9 @@ DEFINITIONS: Registry[Definition] = Registry(
             "RIA",
             "A robot?",
             ("manipulator", "automatic", "reprogrammable", "multipurpose"),
-            "Neither a number of axes nor a factory is asked for.⟦ RIA is the Robot Institute of America, later the "
-            "Robotic Industries Association. That a robot takes information from its surroundings, which the notes add, "
-            "is what the RIA asks of the highest of its four classes of robots.⟧",
+            "The Robot Institute of America, later the Robotic Industries Association, asks neither for a number of "
+            "axes nor for a factory.⟦ That a robot takes information from its surroundings, which the notes add, is "
+            "what it asks of the highest of its four classes of robots. Its first name is Robot, not Robotic.⟧",
             "Robot Institute of America, about 1980",
         ),
         Definition(
@@ -116,7 +116,7 @@ THINGS: Registry[Thing] = Registry(
         _thing("slave", "Manipulator steered by a hand elsewhere", "manipulator", "multipurpose", "acts"),
         _thing(
             "rover",
-            "Rover on Mars that finds its way, with an arm",
+            "Rover on Mars with an arm",
             *(set(ARM) - {"industry"}),
             "perceives",
         ),

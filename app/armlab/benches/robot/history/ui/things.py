@@ -8,6 +8,7 @@ from armlab.session.fields import Set
 from armlab.session.state import State
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, classes, tag
+from armlab.ui.markup import fold
 
 ANSWERS = {True: "yes", False: "no"}
 
@@ -25,7 +26,7 @@ def things_markup(form: Form, state: State) -> Inside:
         tag("div.bar", chips),
         tag("p", f"{definition.asks} It takes:"),
         tag("ul.hi-needs", [tag("li", FEATURES[each]) for each in definition.needs]),
-        tag("p.dim", definition.says, " ", tag("span.hi-source", f"({definition.source})")),
+        fold("About this definition", tag("p.dim", definition.says), tag("p.dim.hi-source", definition.source)),
         tag("h3", definition.asks, tag("span.copies", anew)),
         tag("div.hi-things", [_line(form, thing, definition, judged.get(thing.key)) for thing in THINGS.values()]),
         tag("p.dim", done),

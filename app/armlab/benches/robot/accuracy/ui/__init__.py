@@ -1,0 +1,1 @@
+"""The panel of the page Accuracy, and its points in the scene."""
