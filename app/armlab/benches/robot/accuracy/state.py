@@ -14,7 +14,7 @@ PLANES = {"xy": "x, y", "xz": "x, z", "yz": "y, z"}
 """Planes on which the positions are looked at."""
 
 ABOUT = {"goal": "the goal", "middle": "their mean"}
-"""What stands in the middle of the picture."""
+"""Points in the middle of the picture, key to words."""
 
 LARGEST_TURN, LARGEST_SLIDE, LARGEST_LENGTH = math.radians(5.0), 0.05, 0.05
 """Largest error of a joint that turns, rad, and that slides, m, and of a length, as a fraction."""

@@ -18,7 +18,7 @@ Floats = NDArray[np.float64]
 
 
 class Visits(NamedTuple):
-    """What comes of the visits.
+    """Result of the visits.
 
     Attributes
     ----------

@@ -19,7 +19,7 @@ SIGNS: dict[str, tuple[int, int]] = {
     "risks": (3, -1),
     "protects": (3, 1),
 }
-"""What may be true of an action: the law that it concerns, and whether it speaks for (1) or against (-1) the action."""
+"""Signs of an action: the law that it concerns, and whether it speaks for (1) or against (-1) the action."""
 
 FLAGS = {
     "harms": "harms a person",
@@ -33,7 +33,7 @@ FLAGS = {
 
 
 class Decision(NamedTuple):
-    """What the laws say of an action.
+    """Answer of the laws about an action.
 
     Attributes
     ----------

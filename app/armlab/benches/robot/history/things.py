@@ -1,4 +1,4 @@
-"""What counts as a robot: definitions as lists of what a thing must have, and things with what they have."""
+"""Robots and what is none: definitions as lists of what a thing must have, and things with what they have."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ LANES = {
 """Groups of events, key to title."""
 
 DRIVES = {"": "", "hydraulic": "hydraulic", "electric": "electric", "hand": "the hand of a person"}
-"""What drives the joints, key to words."""
+"""Drives of the joints, key to words."""
 
 
 @dataclass(frozen=True)

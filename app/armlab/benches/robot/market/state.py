@@ -13,7 +13,7 @@ from armlab.session.fields import FieldPart, choice, flag, number, put, setting,
 from armlab.session.state import Command, PartType, State
 
 NUMBERS = {"begin": "beginning", "end": "end", "years": "years", "rate": "rate"}
-"""What the calculator has, key to words."""
+"""Numbers of the calculator, key to words."""
 
 LEAST, MOST = 1e-6, 1e15
 """Least and largest value at the beginning or the end."""

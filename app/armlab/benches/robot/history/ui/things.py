@@ -1,4 +1,4 @@
-"""What is a robot: a definition, and things that are judged by it."""
+"""Robots and what is none: a definition, and things that are judged by it."""
 
 from __future__ import annotations
 
