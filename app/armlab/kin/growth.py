@@ -35,7 +35,10 @@ def growth_rate(begin: float, end: float, years: float) -> float:
     _above_zero("end", end)
     if years == 0.0 or not math.isfinite(years):
         raise InputError(f"years: expected a number that is not zero, got {years:g}")
-    return math.expm1(math.log(end / begin) / years)
+    try:
+        return math.expm1(math.log(end / begin) / years)
+    except OverflowError:
+        raise InputError(f"years: in {years:g} years {begin:g} becomes {end:g} at a rate beyond all numbers") from None
 
 
 def grown(begin: float, rate: float, years: float) -> float:

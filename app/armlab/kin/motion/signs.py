@@ -46,7 +46,7 @@ class Piece(NamedTuple):
 
 
 def pieces(plus: Intervals, minus: Intervals, duration: float) -> list[Piece]:
-    """Return the stretches into which the ends of the intervals divide the time from 0 to the duration.
+    """Return the stretches of the time from 0 to the duration, as long as the same signs hold.
 
     Intervals that end before they begin are empty; what lies outside is left out.
 
@@ -62,10 +62,12 @@ def pieces(plus: Intervals, minus: Intervals, duration: float) -> list[Piece]:
     if not duration > 0.0:
         raise InputError(f"duration: expected more than 0 s, got {duration:g} s")
     ends = {end for one in (*plus, *minus) for end in one if 0.0 < end < duration}
-    found = []
+    found = list[Piece]()
     for start, end in pairwise(sorted({0.0, duration, *ends})):
         middle = 0.5 * (start + end)
         inside = [any(low < middle < high for low, high in some) for some in (plus, minus)]
+        if found and [found[-1].plus, found[-1].minus] == inside:
+            start = found.pop().start
         found.append(Piece(start, end, *inside))
     return found
 

@@ -102,7 +102,7 @@ class Laws(FieldPart):
     k: float = number("k", "time scaling", 1.0, LEAST_FACTOR, MOST_FACTOR)
     bounded: Bounded = own("bounds on a path", Bounded(), _bounded, Bounded.to_json, under="bounds")
     bounds_shown: bool = flag("whether the bounds are shown", False)
-    signs: Signs = own("intervals of the signs", Signs(), _signs, Signs.to_json)
+    signs: Signs = own("intervals of the signs", Signs(), _signs, Signs.to_json, later=True)
     example: str = text("example")
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
