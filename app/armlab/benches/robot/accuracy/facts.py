@@ -25,6 +25,7 @@ FACTS = Facts(
         ),
         "taught": Fact("whether the goal was taught", lambda s: s[Accuracy].taught, kind="truth"),
         "entered": Fact("the number of pegs that find their hole", _entered, kind="count"),
+        "clearance": Fact("the clearance of the hole", lambda s: s[Accuracy].clearance, "m"),
         "visits": Fact("the number of visits", lambda s: s[Accuracy].visits, kind="count"),
     },
 )
