@@ -136,7 +136,7 @@ class SpokenPage(BarePage):
         """All that it says, without markup, with single blanks."""
         gui: Any = self._gui
         parts = [content(fields) for fields in gui.has]
-        parts += [each.handle._impl.props.content for each in gui.texts]
+        parts += [str(each.handle._impl.props.content) for each in gui.texts]
         plain = unescape(_MARKUP.sub(" ", " ".join(_filled(part) for part in parts)))
         return re.sub(r"\s+", " ", plain)
 
