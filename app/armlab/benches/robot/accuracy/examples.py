@@ -50,8 +50,8 @@ EXAMPLES = part_examples(
         "peg",
         "A peg, and a hand that yields",
         Accuracy(scatter=math.radians(0.01), slide_scatter=5e-5, taught=True, clearance=5e-5, yields=5e-4),
-        "The hole is too narrow for the scatter of the arm. A hand that gives way by half a millimetre gets every peg "
-        "in; set it to zero.",
+        "Few pegs would find a hole so narrow. A hand that gives way by half a millimetre gets most of them in, if the "
+        "arm is not too long; set it to zero.",
     ),
 )
 

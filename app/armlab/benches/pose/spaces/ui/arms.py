@@ -72,7 +72,7 @@ def _field(form: Form, part: Spaces, twins: Twins, k: int, units: Units) -> Mark
 
 def _table(state: State, twins: Twins, units: Units) -> Markup:
     arm = state[Joints].arm
-    heads = [units.variable(i, True) for i in range(3)]
+    heads = [f"{units.variable(i, True)}, {units.angle_unit}" for i in range(3)]
     rows = []
     for name, q in (("this arm", twins.q), *(("the other", each) for each in twins.others)):
         T = inverse(arm.base) @ arm.fk(q)
@@ -94,7 +94,8 @@ def _card(state: State, twins: Twins, units: Units) -> Markup:
         )
     arm = state[Joints].arm
     residual = float(abs(r_of(arm, twins.others[0], described) - twins.r).max())
-    same = tag("p", f"r of both arms differs by {scientific(residual) if residual else '0'} at most.")
+    amount = f"{scientific(residual)} m or rad" if residual else "0"
+    same = tag("p", f"No number of r differs by more than {amount}.")
     if apart[0] <= ONE_TOOL:
         said = (
             "The tool is at one place and points one way: r describes the task without doubt, in as many numbers as "

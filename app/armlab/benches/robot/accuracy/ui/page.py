@@ -98,7 +98,7 @@ def peg_markup(form: Form, part: Accuracy, visits: Visits, units: Units) -> Insi
     return (
         tag("h3", "A peg along z of the tool"),
         tag("div.kit-numbers", [_field(form, part, name, units) for name in ("clearance", "yields")]),
-        tag("p", tag("b", f"{entered} of {part.visits} pegs"), " find their hole: they miss it across z by no more."),
+        tag("p", tag("b", f"{entered} of {part.visits} pegs"), " find their hole: they miss it by no more than both."),
     )
 
 

@@ -23,7 +23,7 @@ def laws_markup(form: Form, state: State) -> Inside:
     holds = state[History].holds
     found = decide(holds)
     return (
-        tag("p.dim", "Isaac Asimov, Runaround, 1942; in short:"),
+        tag("p.dim.hi-asimov", "Isaac Asimov, Runaround, 1942; in short:"),
         tag("ol.hi-laws", [tag(classes("li", now=law == found.law), text) for law, text in LAWS.items()]),
         tag("h3", "An action of the robot"),
         [_line(form, law, holds) for law in LAWS],
