@@ -32,6 +32,7 @@ MADE_UP = {
     "true or false": (False, True),
     "a text, a number, or true or false": ("x", 0.5, True, 3, [1, 2]),
     "a list of numbers": ([], [0.1, 0.2], [0.1] * 6),
+    "a list of whole numbers": ([20, 60], [], [7.0], [0, -1, 99]),
     "a list of lists of numbers": ([[0, 0], [1, 1], [2, 0]], []),
     "a list of 3 numbers": ([0.1, 0.2, 0.3],),
 }
