@@ -62,16 +62,16 @@ def fact(name, state):
 @pytest.mark.parametrize(
     ("robot", "task", "kind", "n", "m", "spare"),
     [
-        ("planar_2r", "", "square", 2, 2, 0),
+        ("planar_2r", "own", "square", 2, 2, 0),
         ("planar_2r", "xy phi", "more", 2, 3, 0),
-        ("planar_3r", "", "square", 3, 3, 0),
+        ("planar_3r", "own", "square", 3, 3, 0),
         ("planar_3r", "xy", "redundant", 3, 2, 1),
         ("planar_3r", "xyz", "fixed", 3, 3, 1),
-        ("scara", "", "square", 4, 4, 0),
-        ("puma560", "", "square", 6, 6, 0),
+        ("scara", "own", "square", 4, 4, 0),
+        ("puma560", "own", "square", 6, 6, 0),
         ("puma560", "xyz", "redundant", 6, 3, 3),
-        ("panda", "", "redundant", 7, 6, 1),
-        ("trunk9", "", "redundant", 9, 6, 3),
+        ("panda", "own", "redundant", 7, 6, 1),
+        ("trunk9", "own", "redundant", 9, 6, 3),
         ("elbow_3r", "pose", "more", 3, 6, 0),
     ],
 )
@@ -107,14 +107,14 @@ def test_the_diagram_has_the_numbers_and_the_formula_of_the_arm():
     assert "30.0°" in text
     assert "a few q" in text
     assert asked(lambda form: joined(maps_markup(form, state)), "task", "xyz") == (Set(Spaces, "task", "xyz"),)
-    assert asked(lambda form: joined(maps_markup(form, state)), "task", "own") == (Set(Spaces, "task", ""),)
+    assert asked(lambda form: joined(maps_markup(form, state)), "task", "own") == (Set(Spaces, "task", "own"),)
 
 
 @pytest.mark.parametrize("view", SHOWN)
 def test_every_view_is_there_for_every_arm(robot, view):
     page = BarePage("spaces", robot)
     page.session.apply(Set(Spaces, "shown", view), 1.0)
-    for k, task in enumerate(TASKS if view == "maps" else [""]):
+    for k, task in enumerate(TASKS if view == "maps" else ["own"]):
         page.session.apply(Set(Spaces, "task", task), 2.0 + k)
         page.show()
 

@@ -49,7 +49,7 @@ EXAMPLES = Registry(
         SpacesExample(
             "square",
             "2R: two joints, two numbers",
-            {"shown": "maps", "task": ""},
+            {"shown": "maps", "task": "own"},
             "As many numbers in r as joints: to a point within reach belong two arms, and at the edge one.",
             "planar_2r",
             _degrees(30.0, 60.0),

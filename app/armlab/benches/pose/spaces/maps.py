@@ -75,7 +75,7 @@ class Maps(NamedTuple):
 def task_of(state: State) -> Task:
     """Return what r describes: the choice of the page, or the task of the arm."""
     chosen = state[Spaces].task
-    return task_named(chosen) if chosen else state[Joints].arm.task
+    return state[Joints].arm.task if chosen == "own" else task_named(chosen)
 
 
 def maps_of(state: State) -> Maps:

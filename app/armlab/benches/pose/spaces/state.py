@@ -12,7 +12,7 @@ from armlab.session.state import Command, PartType, State
 SHOWN = {"maps": "1 Three spaces", "stick": "2 Pendulum", "arms": "3 Two arms"}
 
 TASKS = {
-    "": "the task of the arm",
+    "own": "the task of the arm",
     "xy": "p_x, p_y",
     "xy phi": "p_x, p_y, φ",
     "xyz": "p_x, p_y, p_z",
@@ -39,7 +39,7 @@ class Spaces(FieldPart):
     ----------
     shown : "maps", "stick" or "arms"
     task : str
-        What r describes; empty for the task of the arm.
+        What r describes; "own" for the task of the arm.
     by : "xy" or "theta"
         Numbers by which the stick is moved.
     x, y : float
@@ -55,7 +55,7 @@ class Spaces(FieldPart):
     looks: ClassVar[tuple[str, ...]] = ("shown",)
 
     shown: str = choice("what is shown of the spaces", "maps", SHOWN)
-    task: str = choice("what r describes", "", TASKS)
+    task: str = choice("what r describes", "own", TASKS)
     by: str = choice("representation of the stick", "xy", BY)
     x: float = number("p_x", "p_x of the end", 0.6, -FARTHEST, FARTHEST, "m")
     y: float = number("p_y", "p_y of the end", -0.8, -FARTHEST, FARTHEST, "m")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from armlab.benches.pose.spaces.maps import Component, Maps, components_of, maps_of
 from armlab.benches.pose.spaces.state import TASKS, Spaces
@@ -22,9 +22,6 @@ from armlab.ui.units import Units, units_of
 SHORT = 8
 """Largest number of terms of a component of f_r that is written out."""
 
-OWN = "own"
-"""Key of the task of the arm in the list."""
-
 HEADS = {
     "square": ("ok", "m = n: as many numbers as joints"),
     "redundant": ("ok", "m < n: redundant"),
@@ -37,13 +34,13 @@ HEADS = {
 def maps_markup(form: Form, state: State) -> Inside:
     """Return the choice of r, the diagram and the card."""
     found, units = maps_of(state), units_of(state)
-    texts = {key or OWN: words.replace("_", "") for key, words in TASKS.items()}
+    texts = {key: words.replace("_", "") for key, words in TASKS.items()}
     chosen = form.select(
         "task",
         "What r describes",
         texts,
-        state[Spaces].task or OWN,
-        lambda key: Set(Spaces, "task", "" if key == OWN else key),
+        state[Spaces].task,
+        partial(Set, Spaces, "task"),
     )
     return (
         tag("div.kit-head", tag("span.dim", "r describes"), chosen),

@@ -1,1 +1,0 @@
-"""The panel of the page Accuracy, and its points in the scene."""
