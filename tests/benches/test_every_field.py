@@ -53,6 +53,7 @@ PERHAPS = {
 TEXTS = {
     "author title",
     "control name",
+    "frame_chain name",
     "lessons lesson-load",
     "motion_files read-motion",
     "newton_1d f",
