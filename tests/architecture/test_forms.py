@@ -62,6 +62,7 @@ OWN_JSON = {
     "control": "its runs and its target are read together with the arm",
     "display": "its JSON is a map whose keys are the switches of the picture, whichever there are",
     "ellipsoid": "its JSON is the name of a block alone, or a pair",
+    "errata_practice": "its JSON is a map whose keys are errata, of those tasks that were begun",
     "former": "a whole state, as it was before a lesson",
     "joints": "joint values, and which are held, are read together with the arm and its limits",
     "lesson": "a student's way through lessons, which are files that change",

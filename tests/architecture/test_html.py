@@ -11,16 +11,17 @@ TAG = re.compile(r"</?[a-zA-Z][a-zA-Z0-9]*(\s[^<>]*)?/?>|<[a-zA-Z][a-zA-Z0-9]*\s
 ENTITY = re.compile(r"&(?:[a-z]+|#\w+);")
 
 TAKEN_AS_IT_IS = {
+    "benches/lessons/errata/ui/texts.py": "texts of errata, whose reader lets only known elements pass",
     "ui/html.py": "makes elements of texts, which it escapes",
     "ui/format.py": "MathML that latex2mathml makes of a formula",
     "ui/qr.py": "an SVG picture that segno makes of a link",
     "ui/lesson/asking.py": "questions and verdicts of lessons, whose reader lets only known elements pass",
-    "ui/lesson/page.py": "what a check says, whose words are escaped where they are made",
+    "ui/lesson/errata.py": "the text of lessons, in which links become buttons",
     "ui/lesson/text.py": "the text of lessons, whose reader lets only known elements pass",
 }
 """Modules that take a text for markup, and why it is."""
 
-READS = {"ui/html.py", "ui/lesson/text.py", "ui/recording.py"}
+READS = {"ui/html.py", "ui/lesson/errata.py", "ui/lesson/text.py", "ui/recording.py"}
 """Modules that make elements, or look for one in a page they are given."""
 
 

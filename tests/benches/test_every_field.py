@@ -53,6 +53,7 @@ PERHAPS = {
 TEXTS = {
     "author title",
     "control name",
+    "errata query",
     "frame_chain name",
     "lessons lesson-load",
     "motion_files read-motion",
@@ -69,7 +70,7 @@ SENTENCE = re.compile(r'<p class="no" role="alert">✕ (.*?)</p>', re.S)
 LONGEST_SENTENCE = 300
 
 MOST_PRESSES = 60
-"""Controls of a page that are pressed to see what comes; only the index of lessons has more."""
+"""Controls of a page that are pressed to see what comes; only the lists of lessons and of errata have more."""
 
 
 class Faults(logging.Handler):

@@ -130,7 +130,7 @@ def test_a_number_question_of_a_file():
 
 
 def test_all_kinds_are_found():
-    assert list(question_types()) == ["number", "choice", "matrix", "expression"]
+    assert list(question_types()) == ["number", "choice", "matrix", "expression", "matrix_formula", "erratum"]
 
 
 OPTIONS = 'options = ["one", "two", "three"]\n'

@@ -120,6 +120,7 @@ def test_other_names_that_point_here_are_refused(url, host):
         ("", {"Upgrade": "websocket"}, 403),
         ("nothing", {}, 404),
         ("robot/UPPER", {}, 404),
+        ("erratum/5-58", {}, 404),
         ("", {"Host": "evil.example"}, 421),
     ],
 )

@@ -7,6 +7,7 @@ from urllib.parse import urlsplit
 import pytest
 
 from armlab.content.robots import catalogue
+from armlab.session.errata_links import LookUp
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.robot import ChooseRobot
@@ -67,6 +68,7 @@ def test_a_wish_becomes_a_command():
     assert wished(fresh, "robot/scara") == ChooseRobot("scara")
     assert wished(fresh, "lesson/first_arm") == OpenLesson("first_arm")
     assert wished(fresh, "lesson/first_arm/0012") == OpenLesson("first_arm", variant=12)
+    assert wished(fresh, "erratum/5.58") == LookUp("5.58")
     assert wished(fresh, f"state/{SHARED}") == OpenShared(SHARED)
     assert wished(fresh, "nothing/of/ours") is None
 
@@ -109,6 +111,15 @@ def test_a_shared_state_opens_beside_ones_own_work_and_a_reload_resets_nothing(u
     run(main())
 
 
+def test_a_link_to_an_erratum_opens_its_page(url):
+    async def main():
+        browser = await follow(url, cookie_of(url), "erratum/5.58")
+        await browser.until(lambda: "<h3>Section 5.1.1, after 5.58" in browser.html())
+        await browser.close()
+
+    run(main())
+
+
 @pytest.mark.parametrize(
     ("path", "says"),
     [
@@ -117,6 +128,7 @@ def test_a_shared_state_opens_beside_ones_own_work_and_a_reload_resets_nothing(u
         ("state/" + SHARED[:-3], "copy the whole link again"),
         ("lesson/no_such_lesson/3", "unknown name"),
         ("robot/no_such_arm", "unknown name"),
+        ("erratum/5.999", "unknown name"),
     ],
 )
 def test_what_cannot_be_granted_is_said_on_a_page_that_works(url, path, says):

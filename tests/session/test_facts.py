@@ -61,6 +61,12 @@ CHANGES = {
     "drive.torque": [("set", {"coils": 3, "motion": "free", "duration": 3.0})],
     "iterate.newton_1d": [("type_equation", {"text": "x^2 - 3"})],
     "iterate.runs": [("set", {"most": 3})],
+    "lessons.errata": [
+        ("choose", {"key": "4.110"}),
+        ("point_at", {"place": [2]}),
+        ("correct", {"typed": "x - f/d"}),
+        ("set", {"seed": 3}),
+    ],
     "motion.curves": [("set_knot", {"k": 1, "cell": "q", "value": 3})],
     "motion.laws": [
         ("set_quantity", {"name": "duration", "value": 3}),

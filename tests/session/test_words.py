@@ -13,6 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 from armlab.benches.control.loop.state import Loop
+from armlab.benches.lessons.errata.state import Errata
 from armlab.content.bench_words import BenchWord
 from armlab.content.lesson_lines import LessonError
 from armlab.content.robots import catalogue
@@ -145,6 +146,18 @@ def test_degrees_and_millimetres_are_written_behind_the_name():
     np.testing.assert_allclose(put.xyz, (0.1, 0.0, -0.05), rtol=0, atol=1e-15)
     started = command_of(written("iterate.runs.set_start", q_deg=[180, 0]))
     np.testing.assert_allclose(started.q, (math.pi, 0.0), rtol=0, atol=1e-15)
+
+
+@pytest.mark.parametrize("chapter", [4, "4"])
+def test_a_choice_of_digits_is_written_as_a_number_or_a_text(chapter):
+    state = State.initial(catalogue()["planar_2r"])
+    assert apply(state, command_of(written("lessons.errata.set", chapter=chapter)))[Errata].chapter == "4"
+
+
+@pytest.mark.parametrize("chapter", [8, True, 4.5])
+def test_a_choice_of_digits_is_no_other_number(chapter):
+    with pytest.raises(LessonError, match=rf"chapter: .*expected all or 1 or .*, got {chapter}"):
+        command_of(written("lessons.errata.set", chapter=chapter))
 
 
 def test_what_is_left_out_is_as_the_command_has_it():

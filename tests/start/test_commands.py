@@ -16,18 +16,18 @@ from support.patience import WAIT
 def test_every_command_is_found_by_its_file():
     files = {path.stem for path in Path(commands.__file__).parent.glob("[a-z]*.py")}
     assert set(command_types()) == files
-    assert list(command_types()) == ["check", "lesson"]
+    assert list(command_types()) == ["check", "lesson", "errata"]
 
 
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [
-        (["chekc"], "armlab: unknown command 'chekc'; did you mean 'check'? Available: check, lesson\n"),
+        (["chekc"], "armlab: unknown command 'chekc'; did you mean 'check'? Available: check, errata, lesson\n"),
         (
             ["lesson", "shet"],
             "armlab lesson: unknown command 'shet'; did you mean 'sheet'? Available: check, new, sheet, words\n",
         ),
-        (["xyz"], "armlab: unknown command 'xyz'. Available: check, lesson\n"),
+        (["xyz"], "armlab: unknown command 'xyz'. Available: check, errata, lesson\n"),
     ],
 )
 def test_a_misspelt_command_is_one_line_with_a_proposal(typed, arguments, says):
@@ -37,7 +37,13 @@ def test_a_misspelt_command_is_one_line_with_a_proposal(typed, arguments, says):
 def test_the_help_of_the_lab_lists_all_commands(typed):
     status, out, _ = typed("--help")
     assert status == 0
-    for line in ("armlab check  ", "armlab lesson new ", "armlab lesson check ", "armlab lesson sheet "):
+    for line in (
+        "armlab check  ",
+        "armlab lesson new ",
+        "armlab lesson check ",
+        "armlab lesson sheet ",
+        "armlab errata ",
+    ):
         assert line in out
     assert "--no-browser" in out
 
@@ -49,6 +55,7 @@ def test_the_help_of_the_lab_lists_all_commands(typed):
         (["lesson", "new"], ["NAME", "--robot", "--to"]),
         (["lesson", "check"], ["LESSON", "--variants", "--lessons"]),
         (["lesson", "sheet"], ["LESSON", "--variants", "--students", "--lessons"]),
+        (["errata"], ["ID", "--format", "--seed", "--out"]),
     ],
 )
 def test_every_command_has_help(typed, arguments, words):

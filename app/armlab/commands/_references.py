@@ -16,6 +16,7 @@ from armlab.content.check import Check
 from armlab.content.checks.all_of import AllOf
 from armlab.content.checks.fact import FactIs
 from armlab.content.checks.looked_at import LookedAt
+from armlab.content.errata import errata
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lesson_lines import LessonError
 from armlab.content.lessons import lessons
@@ -29,7 +30,7 @@ from armlab.session.parts.timeline import clips
 from armlab.session.state import State
 from armlab.session.words import command_of
 
-_LINK = re.compile(r'href="/(?P<kind>lesson|robot)/(?P<key>[^/"?#]*)')
+_LINK = re.compile(r'href="/(?P<kind>lesson|robot|erratum)/(?P<key>[^/"?#]*)')
 
 
 def of_front(lesson: Lesson) -> Iterator[tuple[str, str]]:
@@ -38,6 +39,7 @@ def of_front(lesson: Lesson) -> Iterator[tuple[str, str]]:
     yield from (("teaches", rows.unknown(row)) for row in lesson.teaches if not rows.known(row))
     yield from (("panel", text) for text in _unknown("panel", [lesson.panel], panels))
     yield from (("hidden", text) for text in _unknown("panel", lesson.hidden, panels))
+    yield from (("introduction", text) for text in of_text(lesson.intro_html))
     yield from (("overlays", text) for text in _unknown("switch", lesson.overlays, switches))
     wrong = list(_of_example(lesson, lesson.example))
     yield from (("example", text) for text in wrong or _moved_by_example(lesson))
@@ -54,7 +56,7 @@ def of_step(lesson: Lesson, step: Step) -> Iterator[str]:
         yield f"start: the panel {step.panel!r} is to be opened, and the lesson hides it"
     for action in step.solution:
         yield from (f"solution: {text}" for text in _of_action(lesson, action))
-    yield from of_text(_texts(step))
+    yield from of_text(step.texts)
     yield from _of_facts(lesson, step)
     checks = [] if step.check is None else [step.check.check, *(wrong.check for wrong in step.check.wrong)]
     for looked in (found for check in checks for found in _looked_at(check)):
@@ -133,20 +135,10 @@ def _moved_by_example(lesson: Lesson) -> Iterator[str]:
 
 
 def of_text(html: str) -> Iterator[str]:
-    """Yield the links of a text to lessons and arms that are not there."""
-    known: dict[str, Iterable[str]] = {"lesson": lessons().lessons, "robot": catalogue().robots}
+    """Yield the links of a text to lessons, arms and errata that are not there."""
+    known: dict[str, Iterable[str]] = {"lesson": lessons().lessons, "robot": catalogue().robots, "erratum": errata()}
     for link in _LINK.finditer(html):
         yield from (f"link: {text}" for text in _unknown(link["kind"], [unquote(link["key"])], known[link["kind"]]))
-
-
-def _texts(step: Step) -> str:
-    """Return all that is to be read at a step."""
-    texts = [step.html, *step.hints, step.reveal_html]
-    if step.question is not None:
-        texts += [step.question.html, *(wrong.says for wrong in step.question.wrong)]
-    if step.check is not None:
-        texts += [wrong.says for wrong in step.check.wrong]
-    return "".join(texts)
 
 
 def _looked_at(check: Check) -> Iterator[LookedAt]:

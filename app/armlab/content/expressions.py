@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import NoReturn
+from typing import NoReturn, TypeVar
 
 from armlab.content.symbols import plain_symbols
 from armlab.errors import InputError, suggestion
+
+T = TypeVar("T")
 
 LONGEST = 600
 """Longest expression, in characters."""
@@ -91,6 +93,11 @@ class _Node:
             return float(values[self.name])
         return self.number
 
+    def worked_out(self, leaf: Callable[[float | str], T], operate: Callable[[str, Sequence[T]], T]) -> T:
+        if not self.operation:
+            return leaf(self.name or self.number)
+        return operate(self.operation, [node.worked_out(leaf, operate) for node in self.arguments])
+
     def with_functions(self, others: Mapping[str, str]) -> _Node:
         if not self.operation:
             return self
@@ -136,6 +143,18 @@ class Expression:
         if not math.isfinite(found):
             raise InputError(f"{self._cut}: the result is not finite")
         return found
+
+    def worked_out(self, leaf: Callable[[float | str], T], operate: Callable[[str, Sequence[T]], T]) -> T:
+        """Return what comes of the formula with values of another kind, such as matrices.
+
+        Parameters
+        ----------
+        leaf : callable
+            Gets a number or a name.
+        operate : callable
+            Gets ``+ - * / ^``, ``minus`` or a function, and its arguments.
+        """
+        return self._root.worked_out(leaf, operate)
 
     def with_functions(self, others: Mapping[str, str]) -> Expression:
         """Return the formula with some functions in place of others, such as ``{"sin": "cos", "cos": "sin"}``."""

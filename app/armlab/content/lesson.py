@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from armlab.content.actions import Action
 from armlab.content.check import StateCheck
-from armlab.content.question import Question
+from armlab.content.question import Choices, Question
 from armlab.content.robots import Camera, Robot
 
 LOCKS = ("robot", "table", "joints", "target")
@@ -57,6 +57,17 @@ class Step:
     reveal_html: str
     solution: tuple[Action, ...]
     live: tuple[str, ...]
+
+    @property
+    def texts(self) -> str:
+        """All that is to be read at the step, as HTML: text, question, hints, and what is said of wrong answers."""
+        texts = [self.html, *self.hints, self.reveal_html]
+        if self.question is not None:
+            options = self.question.form.options if isinstance(self.question.form, Choices) else ()
+            texts += [self.question.html, *options, *(wrong.says for wrong in self.question.wrong)]
+        if self.check is not None:
+            texts += [wrong.says for wrong in self.check.wrong]
+        return "".join(texts)
 
 
 @dataclass(frozen=True, eq=False)

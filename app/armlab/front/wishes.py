@@ -8,13 +8,14 @@ from collections.abc import Callable, Mapping
 
 from armlab.session.share_text import LONGEST, TEXT
 
-ROUTES = ("/robot/{name}", "/lesson/{name}", "/lesson/{name}/{variant}", "/state/{state}")
+ROUTES = ("/robot/{name}", "/lesson/{name}", "/lesson/{name}/{variant}", "/erratum/{erratum}", "/state/{state}")
 
 COURSES = ("/course", "/course/{name}")
 """Addresses of courses as pages to print, which wish nothing of the lab."""
 
 NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}\Z")
 VARIANT = re.compile(r"[0-9]{1,4}\Z")
+ERRATUM = re.compile(r"[0-9A-Z]\.[0-9A-Za-z]{1,8}\Z")
 
 
 def refused(parts: Mapping[str, str]) -> tuple[int, str] | None:
@@ -23,6 +24,8 @@ def refused(parts: Mapping[str, str]) -> tuple[int, str] | None:
         return 404, "There is no such page."
     if not VARIANT.match(parts.get("variant", "0")):
         return 404, "There is no such page: the variant of a lesson is a number from 0 to 9999."
+    if not ERRATUM.match(parts.get("erratum", "1.1")):
+        return 404, "There is no such page: an erratum has an id such as 5.58."
     state = parts.get("state")
     if state is not None and not TEXT.match(state):
         return 400, f"This link is damaged: expected at most {LONGEST} letters, digits, - and _. Copy it again."

@@ -228,13 +228,14 @@ _PLAIN: dict[Any, Kind] = {
 
 
 def one_of(words: tuple[Any, ...]) -> Kind:
-    """Return the form of a choice among words or numbers."""
+    """Return the form of a choice among words or numbers; a word of digits may also be written as a number."""
     there = " or ".join(map(str, words))
 
     def read(value: Any) -> Any:
-        if isinstance(value, bool) or value not in words:
+        wanted = str(value) if type(value) is int and value not in words else value
+        if isinstance(value, bool) or wanted not in words:
             raise Unfit(there)
-        return words[words.index(value)]
+        return words[words.index(wanted)]
 
     return Kind(there, read)
 

@@ -26,7 +26,7 @@ VERSION = "1"
 MOST_BYTES = 64 << 10
 """Largest size of the unpacked state, bytes: a usual one has some 4 kB."""
 
-STAYS = ("lesson", "shelf", "former", "welcome")
+STAYS = ("lesson", "shelf", "former", "welcome", "errata_practice")
 """Keys of the parts that are never shared: progress and answers, the student's name, states put aside, the welcome."""
 
 DECIMALS = 9

@@ -31,7 +31,9 @@ SMALLEST, LARGEST = 0.1, 2.5
 EXCHANGED = {"sin": "cos", "cos": "sin"}
 
 MOST_VARIABLES = 12
-_VARIABLE = re.compile(r"[A-Za-z][A-Za-z0-9]{0,15}\Z")
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9]{0,15}\Z")
+"""Pattern of the names of variables."""
+
 _SHORT = re.compile(r"(?<![A-Za-z_])([cs])_?(\d{1,6})(?!\d)")
 _THETA = re.compile(r"(?:θ|theta)_?(\d)(?!\d)")
 
@@ -208,7 +210,7 @@ def _variables(table: Table) -> tuple[str, ...]:
     if not isinstance(names, list) or not 1 <= len(names) <= MOST_VARIABLES:
         raise table.fail("variables", f"expected a list of 1 to {MOST_VARIABLES} names, got {shown(names)}")
     for name in names:
-        if not isinstance(name, str) or not _VARIABLE.match(name):
+        if not isinstance(name, str) or not NAME.match(name):
             raise table.fail("variables", f"expected names of letters and digits such as 'q1', got {shown(name)}")
         if name in RESERVED:
             raise table.fail("variables", f"{name!r} has a meaning of its own; choose another name")

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from armlab.content.question import Choices, Field, Grid, Question, Verdict
 from armlab.content.question import Form as Answered
 from armlab.session.lesson_commands import Answer
+from armlab.session.state import Command
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.lesson.errata import without_links
 from armlab.ui.markup import verdict_box
 
 UNIT_SIGNS = {"deg": "°", "m^2": "m²", "cm^2": "cm²", "mm^2": "mm²", "Nm": "N m", "mNm": "mN m"}
@@ -40,6 +42,8 @@ class Draft:
     form : Field, Choices or Grid
     typed : str
         The answer that was given last; empty for none.
+    answer : callable
+        Makes the command that hands in a whole answer: that of the open lesson when left out.
 
     Attributes
     ----------
@@ -49,8 +53,8 @@ class Draft:
         The whole answer, as it was handed in last.
     """
 
-    def __init__(self, form: Answered, typed: str) -> None:
-        self._form = form
+    def __init__(self, form: Answered, typed: str, answer: Callable[[str], Command] = Answer) -> None:
+        self._form, self.answer = form, answer
         self.whole = typed
         self.chosen = {int(word) for word in typed.replace(",", " ").split() if word.isdecimal()}
         rows = [row.split() for row in typed.split(";")]
@@ -59,10 +63,10 @@ class Draft:
             entries = {(i, j): entry for i, row in enumerate(rows) for j, entry in enumerate(row)}
             self.entries = {place: entry for place, entry in entries.items() if entry != MISSING}
 
-    def choose(self, option: int) -> Answer | None:
+    def choose(self, option: int) -> Command | None:
         """Choose an option, or cancel its choice; return the answer if one option is enough."""
         if isinstance(self._form, Choices) and not self._form.several:
-            return Answer(str(option))
+            return self.answer(str(option))
         self.chosen ^= {option}
         return None
 
@@ -70,13 +74,13 @@ class Draft:
         """Fill in an entry of a grid."""
         self.entries[i, j] = text
 
-    def hand_in(self) -> Answer | tuple[()]:
+    def hand_in(self) -> Command | tuple[()]:
         """Return the whole answer, or none for a single field, which has sent its own."""
         whole = self._whole()
         if whole is None:
             return ()
         self.whole = whole
-        return Answer(whole)
+        return self.answer(whole)
 
     def _whole(self) -> str | None:
         if isinstance(self._form, Choices):
@@ -119,7 +123,7 @@ def asked(form: Form, question: Question, typed: str, draft: Draft, settled: boo
     """
     note = "Your prediction is noted." if settled else "Predict: your first answer counts."
     fields = _form(form, question.form, typed, draft, settled, order)
-    return tag("div.ask", Markup(question.html), tag("p.dim", note) if question.hide else None, fields)
+    return tag("div.ask", without_links(question.html), tag("p.dim", note) if question.hide else None, fields)
 
 
 def _form(form: Form, kind: Answered, typed: str, draft: Draft, settled: bool, order: Sequence[int]) -> Inside:
@@ -128,7 +132,7 @@ def _form(form: Form, kind: Answered, typed: str, draft: Draft, settled: bool, o
         unit = UNIT_SIGNS.get(kind.unit, kind.unit)
         label = f"Your answer in {unit}" if unit else "Your answer"
         line = form.field(
-            ANSWER, typed, label, Answer, off=settled, inputmode="", spellcheck="false", placeholder="your answer"
+            ANSWER, typed, label, draft.answer, off=settled, inputmode="", spellcheck="false", placeholder="your answer"
         )
         return tag("div.answer", line, tag("i", unit), check)
     if isinstance(kind, Choices):
@@ -140,7 +144,7 @@ def _choices(
     form: Form, kind: Choices, draft: Draft, settled: bool, check: Markup | None, order: Sequence[int]
 ) -> Inside:
     def offered(k: int) -> Markup:
-        chosen, said = k in draft.chosen, Markup(kind.options[k - 1])
+        chosen, said = k in draft.chosen, without_links(kind.options[k - 1])
         return form.button(f"{CHOICE}{k}", said, lambda: draft.choose(k), "choice", pressed=chosen, off=settled)
 
     hint = tag("p.dim", "Choose all that apply.") if kind.several else None
@@ -176,4 +180,4 @@ def said(verdict: Verdict | None, settled: bool = False, stays: str = "") -> Mar
         return verdict_box("ok", Markup(verdict.says), role="status")
     head = "Not as predicted" if settled else "Not right" if stays else "Not yet"
     kept = tag("p.dim", f"Your earlier answer {stays} was right and counts: the step remains done.") if stays else None
-    return verdict_box("no", head, Markup(verdict.says), kept, role="status")
+    return verdict_box("no", head, without_links(verdict.says), kept, role="status")

@@ -25,6 +25,7 @@ from armlab.ui.form import Form, Wish
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.lesson.asking import Draft, asked, said
 from armlab.ui.lesson.end import with_end
+from armlab.ui.lesson.errata import with_links, without_links
 from armlab.ui.lesson.load import load_work
 from armlab.ui.lesson.text import step_text, words_of
 from armlab.ui.markup import verdict_box
@@ -47,8 +48,7 @@ class LessonPage:
         self._gui, self._post = gui, post
         self._draft: tuple[tuple[str, str, str, Answered], Draft] | None = None
         self._head = gui.form(post)
-        self._text = gui.html()
-        self._task, self._question, self._foot = (gui.form(post) for _ in range(3))
+        self._text, self._task, self._question, self._foot = (gui.form(post) for _ in range(4))
         self._more = gui.form(post, MOST)
 
     @property
@@ -64,7 +64,7 @@ class LessonPage:
             return
         choice = _choice(self._head, lesson, part.course, lambda: self._begin_again(part))
         self._head.show(choice, _strips(self._head, lesson, part))
-        self._text.show(step_text(state, lesson, part.index))
+        self._text.show(with_links(self._text, step_text(state, lesson, part.index)))
         self._task.show(_task(self._task, state, lesson))
         self._show_question(part, lesson)
         self._foot.show(_foot(self._foot, lesson, part))
@@ -163,7 +163,7 @@ def _task(form: Form, state: State, lesson: Lesson) -> Markup | None:
         return verdict_box("ok", "Done", role="status")
     if not state[LessonPart].progress.tried:  # nobody has moved anything, so nothing is wrong yet
         return verdict_box("todo", "To do", "As soon as you begin, this card says what is still missing.")
-    return verdict_box("todo", "Not there yet", Markup(says))
+    return verdict_box("todo", "Not there yet", without_links(says))
 
 
 def _foot(form: Form, lesson: Lesson, part: LessonPart) -> Markup:

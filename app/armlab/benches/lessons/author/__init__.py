@@ -7,7 +7,7 @@ PAGE = Page(
     "author",
     "For teachers",
     "PENCIL",
-    6,
+    8,
     tab="lessons",
     about=("write a lesson", "teacher", "save as lesson", "write an exercise", "own lesson"),
     always=True,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from armlab.benches.lessons.index.ui.map import Map
 from armlab.content.course import Course
 from armlab.content.lesson_head import time_said
@@ -20,6 +22,7 @@ from armlab.ui.plugin import Panel, Show
 from armlab.ui.search.markup import search_button
 from armlab.ui.widgets import Gui
 
+NOTES = "“The notes” are those of the course Robotics 1. No lesson needs them; the page Errata has what they print wrongly"
 PRINTED = "course"
 """Address of the course as a page to print."""
 
@@ -28,8 +31,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the map, the button of the search, and what is needed seldom."""
     now = gui.form(post)
     gui.html(search_button("Find: 3.66, section 4.1, quaternion …", "field"))
-    entries = gui.form(post)
-    saved = gui.form(post, MOST)
+    entries, saved = gui.form(post), gui.form(post, MOST)
 
     def show(state: State) -> None:
         found, part = lessons(), state[LessonPart]
@@ -37,7 +39,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         now.show(_head(now, found, way), Map(now, way, found.lessons).now())
         course_map = Map(entries, way, found.lessons).markup(way.course.chapters, found.others)
         entries.show(course_map, broken_files("lesson", found.problems))
-        saved.show(tag("div.chips", load_work(saved), _printed(way.course)))
+        errata = saved.chip("errata", "Errata of the notes", partial(gui.open_panel, "errata"), NOTES)
+        saved.show(tag("div.chips", load_work(saved), _printed(way.course), errata))
 
     return show
 

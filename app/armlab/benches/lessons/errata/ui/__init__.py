@@ -1,0 +1,1 @@
+"""The panel of the page Errata, and its part of the scene."""

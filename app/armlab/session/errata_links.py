@@ -1,0 +1,36 @@
+"""The command behind a link to an erratum, in a lesson or in an address: the page Errata opens at it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from armlab.content.errata import erratum
+from armlab.session.panel_commands import OpenPanel
+from armlab.session.state import Command, State
+from armlab.session.words import word
+
+PAGE = "errata"
+"""Key of the page."""
+
+CHOOSE = "lessons.errata.choose"
+"""Word of the command of the page, which is found by folder as those of all benches are."""
+
+
+@dataclass(frozen=True)
+class LookUp(Command):
+    """Open the page Errata at an erratum.
+
+    Parameters
+    ----------
+    key : str
+        Its id, such as ``5.58``.
+    """
+
+    key: str
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the page open; `UnknownName` when there is no such erratum."""
+        chosen = word(CHOOSE).make(key=erratum(self.key).id).apply(state)
+        return OpenPanel(PAGE).apply(chosen)
