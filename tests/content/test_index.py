@@ -14,7 +14,7 @@ from armlab.content.rows import chapters, known, rows
 from armlab.content.synonyms import GROUPS, synonyms
 
 THINGS = (
-    Thing("bench", "table", "Table", ("4.1", "DH table"), "Robot"),
+    Thing("bench", "table", "Table", ("4.1", "S4.1-dh", "DH table"), "Robot"),
     Thing("bench", "ellipsoid", "Ellipsoid", ("5.3", "velocity ellipsoid")),
     Thing("bench", "target", "Target", ("S4.3-multiplicity", "(4.115-4.116)", "inverse kinematics")),
     Thing("arm", "kr6r900", "KUKA KR 6 R900", ("cobot",), detail="A spherical wrist."),
@@ -194,11 +194,19 @@ def test_lessons_are_found_by_what_they_teach_and_by_their_title():
 
 def test_benches_are_found_by_section_row_equation_and_word():
     assert keys("4.13", "bench") == ["table"]
+    assert keys("4.8", "bench") == []
     assert keys("5.3", "bench") == ["ellipsoid"]
     assert keys("4.116", "bench") == ["target"]
     assert keys("velocity ellipsoid", "bench") == ["ellipsoid"]
     (bench,) = (entry for entry in find("target") if entry.kind == "bench")
-    assert bench.rows == ("S4.3-multiplicity", "S4.4.1-newton-redundant")
+    assert bench.rows == ("S4.3-multiplicity",)
+
+
+def test_a_section_or_an_equation_of_a_bench_claims_no_row():
+    """They say where it is found; the rows that are there it names itself."""
+    assert find("S5.3-manipulability")[0].benches == ()
+    assert find("S4.4.1-newton-redundant")[0].benches == ()
+    assert "ellipsoid" not in keys("5.144", "bench")
 
 
 def test_functions_have_their_first_line():

@@ -124,9 +124,12 @@ class BarePage:
     session : Session
     """
 
+    makes: type[BareGui] = BareGui
+    """Kind of its controls."""
+
     def __init__(self, key: str, robot: Robot) -> None:
         self.session = Session.fresh("bare", robot)
-        self._panel, self._gui = panel(key), BareGui()
+        self._panel, self._gui = panel(key), self.makes()
         self._gui.page, self._gui.again = key, lambda: None
         self._seconds = itertools.count()
         self._built: State | None = None

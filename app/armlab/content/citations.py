@@ -47,8 +47,9 @@ def citations(text: str) -> Citations:
     >>> citations("Notes 4.13-4.14 (standard); Craig, *Robotics*, 3.6. See section 4.3.2.").sections
     ('4.3.2',)
     """
-    body = text.partition("\nExamples\n---")[0]
-    found = [number for paragraph in re.split(r"\n\s*\n", body) for number in _numbers(" ".join(paragraph.split()))]
+    paragraphs = re.split(r"\n\s*\n", text.partition("\nExamples\n---")[0])
+    said = (" ".join(each.split()) for each in paragraphs if not each.lstrip().startswith(">>>"))
+    found = [number for paragraph in said for number in _numbers(paragraph)]
     cited = (reference(kind, number) for kind, number in found if kind != "section")
     known = (one for one in cited if one is not None and any(row.cites(one) for row in rows().values()))
     sections = (number for kind, number in found if kind == "section")

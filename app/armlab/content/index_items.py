@@ -150,20 +150,17 @@ def _lesson_item(lesson: Taught) -> Item:
 
 
 def _thing_item(thing: Thing) -> Item:
-    """Return a thing; it is found by its titles, sections, rows, equations in brackets, or words."""
+    """Return a thing; it is found by its titles, sections, rows, equations in brackets, or words.
+
+    It belongs only to the rows that it names: a section says where it is found, and not that all of it is there.
+    """
     sections = tuple(about for about in thing.about if SECTION.fullmatch(about))
     cited = [reference("equation", about[1:-1]) for about in thing.about if about.startswith("(")]
     references = tuple(one for one in cited if one is not None)
     words = tuple(
         about for about in thing.about if about not in sections and about not in rows() and not about.startswith("(")
     )
-    belongs = tuple(
-        row.id
-        for row in rows().values()
-        if row.id in thing.about
-        or any(row.section == section or row.section.startswith(f"{section}.") for section in sections)
-        or any(row.cites(one) for one in references)
-    )
+    belongs = tuple(row for row in rows() if row in thing.about)
     entry = Entry(thing.kind, thing.key, thing.title, thing.detail or ", ".join(words), belongs, within=thing.within)
     return Item(entry, thing.names, words, references, sections)
 

@@ -108,6 +108,7 @@ def own(
     write: Callable[[Any], Json] | None = None,
     kept: Kept = "always",
     under: str = "",
+    later: bool = False,
 ) -> Any:
     """Declare a field that is read, and written, in its own way.
 
@@ -123,8 +124,11 @@ def own(
     kept : str
     under : str
         Key of the JSON, where it is not the name of the field.
+    later : bool
+        Whether the part has had it only since later: it is written only while it has another value than the default,
+        so that works saved before are written as they were.
     """
-    return _declared(Own("", title, default, read, write or _plain), kept, under)
+    return _declared(Own("", title, default, read, write or _plain), kept, under, later)
 
 
 @dataclass(frozen=True)
@@ -150,19 +154,20 @@ class Own:
 
 @dataclass(frozen=True)
 class Declared:
-    """Declaration of a field: its kind, the changes it survives, and its key in JSON."""
+    """Declaration of a field: its kind, the changes it survives, its key in JSON, and whether it came later."""
 
     spec: Field | Own
     kept: Kept
     under: str
+    later: bool = False
 
     def written(self, value: Any) -> Json:
         """Return a value as JSON."""
         return self.spec.write(value) if isinstance(self.spec, Own) else _plain(value)
 
 
-def _declared(spec: Field | Own, kept: Kept, under: str = "") -> Any:
-    return dataclasses.field(default=spec.default, metadata={DECLARED: Declared(spec, kept, under)})
+def _declared(spec: Field | Own, kept: Kept, under: str = "", later: bool = False) -> Any:
+    return dataclasses.field(default=spec.default, metadata={DECLARED: Declared(spec, kept, under, later)})
 
 
 @dataclass(frozen=True, eq=False)
@@ -243,7 +248,12 @@ class FieldPart(Part):
 
     def to_json(self) -> Json:
         """Return the declared fields as JSON."""
-        written = {each.under: each.written(getattr(self, name)) for name, each in declarations(type(self)).items()}
+        fields = ((each, getattr(self, name)) for name, each in declarations(type(self)).items())
+        written = {
+            each.under: each.written(value)
+            for each, value in fields
+            if not (each.later and _same(value, each.spec.default))
+        }
         return next(iter(written.values())) if self.bare else written
 
     @classmethod
@@ -266,7 +276,7 @@ def declarations(part: type[FieldPart]) -> dict[str, Declared]:
     if part not in _DECLARED:
         found = ((each.name, each.metadata[DECLARED]) for each in dataclasses.fields(part) if DECLARED in each.metadata)
         _DECLARED[part] = {
-            name: Declared(replace(each.spec, key=name), each.kept, each.under or name) for name, each in found
+            name: replace(each, spec=replace(each.spec, key=name), under=each.under or name) for name, each in found
         }
     return _DECLARED[part]
 

@@ -282,3 +282,14 @@ def test_other_angles_write_the_same_orientations_and_the_tool_gives_its_own():
             turn_of(taken).straight.rotation(1.0), before.straight.rotation(1.0), rtol=0, atol=1e-7
         )
     assert turn_place(after(OpenClip("space_curve"), Seek(2.0), state=state))[0] == pytest.approx(0.5)
+
+
+def test_the_line_of_the_notes_goes_from_rest_to_rest(truth):
+    case = truth["C1.3-line-rest-to-rest"]
+    state = after(ChooseExample("line"))
+    motion = state.derived(curve_of).motion
+    for key, order in (("p", 0), ("pdot", 1), ("pddot", 2)):
+        found = np.asarray(motion.at(case["inputs"]["t"], order))
+        np.testing.assert_allclose(found[:2], case["expected"][key], rtol=0, atol=1e-12)
+    for end in (0.0, case["inputs"]["T"]):
+        np.testing.assert_allclose(motion.at(end, 1), 0.0, rtol=0, atol=1e-12)

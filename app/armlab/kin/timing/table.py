@@ -17,7 +17,7 @@ from armlab.kin.motion.piecewise import Piecewise, integrated
 Rows = tuple[tuple[float, float, float], ...]
 
 PLUS_MINUS_ONE: Rows = ((0, 1, 1), (1, 3, -1), (3, 4, 1), (4, 5, -1), (5, 7, 1), (7, 8, -1))
-"""Rows (from, to, acceleration) of the profile of 1.41. The notes print 3/8, 5/8, 7/8 for 3, 5, 7, which leaves gaps;
+"""Rows (from, to, acceleration) of the profile of 1.41. The notes print 3/8, 5/8, 7/8 for 3, 5, 7, which overlap;
 with these, speed and place at t = 8 are zero as 1.42 says."""
 
 BANG_COAST_BANG: Rows = ((0, 1, 1), (1, 2, 0), (2, 3, -1))

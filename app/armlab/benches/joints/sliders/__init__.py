@@ -10,7 +10,6 @@ PAGE = Page(
     20,
     about=(
         "S1.1-joint-types",
-        "S4.0-spaces",
         "S4.0-2R",
         "sliders",
         "joint limits",

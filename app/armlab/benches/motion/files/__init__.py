@@ -11,7 +11,6 @@ PAGE = Page(
     tab="motion",
     page="Export",
     about=(
-        "S6.0-pipeline",
         "export",
         "import",
         "recording",

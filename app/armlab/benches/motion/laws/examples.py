@@ -192,7 +192,7 @@ class ChooseLawExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example loaded."""
-        part = EXAMPLES[self.key].part()
+        part = replace(EXAMPLES[self.key].part(), signs=state[Laws].signs)
         part.check()
         timeline = state[Timeline]
         rewound = replace(timeline, time=0.0, playing=False) if timeline.clip == CLIP_KEY else timeline

@@ -45,6 +45,13 @@ FACTS = Facts(
             "the first law is a triangle of speed", _of_phases(lambda found: found.triangle), kind="truth"
         ),
         "coasting": Fact("how long the first law has a constant speed", _of_phases(lambda found: found.coast), "s"),
+        "undetermined": Fact(
+            "the share of the time at which the intervals of the signs say no acceleration",
+            lambda s: s[Laws].signs.undetermined,
+        ),
+        "signs_end": Fact(
+            "speed and place at the end of the acceleration of signs", lambda s: s[Laws].signs.ends, kind="numbers"
+        ),
         "scaling": Fact("the factor k of the time", lambda s: s[Laws].k),
     },
 )

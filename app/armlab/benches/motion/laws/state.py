@@ -10,6 +10,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 from armlab.benches.motion.laws.bounds import Bounded
+from armlab.benches.motion.laws.signs import Signs
 from armlab.benches.motion.laws.timing import AS_TYPED, QUANTITIES, Entry, Timing, law_of
 from armlab.errors import InputError
 from armlab.kin.motion import Law, free_law_types
@@ -54,6 +55,10 @@ def _bounded(data: Json) -> Bounded:
     return data if isinstance(data, Bounded) else Bounded.from_json(data)
 
 
+def _signs(data: Json) -> Signs:
+    return data if isinstance(data, Signs) else Signs.from_json(data)
+
+
 def _kept(entry: Entry, timing: Timing) -> Entry:
     """Return a saved law without a deceleration above the limit, which earlier versions accepted."""
     down = entry.chosen.options.get("sddot_down")
@@ -80,12 +85,15 @@ class Laws(FieldPart):
         The path and the limits of the calculator.
     bounds_shown : bool
         Whether the calculator is looked at.
+    signs : Signs
+        Intervals of an acceleration of plus and minus one, which stand by themselves.
     example : str
         Key of the loaded example; empty if it has been changed or there is none.
     """
 
     key: ClassVar[str] = "laws"
 
+    leave_example: ClassVar[tuple[str, ...]] = ("example", "signs")
     looks: ClassVar[tuple[str, ...]] = ("bounds_shown",)
 
     entries: tuple[Entry, ...] = own("laws", OPENED, _entries, _written, under="laws")
@@ -94,6 +102,7 @@ class Laws(FieldPart):
     k: float = number("k", "time scaling", 1.0, LEAST_FACTOR, MOST_FACTOR)
     bounded: Bounded = own("bounds on a path", Bounded(), _bounded, Bounded.to_json, under="bounds")
     bounds_shown: bool = flag("whether the bounds are shown", False)
+    signs: Signs = own("intervals of the signs", Signs(), _signs, Signs.to_json, later=True)
     example: str = text("example")
 
     def with_values(self, values: Mapping[str, Any]) -> Self:

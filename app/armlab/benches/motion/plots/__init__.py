@@ -12,7 +12,6 @@ PAGE = Page(
     page="Plots",
     about=(
         "S6.1-space-time",
-        "S6.2-classes",
         "S6.3.2-optimality",
         "S6.3-cartesian",
         "(6.18-6.19)",

@@ -10,6 +10,8 @@ PAGE = Page(
     46,
     tab="motion",
     about=(
+        "S1.3-line-path",
+        "S1.3-rest-to-rest",
         "S6.0-line",
         "S6.0-corner",
         "S6.1-characteristics",

@@ -107,6 +107,18 @@ EXAMPLES: Registry[Example] = Registry(
             _typed("s", "s^2", "s^3"),
         ),
         Example(
+            "line",
+            "A line, from rest to rest⟦ (1.27–1.39)⟧",
+            "ṗ is ṡ times the way from a to b, and p̈ is s̈ times it: at both ends ṡ = 0, so the point rests, and the "
+            "accelerations cancel over the whole time.",
+            {
+                **_through("line", ((0.0, 0.0, 0.0), (1.0, 2.0, 0.0)), "quintic"),
+                "duration": 2.0,
+                "arrows": True,
+                "frame": False,
+            },
+        ),
+        Example(
             "circle",
             "Circle through three points",
             "The circle of curvature is the circle itself, with its centre at (0, 0, 0.5) m and radius √5/2 m.",

@@ -9,6 +9,7 @@ PAGE = Page(
     "BRACKETS",
     25,
     about=(
+        "S3.4-homogeneous",
         "S1.1-direct-kinematics",
         "S1.1-world-frame",
         "S3.1-rotation-matrix",

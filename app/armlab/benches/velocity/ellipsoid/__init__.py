@@ -10,6 +10,10 @@ PAGE = Page(
     38,
     tab="velocity",
     about=(
+        "S5.3-ellipsoid",
+        "S5.3-singular-values",
+        "S5.3-manipulability",
+        "S5.3-2R-plots",
         "5.3",
         "5.4.1",
         "S5.1.4-singularity",

@@ -10,6 +10,7 @@ PAGE = Page(
     37,
     tab="workspace",
     about=(
+        "S4.2-side-view",
         "S4.2-ws1",
         "4.2",
         "workspace",

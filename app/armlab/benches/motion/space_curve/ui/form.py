@@ -25,7 +25,7 @@ from armlab.session.fields import Set
 from armlab.session.state import State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import trimmed
+from armlab.ui.format import mathml, trimmed
 from armlab.ui.html import Markup, joined, tag
 from armlab.ui.option_form import option_form
 from armlab.ui.option_text import Scale
@@ -34,6 +34,9 @@ from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, plain_number, units_of
 
 VIEWS = {"curve": "Curve", "turn": "Orientation"}
+
+LINE = r"p(s)=s\,p_b+(1-s)\,p_a"
+"""Formula of the straight line between two points."""
 
 OVERFLY = (
     "⟦Notes 6.118–6.119 want p̈ = 0 at both ends of the blend; with the constant p̈ of 6.120 it jumps there: "
@@ -72,12 +75,14 @@ def curve_form(form: Form, state: State) -> Markup:
     cell, other = f"length {_turned(part.by_length)}", Set(SpaceCurve, "by_length", not part.by_length)
     by_length = form.chip(cell, "By arc length", other, hint, part.by_length)
     notes = corrected(OVERFLY) if part.curve.key == "overfly" else None
+    formula = tag("div.eq.small", mathml(LINE)) if part.curve.key == "line" else None
     found = state.derived(curve_of)
     told = found.given.remarks_in(units.length_unit, units.factor(False))
     return joined(
         tag("h3", "Curve ", tag("span.copies", by_length)),
         tag("div.kit-head", chooser),
         typed,
+        formula,
         tag("div.options.sc-options", given),
         notes,
         [tag("p.dim", text) for text in told],

@@ -1,0 +1,160 @@
+"""Planar 3R arms of the same r: described by the place of joint 3 and its angle, or by the pose of the tool."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.pose.spaces.state import Spaces
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.ik.solve_all import solve_all
+from armlab.kin.representations import arms_by_third_joint, by_third_joint, third_joint_misfit
+from armlab.kin.task import task_named
+from armlab.kin.transforms import inverse
+from armlab.session.parts.joints import Joints
+from armlab.session.state import Command, State
+
+Floats = NDArray[np.float64]
+
+SAME = 1e-6
+"""Largest difference of joint values, radians up to whole turns, of two arms that are one."""
+
+SYMBOLS = {"joint3": ("p_x", "p_y", "q_3"), "tool": ("p_x", "p_y", "φ")}
+"""Components of r for each description."""
+
+
+class Twins(NamedTuple):
+    """The present arm, and the others that have the same r.
+
+    Attributes
+    ----------
+    r : ndarray, shape (3,)
+        Metres, metres, radians, in frame 0.
+    q : ndarray, shape (n,)
+        Of the present arm.
+    others : ndarray, shape (k, 3)
+        Configurations of the others; none where the present one is stretched or folded.
+    """
+
+    r: Floats
+    q: Floats
+    others: Floats
+
+
+def misfit(state: State) -> str:
+    """Return why the arm cannot be described here; empty if it can."""
+    return third_joint_misfit(state[Joints].arm) or ""
+
+
+@cache
+def suited() -> tuple[str, ...]:
+    """Return the keys of the arms that can be described here."""
+    return tuple(key for key, robot in catalogue().robots.items() if third_joint_misfit(robot.arm) is None)
+
+
+def r_of(arm: Arm, q: Floats, described: str) -> Floats:
+    """Return r of a configuration."""
+    if described == "joint3":
+        return by_third_joint(arm, q)
+    T = inverse(arm.base) @ arm.fk(q)
+    return np.array([T[0, 3], T[1, 3], math.atan2(T[1, 0], T[0, 0])])
+
+
+def arms_of(arm: Arm, r: Floats, described: str) -> Floats:
+    """Return all configurations of this r, shape (k, 3)."""
+    if described == "joint3":
+        return arms_by_third_joint(arm, r)
+    cosine, sine = math.cos(r[2]), math.sin(r[2])
+    T = np.eye(4)
+    T[:2, :2], T[:2, 3] = [[cosine, -sine], [sine, cosine]], r[:2]
+    T[2, 3] = float((inverse(arm.base) @ arm.fk(np.zeros(3)))[2, 3])
+    found = solve_all(replace(arm, task=task_named("xy phi")), arm.base @ T)
+    return np.asarray(found.q, dtype=np.float64)
+
+
+def twins_of(state: State) -> Twins:
+    """Return the present arm and the others of the same r; `InputError` for an arm that cannot be described here."""
+    joints, described = state[Joints], state[Spaces].described
+    why = misfit(state)
+    if why:
+        raise InputError(f"arm: {why}")
+    r = r_of(joints.arm, joints.q, described)
+    every = arms_of(joints.arm, r, described)
+    others = [q for q in every if float(np.abs(_apart(q, joints.q)).max()) > SAME]
+    return Twins(r, np.array(joints.q), np.array(others).reshape(-1, 3))
+
+
+def tools_apart(state: State) -> tuple[float, float] | None:
+    """Return how far the tools of the present arm and of the first other are apart, if there is one.
+
+    Metres, and radians between their directions.
+    """
+    twins, arm = twins_of(state), state[Joints].arm
+    if not len(twins.others):
+        return None
+    one, other = arm.fk(twins.q), arm.fk(twins.others[0])
+    turn = one[:3, :3].T @ other[:3, :3]
+    return float(np.linalg.norm(one[:3, 3] - other[:3, 3])), abs(math.atan2(turn[1, 0], turn[0, 0]))
+
+
+def _apart(one: Floats, other: Floats) -> Floats:
+    return np.asarray((one - other + math.pi) % math.tau - math.pi)
+
+
+@dataclass(frozen=True)
+class SetR(Command):
+    """Set one component of r, and move the arm to the nearest configuration that has it.
+
+    Parameters
+    ----------
+    component : int
+        0 to 2.
+    value : float
+        Metres; radians of the last.
+    """
+
+    component: int
+    value: float
+    label: ClassVar[str] = "component of r"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the arm there."""
+        if self.component not in (0, 1, 2):
+            raise InputError(f"component: expected 0 to 2, got {self.component}")
+        twins, joints, described = twins_of(state), state[Joints], state[Spaces].described
+        r = np.array(twins.r)
+        r[self.component] = self.value
+        if not np.isfinite(r).all():
+            raise InputError(f"r: expected finite numbers, got {r.tolist()}")
+        inside = [q for q in arms_of(joints.arm, r, described) if joints.arm.within_limits(q)]
+        if not inside:
+            raise InputError("No arm has this r: it is out of reach, or outside the limits of the joints.")
+        return _moved(state, min(inside, key=lambda q: float(np.abs(_apart(q, joints.q)).max())))
+
+
+@dataclass(frozen=True)
+class GoToTwin(Command):
+    """Move to the other arm of the same r."""
+
+    label: ClassVar[str] = "other arm of the same r"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the arm there."""
+        others = [q for q in twins_of(state).others if state[Joints].arm.within_limits(q)]
+        if not others:
+            raise InputError("No other arm has this r inside the limits of the joints.")
+        return _moved(state, others[0])
+
+
+def _moved(state: State, q: Floats) -> State:
+    moved = state[Joints].moved_to(q)
+    if float(np.abs(_apart(moved.q, q)).max()) > SAME:
+        raise InputError("A joint that would have to move is held.")
+    return state if moved is state[Joints] else state.replace(moved)

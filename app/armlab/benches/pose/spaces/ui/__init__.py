@@ -1,0 +1,1 @@
+"""The panel of the page Spaces, and its second arm in the scene."""

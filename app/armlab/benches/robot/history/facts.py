@@ -1,0 +1,31 @@
+"""Facts of the page of history that lessons can check."""
+
+from __future__ import annotations
+
+from armlab.benches.robot.history.laws import decide
+from armlab.benches.robot.history.state import History
+from armlab.benches.robot.history.things import THINGS
+from armlab.benches.robot.history.timeline import EVENTS
+from armlab.session.facts import Fact, Facts
+
+FACTS = Facts(
+    __name__,
+    (History,),
+    {
+        "shown": Fact("what is shown of the history", lambda s: s[History].shown, kind="text"),
+        "event": Fact("the key of the entry that is looked at", lambda s: s[History].event, kind="text"),
+        "year": Fact("the year of the entry that is looked at", lambda s: EVENTS[s[History].event].year, kind="count"),
+        "definition": Fact("the key of the definition", lambda s: s[History].definition, kind="text"),
+        "judged": Fact(
+            "the number of things that are judged by the definition", lambda s: len(s[History].judged), kind="count"
+        ),
+        "right": Fact("the number of them that are judged rightly", lambda s: s[History].right, kind="count"),
+        "all_right": Fact(
+            "whether all things are judged rightly", lambda s: s[History].right == len(THINGS), kind="truth"
+        ),
+        "decision": Fact(
+            "what the laws say: act, refrain, free or conflict", lambda s: decide(s[History].holds).kind, kind="text"
+        ),
+        "law": Fact("the law that decides", lambda s: decide(s[History].holds).law, kind="count"),
+    },
+)

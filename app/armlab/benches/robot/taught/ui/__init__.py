@@ -1,0 +1,1 @@
+"""The panel of the page Taught goals, and its points in the scene."""

@@ -1,0 +1,80 @@
+"""The positions of the visits about the goal, drawn larger than they are."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import viser
+
+from armlab.benches.robot.taught.state import TaughtGoal
+from armlab.benches.robot.taught.visits import Visits, visits_of
+from armlab.session.parts.joints import Joints
+from armlab.session.round_numbers import round_below
+from armlab.session.state import State
+from armlab.ui.colours import ORANGE, PURPLE
+from armlab.ui.drawing import LayerCanvas
+from armlab.ui.plugin import Layer, Show
+from armlab.ui.scene._nodes import move, write
+
+DRAWN = 0.16
+"""Distance of the farthest position from the goal in the scene, in sizes of the arm."""
+
+DOT, BALL = 0.005, 0.011
+"""Size of a position, and radius of the ball at the goal, in sizes of the arm."""
+
+
+def factor_of(visits: Visits, size: float) -> float:
+    """Return how many times as large deviations are drawn: a round number; 1 where there are none."""
+    farthest = float(np.linalg.norm(visits.points - visits.goal, axis=1).max())
+    return max(round_below(DRAWN * size / farthest), 1.0) if farthest > 0.0 else 1.0
+
+
+class Cloud:
+    """The goal, the positions about it, and how much larger these are drawn."""
+
+    def __init__(self, canvas: LayerCanvas) -> None:
+        self._canvas = canvas
+        path, scene = canvas.path("taught_goal"), canvas.scene
+        self._ball = scene.add_icosphere(
+            f"{path}_goal", BALL * canvas.size, PURPLE, cast_shadow=False, receive_shadow=False
+        )
+        self._label: viser.LabelHandle = scene.add_label(
+            f"{path}_label", "", font_screen_scale=0.9, anchor="bottom-center"
+        )
+        self._points: Any = None
+        self._drawn: Visits | None = None
+
+    def show(self, state: State) -> None:
+        """Show the visits of a state."""
+        visits = visits_of(state)
+        if visits is self._drawn:
+            return
+        self._drawn = visits
+        factor = factor_of(visits, self._canvas.size)
+        move(self._ball, visits.goal)
+        move(self._label, visits.goal + np.array([0.0, 0.0, 0.7 * DRAWN * self._canvas.size]))
+        write(self._label, f"deviations {factor:g} times as large")
+        points = (visits.goal + factor * (visits.points - visits.goal)).astype(np.float32)
+        if self._points is None or len(self._points.points) != len(points):
+            if self._points is not None:
+                self._points.remove()
+            self._points = self._canvas.scene.add_point_cloud(
+                self._canvas.path("taught_goal_points"),
+                points,
+                ORANGE,
+                point_size=DOT * self._canvas.size,
+                point_shape="circle",
+                precision="float32",
+            )
+        else:
+            self._points.points = points
+
+
+def build(canvas: LayerCanvas, state: State) -> Show:
+    """Draw the positions."""
+    del state
+    return Cloud(canvas).show
+
+
+LAYER = Layer("taught_goal", order=73, watches=(TaughtGoal, Joints), build=build, panel="taught_goal")

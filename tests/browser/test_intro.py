@@ -1,0 +1,67 @@
+"""The pages of the first chapter in a browser: history, market and spaces."""
+
+import pytest
+
+from armlab.benches.robot.history.ui.timeline import WIDE, spots
+
+pytestmark = pytest.mark.browser
+
+
+def arm_name(lab):
+    return lab.page.locator(".al-top .arm-name b").inner_text()
+
+
+def test_history_opens_a_model_judges_answers_and_the_market_computes(visit):
+    lab = visit(size=(1024, 850))
+    lab.open_tab("history")
+    _a_point_leads_to_a_model_and_one_undo_brings_the_arm_back(lab)
+    lab.press("shown things")
+    lab.press("no gantry")
+    lab.until(lambda: "1 of 13 judged, 1 rightly" in lab.page.content())
+    assert "lacks three or more programmable axes" in lab.page.locator(".hi-why").inner_text()
+    lab.open_tab("market")
+    lab.press("compute end")
+    lab.type_into("years", "3")
+    lab.type_into("rate", "100")
+    end = lab.page.locator('input[data-cell="end"]')
+    lab.until(lambda: end.input_value() == "24000")
+    lab.type_into("years", "soon")
+    lab.until(lambda: "years: expected a number" in lab.page.content())
+    assert end.input_value() == "24000"
+
+
+def _a_point_leads_to_a_model_and_one_undo_brings_the_arm_back(lab):
+    places, _, _ = spots()
+    spot = next(each for each in places if each.event.key == "irb6")
+    box = lab.page.locator("svg.hi-time").bounding_box()
+    scale = box["width"] / WIDE
+    lab.page.mouse.click(box["x"] + scale * spot.x, box["y"] + scale * spot.y)
+    lab.until(lambda: "1973: ASEA IRB-6" in lab.page.locator(".hi-card").inner_text())
+    lab.press("event unimate")
+    lab.press("model unimate")
+    lab.until(lambda: arm_name(lab) == "Unimate type 5R1P")
+    lab.page.keyboard.press("Control+z")
+    lab.until(lambda: arm_name(lab) == "PUMA 560")
+
+
+def test_the_end_of_the_stick_is_dragged_off_its_circle_and_the_arm_goes_to_the_other_one(visit):
+    lab = visit(size=(1024, 850))
+    lab.open_tab("spaces")
+    lab.press("shown stick")
+    chart = lab.page.locator("svg.sp-picture")
+    box, bob = chart.bounding_box(), chart.locator(".sp-bob").bounding_box()
+    lab.page.mouse.move(bob["x"] + 0.5 * bob["width"], bob["y"] + 0.5 * bob["height"])
+    lab.page.mouse.down()
+    for share in (0.75, 0.85, 0.9):
+        lab.page.mouse.move(box["x"] + share * box["width"], box["y"] + 0.9 * box["height"])
+        lab.frames(2)
+    lab.page.mouse.up()
+    lab.until(lambda: "No configuration" in lab.page.content())
+    lab.press("nearest")
+    lab.until(lambda: "No configuration" not in lab.page.content())
+    lab.page.locator('select[data-cell="example"]:visible').first.select_option("two_arms")
+    lab.until(lambda: "Two arms, two tools" in lab.page.content())
+    lab.until(lambda: any("/spaces/" in name for name in lab.nodes()))
+    before = lab.page.locator("table.sp-arms").inner_text()
+    lab.press("twin")
+    lab.until(lambda: lab.page.locator("table.sp-arms").inner_text() != before)

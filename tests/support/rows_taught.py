@@ -1,0 +1,176 @@
+"""The inventory of the course as a table: what computes a row, the page that shows it, and the lesson that teaches it.
+
+``python -m support.rows_taught`` in the folder of the tests prints it.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import importlib
+import re
+import tomllib
+from dataclasses import dataclass
+from functools import cache
+from html import unescape
+from pathlib import Path
+from typing import Any
+
+from armlab.content.citations import functions
+from armlab.content.lessons import lessons
+from armlab.content.robots import catalogue
+from armlab.content.rows import rows
+from armlab.session.bench import PutInPlace, robot_of
+from armlab.session.pages import pages
+from support.bare_gui import BareGui, BarePage, content
+
+FILE = Path(__file__).resolve().parents[1] / "data/rows_taught.toml"
+
+ARM = "planar_2r"
+"""Arm of a page for which no example brings another."""
+
+_MARKUP = re.compile(r"<(style|select)\b.*?</\1>|<[^>]+>", re.S)
+
+
+@dataclass(frozen=True)
+class Taught:
+    """One row of the table.
+
+    Attributes
+    ----------
+    row : str
+    core : tuple of str
+        Functions of `armlab.kin` that cite it by number, or else what the file names.
+    pages : tuple of str
+        Keys of the pages that claim it.
+    shown : tuple of str
+        Page, example (or only an arm) and text that is seen there; empty where the file names none.
+    lessons : tuple of str
+        Keys of the lessons that claim it.
+    step : tuple of str
+        Lesson and title of the step; empty where the file names none.
+    """
+
+    row: str
+    core: tuple[str, ...]
+    pages: tuple[str, ...]
+    shown: tuple[str, ...]
+    lessons: tuple[str, ...]
+    step: tuple[str, ...]
+
+    @property
+    def lacks(self) -> tuple[str, ...]:
+        """Some of ``core``, ``page``, ``lesson``: what the row does not have."""
+        found = {"core": self.core, "page": self.pages, "lesson": self.step}
+        return tuple(name for name, there in found.items() if not there)
+
+
+@cache
+def named() -> dict[str, dict[str, Any]]:
+    """Return the file: lesson and step, core, and what is seen, by row."""
+    return tomllib.loads(FILE.read_text(encoding="utf-8"))
+
+
+@cache
+def table() -> dict[str, Taught]:
+    """Return the table, a row for each of the inventory, in the order of the notes."""
+    file = named()
+    found = {}
+    for row in rows().values():
+        cited = tuple(one.name for one in functions() if any(map(row.cites, one.cites.references)))
+        core = cited or ((file["core"][row.id],) if row.id in file["core"] else ())
+        found[row.id] = Taught(
+            row.id,
+            core,
+            tuple(key for key, page in pages().items() if row.id in page.about),
+            tuple(file["shown"].get(row.id, ())),
+            tuple(key for key, lesson in lessons().lessons.items() if row.id in lesson.teaches),
+            tuple(file["taught"].get(row.id, ())),
+        )
+    return found
+
+
+def exists(name: str) -> bool:
+    """Return whether there is a thing of this name: a robot file, a module, or a member of one."""
+    if name.startswith("robots/"):
+        return name.removeprefix("robots/") in catalogue().robots
+    try:
+        importlib.import_module(name)
+    except ImportError:
+        above, _, member = name.rpartition(".")
+        return bool(above) and (_member(above, member) or _member(*above.rpartition(".")[::2], member))
+    return True
+
+
+def _member(module: str, *names: str) -> bool:
+    try:
+        thing: Any = importlib.import_module(module)
+    except ImportError:
+        return False
+    for name in names:
+        if not hasattr(thing, name):
+            return False
+        thing = getattr(thing, name)
+    return True
+
+
+class SpokenGui(BareGui):
+    """A page whose texts can be read, in forms and outside of them."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.texts: list[Any] = []
+
+    def html(self, *inside: Any) -> Any:
+        """Keep the element."""
+        self.texts.append(super().html(*inside))
+        return self.texts[-1]
+
+
+class SpokenPage(BarePage):
+    """A page that is read as a whole."""
+
+    makes = SpokenGui
+
+    @property
+    def text(self) -> str:
+        """All that it says, without markup, with single blanks."""
+        gui: Any = self._gui
+        parts = [content(fields) for fields in gui.has]
+        parts += [str(each.handle._impl.props.content) for each in gui.texts]
+        plain = unescape(_MARKUP.sub(" ", " ".join(_filled(part) for part in parts)))
+        return re.sub(r"\s+", " ", plain)
+
+
+def _filled(markup: str) -> str:
+    """Return markup with what stands in its fields as text."""
+    return re.sub(r'<input[^>]*\bvalue="([^"]*)"[^>]*>', r" \1 ", markup)
+
+
+@cache
+def seen(page: str, example: str) -> str:
+    """Return the text of a page with an example in place, or else with the arm that is named instead of one.
+
+    What may be chosen from a list does not count: the names of all examples are there, whichever is in place.
+    """
+    return asyncio.run(_seen(page, example))
+
+
+async def _seen(page: str, example: str) -> str:
+    robot = (robot_of(example) if "/" in example else example) or ARM
+    opened = SpokenPage(page, catalogue()[robot])
+    if "/" in example:
+        opened.session.apply(PutInPlace(example), 1.0)
+        opened.show()
+    return opened.text
+
+
+def main() -> None:
+    """Print the table."""
+    print("| row | core | page: what is seen | lesson: step |\n| --- | --- | --- | --- |")
+    for each in table().values():
+        page = f"{each.shown[0]}: {each.shown[2]}".replace("|", r"\|") if each.shown else ", ".join(each.pages)
+        print(f"| {each.row} | {', '.join(each.core[:2])} | {page} | {': '.join(each.step)} |")
+
+
+if __name__ == "__main__":
+    main()
