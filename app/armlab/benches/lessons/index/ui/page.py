@@ -22,7 +22,9 @@ from armlab.ui.plugin import Panel, Show
 from armlab.ui.search.markup import search_button
 from armlab.ui.widgets import Gui
 
-NOTES = "“The notes” are those of the course Robotics 1. No lesson needs them; the page Errata has what they print wrongly"
+NOTES = (
+    "“The notes” are those of the course Robotics 1. No lesson needs them; the page Errata has what they print wrongly"
+)
 PRINTED = "course"
 """Address of the course as a page to print."""
 
