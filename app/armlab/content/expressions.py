@@ -6,10 +6,12 @@ import math
 import re
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
-from typing import NoReturn
+from typing import NoReturn, Protocol, TypeVar
 
 from armlab.content.symbols import plain_symbols
 from armlab.errors import InputError, suggestion
+
+T = TypeVar("T")
 
 LONGEST = 600
 """Longest expression, in characters."""
@@ -42,6 +44,20 @@ FUNCTIONS: dict[str, tuple[Callable[..., float], int, int]] = {
 }
 """Functions by name, with the least and largest number of arguments. Angles are in radians; rad converts degrees."""
 
+MORE_FUNCTIONS: dict[str, tuple[Callable[..., float], int, int]] = {
+    "sec": (lambda x: 1.0 / math.cos(x), 1, 1),
+    "csc": (lambda x: 1.0 / math.sin(x), 1, 1),
+    "cot": (lambda x: math.cos(x) / math.sin(x), 1, 1),
+    "sinh": (math.sinh, 1, 1),
+    "cosh": (math.cosh, 1, 1),
+    "tanh": (math.tanh, 1, 1),
+    "arg": (lambda x: math.atan2(0.0, x), 1, 1),
+    "conj": (lambda x: x, 1, 1),
+    "re": (lambda x: x, 1, 1),
+    "im": (lambda x: 0.0, 1, 1),
+}
+"""Functions that `parse` takes where they are named, likewise; what they are of complex numbers is in `identity`."""
+
 RESERVED = frozenset({*FUNCTIONS, "pi"})
 """Names that no variable may have."""
 
@@ -65,11 +81,27 @@ _OPERATIONS: dict[str, Callable[..., float]] = {
     "sin of degrees": lambda a: math.sin(math.radians(a)),
     "cos of degrees": lambda a: math.cos(math.radians(a)),
     "tan of degrees": lambda a: math.tan(math.radians(a)),
-    **{name: function for name, (function, _, _) in FUNCTIONS.items()},
+    **{name: function for name, (function, _, _) in (FUNCTIONS | MORE_FUNCTIONS).items()},
 }
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d]\w*)|(?P<sign>\*\*|[-+*/^(),°]))"
 )
+
+
+class Fold(Protocol[T]):
+    """What is made of the parts of a formula, from its innermost ones outwards; see `Expression.folded`."""
+
+    def number(self, value: float) -> T:
+        """Return what is made of a number."""
+        ...
+
+    def name(self, name: str) -> T:
+        """Return what is made of a variable."""
+        ...
+
+    def operation(self, operation: str, arguments: list[T]) -> T:
+        """Return what is made of an operation, ``+ - * / ^ minus`` or the name of a function, on its arguments."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -90,6 +122,11 @@ class _Node:
                 raise InputError(f"no value for {self.name!r}{suggestion(self.name, values)}")
             return float(values[self.name])
         return self.number
+
+    def folded(self, fold: Fold[T]) -> T:
+        if self.operation:
+            return fold.operation(self.operation, [node.folded(fold) for node in self.arguments])
+        return fold.name(self.name) if self.name else fold.number(self.number)
 
     def with_functions(self, others: Mapping[str, str]) -> _Node:
         if not self.operation:
@@ -137,6 +174,10 @@ class Expression:
             raise InputError(f"{self._cut}: the result is not finite")
         return found
 
+    def folded(self, fold: Fold[T]) -> T:
+        """Return what a fold makes of the formula, such as its values at many points, or how it is printed."""
+        return self._root.folded(fold)
+
     def with_functions(self, others: Mapping[str, str]) -> Expression:
         """Return the formula with some functions in place of others, such as ``{"sin": "cos", "cos": "sin"}``."""
         return replace(self, _root=self._root.with_functions(others))
@@ -158,7 +199,7 @@ def parse(text: str, names: Collection[str] = (), functions: Collection[str] = t
     names : collection of str
         The variables that may stand in it.
     functions : collection of str
-        Those of `FUNCTIONS` that are allowed.
+        Those of `FUNCTIONS` and `MORE_FUNCTIONS` that are allowed.
 
     Raises
     ------
@@ -336,7 +377,7 @@ class _Reader:
             self._take()
             arguments.append(self._deeper(self.sum))
         self._close()
-        _, fewest, most = FUNCTIONS[function]
+        _, fewest, most = (FUNCTIONS | MORE_FUNCTIONS)[function]
         if not fewest <= len(arguments) <= most:
             expected = f"{fewest}" if fewest == most else f"{fewest} to {most}"
             raise InputError(f"{function} takes {expected} values in its brackets, got {len(arguments)}")
