@@ -92,8 +92,6 @@ def _function(name: str, inside: list[str]) -> _Printed:
     if name == "conj":
         return _Printed(rf"\overline{{{inside[0]}}}", _ATOM)
     if name == "rad":
-        return _Printed(
-            rf"{inside[0]}°" if inside[0].replace(".", "").isdigit() else f"({inside[0]})°", _ATOM
-        )
+        return _Printed(rf"{inside[0]}°" if inside[0].replace(".", "").isdigit() else f"({inside[0]})°", _ATOM)
     shown = rf"\{name}" if name in _OWN else rf"\mathrm{{{name}}}"
     return _Printed(f"{shown}{_bracketed(','.join(inside))}", _ATOM)

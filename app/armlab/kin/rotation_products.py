@@ -33,6 +33,9 @@ Style = Literal["text", "latex", "short"]
 
 _OF = re.compile(r"\\(s)in\(\\(\w+)\)|\\(c)os\(\\(\w+)\)")
 
+_BETWEEN = re.compile(r"(?<=\w) (?=[cs]_)")
+"""Space between two factors."""
+
 Matrix = list[list[Number]]
 
 
@@ -46,7 +49,7 @@ def product_entries(axes: str, style: Style = "short") -> tuple[tuple[str, ...],
         One of `PRODUCTS`.
     style : "text", "latex" or "short"
         ``sin(alpha)*cos(beta)`` evaluates in Python; in LaTeX it is ``\sin(\alpha) \cos(\beta)`` or, as the notes
-        write it, ``s_\alpha c_\beta``.
+        write it, ``s_\alpha\,c_\beta``.
 
     Raises
     ------
@@ -58,7 +61,7 @@ def product_entries(axes: str, style: Style = "short") -> tuple[tuple[str, ...],
     >>> product_entries("zx", "text")[0]
     ('cos(alpha)', '-sin(alpha)*cos(beta)', 'sin(alpha)*sin(beta)')
     >>> print(product_entries("zxz")[1][0])
-    s_\alpha c_\gamma + c_\alpha c_\beta s_\gamma
+    s_\alpha\,c_\gamma + c_\alpha\,c_\beta\,s_\gamma
     """
     graph, entries = _product(axes)
     show = Printer(graph, "text" if style == "text" else "latex")
@@ -95,7 +98,8 @@ def _elementary(axis: str, c: Number, s: Number) -> Matrix:
 
 
 def _shortened(latex: str) -> str:
-    return _OF.sub(lambda found: rf"{found[1] or found[3]}_\{found[2] or found[4]}", latex)
+    short = _OF.sub(lambda found: rf"{found[1] or found[3]}_\{found[2] or found[4]}", latex)
+    return _BETWEEN.sub(r"\\,", short)
 
 
 def _known(axes: str) -> str:
