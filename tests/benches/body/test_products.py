@@ -1,4 +1,4 @@
-"""Products in symbols: the matrix of formulas, typed entries and those that are misprinted, copies, facts, bad input."""
+"""Products in symbols: the matrix of formulas, typed entries and misprinted ones, copies, facts, bad input."""
 
 import json
 import math

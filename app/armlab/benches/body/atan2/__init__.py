@@ -7,7 +7,7 @@ PAGE = Page(
     "atan2",
     "atan2",
     "ANGLE",
-    36,
+    30,
     tab="body",
     about=(
         "S3.1-atan2",

@@ -7,7 +7,7 @@ PAGE = Page(
     "axis",
     "Axis & angle",
     "ROTATE_360",
-    31,
+    34,
     tab="body",
     about=(
         "S3.2-axis-angle",

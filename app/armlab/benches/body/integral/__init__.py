@@ -7,8 +7,9 @@ PAGE = Page(
     "integral",
     "Integral of ω",
     "MATH_INTEGRAL",
-    34,
+    37,
     tab="body",
+    page="Integral",
     about=(
         "S5.1-omega-integral",
         "5.1",

@@ -7,7 +7,7 @@ PAGE = Page(
     "order",
     "Order of rotations",
     "ARROWS_EXCHANGE",
-    31,
+    33,
     tab="body",
     page="Order",
     about=(

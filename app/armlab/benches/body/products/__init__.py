@@ -7,7 +7,7 @@ PAGE = Page(
     "products",
     "Products in symbols",
     "MATH_SYMBOLS",
-    31,
+    32,
     tab="body",
     page="Products",
     about=(

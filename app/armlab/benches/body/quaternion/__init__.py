@@ -7,7 +7,7 @@ PAGE = Page(
     "quaternion",
     "Quaternions",
     "INFINITY",
-    32,
+    36,
     tab="body",
     about=(
         "S3.2.3-quaternion",

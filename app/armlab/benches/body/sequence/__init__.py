@@ -7,8 +7,9 @@ PAGE = Page(
     "sequence",
     "Euler & RPY angles",
     "ARROWS_CROSS",
-    30,
+    31,
     tab="body",
+    page="Euler & RPY",
     about=(
         "S3.3.1-euler12",
         "S3.3.1-zxz",

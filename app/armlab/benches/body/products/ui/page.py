@@ -68,7 +68,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 def _head(form: Form, state: State) -> Markup:
     axes = state[Products].axes
     chooser = form.select_in_groups("axes", "Axes of the product", GROUPS, axes, ChooseProduct)
-    take = form.chip("body", "angles of the body", TakeBodyAngles(), "Sequence and angles of the page Forms")
+    take = form.chip("take body", "angles of the body", TakeBodyAngles(), "Sequence and angles of the page Forms")
     return tag("div.kit-head", tag("span.dim", "Axes"), chooser, take)
 
 
