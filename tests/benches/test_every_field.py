@@ -53,9 +53,12 @@ PERHAPS = {
 TEXTS = {
     "author title",
     "control name",
+    "identities left",
+    "identities right",
     "lessons lesson-load",
     "motion_files read-motion",
     "newton_1d f",
+    "products typed",
     "robot name",
     "table load",
     "table name",

@@ -142,7 +142,7 @@ def test_it_is_written_down_and_read_back():
     [
         (TypeEntry("cos(x)"), "formula: expected alpha, beta, gamma and no other variables, got x"),
         (TypeEntry("cos α"), "formula: expected a bracket after cos"),
-        (TypeEntry("9^9^9"), "a power of"),
+        (TypeEntry("9^9^9"), "formula: a power of"),
         (TypeEntry("x" * 10**6), "typed"),
         (TypeEntry("(" * 100), "nested too deep|breaks off"),
         (SelectEntry(4, 1), "row"),

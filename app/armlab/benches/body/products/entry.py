@@ -44,4 +44,7 @@ def compared(axes: str, row: int, column: int, text: str) -> Comparison:
     others = sorted(formula.names - {*angles, "e", "i"})
     if others:
         raise InputError(f"formula: expected {', '.join(angles)} and no other variables, got {', '.join(others)}")
-    return compare(formula, read_formula(product_entries(axes, "text")[row - 1][column - 1]), {})
+    try:
+        return compare(formula, read_formula(product_entries(axes, "text")[row - 1][column - 1]), {})
+    except InputError as error:
+        raise InputError(f"formula: {error}") from None

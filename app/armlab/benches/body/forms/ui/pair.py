@@ -64,8 +64,9 @@ class Pair:
     def visible(self, on: bool) -> None:
         """Show or hide both bodies, with what belongs to them."""
         self._on = on
-        for part in (*self._bases, *self._blocks):
-            part.visible(on)
+        for base, block in zip(self._bases, self._blocks, strict=True):
+            base.visible(on)
+            block.visible(on)
 
     def show(self, state: State, bodies: tuple[Shown, Shown]) -> None:
         """Show both bodies, unless they are hidden."""
