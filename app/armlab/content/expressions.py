@@ -6,8 +6,9 @@ import math
 import re
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
-from typing import NoReturn, Protocol, TypeVar
+from typing import NoReturn, TypeVar
 
+from armlab.content.fold import Fold
 from armlab.content.symbols import plain_symbols
 from armlab.errors import InputError, suggestion
 
@@ -86,22 +87,6 @@ _OPERATIONS: dict[str, Callable[..., float]] = {
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d]\w*)|(?P<sign>\*\*|[-+*/^(),°]))"
 )
-
-
-class Fold(Protocol[T]):
-    """What is made of the parts of a formula, from its innermost ones outwards; see `Expression.folded`."""
-
-    def number(self, value: float) -> T:
-        """Return what is made of a number."""
-        ...
-
-    def name(self, name: str) -> T:
-        """Return what is made of a variable."""
-        ...
-
-    def operation(self, operation: str, arguments: list[T]) -> T:
-        """Return what is made of an operation, ``+ - * / ^ minus`` or the name of a function, on its arguments."""
-        ...
 
 
 @dataclass(frozen=True)

@@ -129,7 +129,7 @@ def usual_kind(name: str) -> str:
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """What two formulas are at the points at which both have a value.
+    """Values of two formulas at the points at which both have one.
 
     Attributes
     ----------

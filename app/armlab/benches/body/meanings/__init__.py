@@ -1,4 +1,4 @@
-"""The page Three meanings of the lab."""
+"""The page Meanings of the lab."""
 
 from armlab.page import Page
 

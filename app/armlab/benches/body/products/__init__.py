@@ -23,6 +23,6 @@ PAGE = Page(
     ),
     exports=(
         Export("copy LaTeX", "Product of rotations as LaTeX", ("symbolic", "equations")),
-        Export("copy Python", "Product of rotations as Python", ("symbolic", "code", "program")),
+        Export("copy Python", "Product of rotations as a function", ("symbolic", "code", "program")),
     ),
 )

@@ -1,6 +1,6 @@
 """The page Quaternions of the lab."""
 
-from armlab.page import Page
+from armlab.page import Export, Page
 
 PAGE = Page(
     __name__,
@@ -24,5 +24,8 @@ PAGE = Page(
         "logarithm of a quaternion",
         "quaternion of a matrix",
         "shepperd",
+    ),
+    exports=(
+        Export("csv", "Speed between two orientations as CSV", ("slerp", "curves", "table"), "Choose the view Slerp"),
     ),
 )

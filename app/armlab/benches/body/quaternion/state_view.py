@@ -1,4 +1,4 @@
-"""What is shown of quaternions, and the way from one orientation to another."""
+"""Choices of the page of quaternions: the view, and the way from one orientation to another."""
 
 from __future__ import annotations
 

@@ -218,7 +218,7 @@ WRONG: list[Identity] = [
 ]
 """Equations that look right, and are not."""
 
-EXAMPLES = Registry("identity", (*RIGHT, *WRONG))
+EXAMPLES = Registry("example", (*RIGHT, *WRONG))
 
 
 def groups() -> dict[str, dict[str, str]]:
