@@ -71,8 +71,7 @@ def test_the_algebra_is_that_of_the_body():
     ],
 )
 def test_the_methods_that_fail_are_named(key, told, wrong):
-    _, axis, angle = TURNS[key]
-    state = view("matrix", SetWholeAxis(axis), SetBodyTurn(angle))
+    state = view("matrix", *TURNS[key][1])
     found = found_of(state)
     assert {name for name, each in found.items() if each.off > 1e-9} == wrong
     assert found["largest"].off < 1e-15

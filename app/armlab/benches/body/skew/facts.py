@@ -68,6 +68,7 @@ FACTS = Facts(
         "sum": Fact("the sum of the dyads of each column with itself", lambda s: sum_of(s).ravel(), kind="numbers"),
         "swapped": Fact("the largest difference of an entry of AᵀA from the sum of the dyads", swapped),
         "orthonormal": Fact("whether the columns are perpendicular and of length 1", orthonormal, kind="truth"),
+        "dyad_mixed": Fact("whether its columns are two", lambda s: s[Skew].first != s[Skew].second, kind="truth"),
         "first": Fact("the first column of the dyad that is looked at", lambda s: s[Skew].first, kind="count"),
         "second": Fact("the second column of the dyad that is looked at", lambda s: s[Skew].second, kind="count"),
     },

@@ -9,7 +9,7 @@ import numpy as np
 
 from armlab.benches.body.forms.commands import SetBodyTurn, SetWholeAxis, SetWholeQuaternion
 from armlab.benches.body.forms.stage import around, around_both
-from armlab.benches.body.forms.state import Body, Four, Triple
+from armlab.benches.body.forms.state import Body, Four
 from armlab.benches.body.forms.ui.numbers import axis_markup, quaternion_markup
 from armlab.benches.body.forms.ui.page import HIDES
 from armlab.benches.body.quaternion.between import film_share
@@ -42,12 +42,12 @@ PRODUCT = (
 )
 """The product of p = (eta_1, epsilon_1) and q = (eta_2, epsilon_2), which would be too wide for one line."""
 
-TURNS: dict[str, tuple[str, Triple, float]] = {
-    "third": ("120° about (1,1,1)", (1.0, 1.0, 1.0), 2.0 * math.pi / 3.0),
-    "half": ("180° about (1,2,2)", (1.0, 2.0, 2.0), math.pi),
-    "nearly": ("nearly 180°", (1.0, 2.0, 2.0), math.pi - 1e-8),
+TURNS: dict[str, tuple[str, tuple[Command, ...]]] = {
+    "third": ("120° about (1,1,1)", (SetWholeAxis((1.0, 1.0, 1.0)), SetBodyTurn(2.0 * math.pi / 3.0))),
+    "half": ("180° about (1,2,2)", (SetWholeQuaternion((0.0, 1.0, 2.0, 2.0)),)),
+    "nearly": ("nearly 180°", (SetWholeAxis((1.0, 2.0, 2.0)), SetBodyTurn(math.pi - 1e-8))),
 }
-"""Rotations to begin with, by key: title, axis and angle."""
+"""Rotations to begin with, by key: title and commands; half a turn has a matrix that is symmetric to the last digit."""
 
 ENDS: dict[str, tuple[str, Four, Four]] = {
     "wander": ("wandering", (0.242, -0.664, 0.123, 0.696), (-0.414, -0.61, -0.291, 0.61)),
@@ -96,10 +96,7 @@ def _algebra(form: Form, state: State) -> Inside:
 
 def _from_matrix(form: Form, state: State) -> Inside:
     """Return rotations to begin with, axis and angle, and the quaternion of R by three methods."""
-    chips = [
-        form.chip(f"turn {key}", title, (SetWholeAxis(axis), SetBodyTurn(angle)))
-        for key, (title, axis, angle) in TURNS.items()
-    ]
+    chips = [form.chip(f"turn {key}", title, commands) for key, (title, commands) in TURNS.items()]
     return tag("div.cases", chips), axis_markup(form, state), from_matrix_markup(state)
 
 
