@@ -9,7 +9,7 @@ import pytest
 
 import armlab.kin
 
-PACKAGES = ["control", "ik", "motion", "velocity", "workspace"]
+PACKAGES = ["control", "drive", "ik", "motion", "velocity", "workspace"]
 
 
 @pytest.mark.parametrize("package", PACKAGES)

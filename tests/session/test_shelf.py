@@ -30,6 +30,7 @@ from armlab.session.parts.shelf import (
 from armlab.session.parts.target import PlaceTarget, Target
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.session import Session, StartFresh, Undo
+from armlab.session.state import State
 from support.trips import SCARA, UR10, applied, reloaded, same, written
 
 PUMA, PLANAR = catalogue()["puma560"], catalogue()["planar_2r"]
@@ -240,7 +241,8 @@ def test_what_waits_does_not_pile_up(lesson):
     for parked in lesson.state[Shelf].parked.values():
         assert parked[Shelf] == Shelf()
         assert not parked[LessonPart].progress_of
-    assert len(json.dumps(lesson.state.to_json())) < 14_000
+    fresh = State.initial(PLANAR).to_json()
+    assert len(json.dumps(lesson.state.to_json())) < 2.2 * len(json.dumps(fresh))
 
 
 @pytest.mark.parametrize(

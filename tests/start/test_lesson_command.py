@@ -295,6 +295,62 @@ def test_a_lesson_with_the_name_of_another_says_so(typed, place):
     assert "there is another lesson 'first_arm'" in out
 
 
+def test_what_a_lesson_needs_has_to_exist_and_not_to_need_it(typed, place):
+    for key, needed in (("v", '["t", "firts_arm"]'), ("t", '["v"]')):
+        path = place / "mine" / f"{key}.md"
+        path.write_text(path.read_text(encoding="utf-8").replace("teaches", f"after = {needed}\nteaches", 1))
+    status, out, _ = typed("lesson", "check", "mine/v.md")
+    file = Path("mine") / "v.md"
+    assert (status, out.splitlines()) == (
+        1,
+        [
+            f"{file}:4: after: unknown lesson 'firts_arm'; did you mean 'first_arm'? Available: first_arm, t, v",
+            f"{file}:4: after: a circle: 'v' needs 't', which needs 'v'; nobody could begin, so take one of these away",
+        ],
+    )
+    assert f"{Path('mine') / 't.md'}:4: after: a circle: 't' needs 'v'" in typed("lesson", "check", "mine")[1]
+
+
+COURSE = """title = "Mine"
+[[chapters]]
+title = "One"
+lessons = [
+    "first_arm",
+    {lessons},
+]
+"""
+
+
+@pytest.mark.parametrize(
+    ("lessons", "line", "says"),
+    [
+        ('"v"', 0, ""),
+        ('"v",\n    "vv"', 7, "chapters[1].lessons[3]: unknown lesson 'vv'; did you mean 'v'?"),
+        (
+            '"v",\n    "v"',
+            7,
+            "chapters[1].lessons[3]: the lesson 'v' is in the course already, at chapters[1].lessons[2]",
+        ),
+        ("v", 6, "not valid TOML"),
+    ],
+)
+def test_a_course_is_checked_with_its_folder(typed, place, lessons, line, says):
+    (place / "mine" / "t.md").unlink()
+    (place / "mine" / "course.toml").write_text(COURSE.format(lessons=lessons), encoding="utf-8")
+    for arguments in (("mine",), ("--lessons", "mine", "--variants", "0")):
+        status, out, _ = typed("lesson", "check", *arguments)
+        told = [each for each in out.splitlines() if "no problems" not in each]
+        assert (status, len(told)) == (1, 1) if says else (0, 0), out
+        assert all(each.startswith(f"{Path('mine') / 'course.toml'}:{line}: {says}") for each in told)
+    assert typed("lesson", "check", "first_arm")[0] == 0, "whoever asks for one lesson hears of no other folder"
+
+
+def test_a_new_lesson_says_what_it_needs_and_how_long_it_takes(typed, place):
+    typed("lesson", "new", "mine_too", "--to", "mine")
+    (found,) = Place().some("mine/mine_too.md")
+    assert (found.lesson().after, found.lesson().minutes, len(found.lesson().can)) == ((), 5, 1)
+
+
 @pytest.mark.parametrize("count", ["-1", "9999999"])
 def test_the_number_of_variants_is_bounded(typed, count):
     status, _, err = typed("lesson", "check", "first_arm", "--variants", count)

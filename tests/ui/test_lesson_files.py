@@ -91,8 +91,8 @@ def test_a_broken_edit_keeps_the_last_good_lesson_and_is_listed(taught):
         browser = await in_lesson(url, "mine")
         write(folder, mine=lesson(TWO).replace('kind = "number"', 'kind = "<b>nunber"'))
         await browser.open("lessons")
-        await browser.until(lambda: "mine.md" in piece(browser, "broken lesson file"))
-        listed = piece(browser, "broken lesson file")
+        await browser.until(lambda: "mine.md" in piece(browser, "mistake in lesson files"))
+        listed = piece(browser, "mistake in lesson files")
         assert "&lt;b&gt;nunber" in listed
         assert "<b>nunber" not in listed
         assert 'data-cell="lesson:mine"' in listed  # the last good one is still there

@@ -262,7 +262,7 @@ def test_a_sandbox_of_ones_own_leaves_the_lesson_as_it_is(url):
         await browser.press("lesson-sandbox")
         await browser.until(lambda: "Your sandbox" in browser.html())
         await browser.until(lambda: "lesson-head" not in browser.html())
-        assert "‹ Back to Where is the hand?" in piece(browser, "Your sandbox")
+        assert "‹ Back to Your first arm" in piece(browser, "Your sandbox")
         await browser.press("zero")
         await browser.until(lambda: browser.slider(2)["value"] == 0.0)
         await browser.press("home")

@@ -1,7 +1,8 @@
-"""The page of the lessons: the list, and the way to the search."""
+"""The page of the lessons: the map, and the way to the search."""
 
 import re
 
+from armlab.content.lessons import lessons
 from support.own_lessons import piece
 from support.student import run, student
 
@@ -18,7 +19,8 @@ def test_lessons_stand_by_chapter_with_their_arm_and_how_far_one_is(url):
         browser = await at_lessons(url)
         found = piece(browser, 'data-cell="lesson:first_arm"')
         chapters = re.findall(r"<details[^>]*>", found)
-        assert 'data-fold="1 Introduction"' in chapters[0]
+        titles = [re.search('data-fold="([^"]*)"', chapter)[1] for chapter in chapters]
+        assert titles == [chapter.title for chapter in lessons().course().chapters]
         assert [" open" in chapter for chapter in chapters] == [True] + [False] * (len(chapters) - 1)
         assert "Planar 2R, 3 steps" in found
         await browser.press("lesson:first_arm")
@@ -32,7 +34,7 @@ def test_lessons_stand_by_chapter_with_their_arm_and_how_far_one_is(url):
     run(main())
 
 
-def test_the_search_is_a_button_above_the_list(url):
+def test_the_search_is_a_button_above_the_chapters(url):
     async def main():
         browser = await at_lessons(url)
         assert "data-search" in piece(browser, "Find: 3.66")

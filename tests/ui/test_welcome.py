@@ -1,16 +1,56 @@
 """The card of the first visit and the tour name things that exist, by their names, and come over the wire as asked."""
 
+from dataclasses import replace
+from functools import cache
+
+from armlab.content import lessons as library_module
 from armlab.content.lessons import lessons
+from armlab.content.robots import catalogue
+from armlab.session.lesson_commands import OpenLesson
+from armlab.session.lesson_progress import Progress
 from armlab.session.pages import pages
+from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts import welcome as part
-from armlab.ui.welcome import LESSONS, STOPS, tour_from
+from armlab.session.parts.lesson import LessonPart
+from armlab.session.state import State
+from armlab.ui.welcome import OFFERED, STOPS, offered, tour_from, welcome_markup
 from support.fake_browser import cookie_of
+from support.forms import BareForm
 from support.student import run, student
 
 
-def test_the_lessons_of_the_card_have_the_titles_of_their_files():
-    there = lessons().lessons
-    assert {key: title for key, (title, _) in LESSONS.items()} == {key: there[key].title for key in LESSONS}
+def welcomed(*done):
+    """Return the state of somebody who sees the card and has done these lessons."""
+    all_met = {key: Progress(met=frozenset(step.title for step in lessons()[key].steps)) for key in done}
+    answered = {key: replace(each, right=dict.fromkeys(each.met)) for key, each in all_met.items()}
+    state = State.initial(catalogue()["puma560"])
+    return state.replace(part.Welcome(part.CARD), replace(state[LessonPart], progress_of=answered))
+
+
+def test_the_card_offers_the_first_lessons_of_the_course_also_while_none_has_been_read(monkeypatch):
+    first = lessons().course().lessons[:OFFERED]
+    found = offered(welcomed())
+    assert tuple(lesson.key for lesson in found) == first
+    form = BareForm()
+    form.show(welcome_markup(form, part.Welcome(part.CARD), found))
+    assert "<b>Your first arm</b><i>12 min</i>" in form.fields.content
+    form.press(f"start-{first[0]}")
+    form.press("start-course")
+    assert form.commands == (OpenLesson(first[0]), OpenPanel("lessons"))
+    monkeypatch.setattr(library_module, "_library", cache(lambda: 1 / 0))  # nobody has needed any yet
+    heads = offered(welcomed())
+    assert [(head.title, head.minutes, head.can) for head in heads] == [
+        (lesson.title, lesson.minutes, lesson.can) for lesson in found
+    ]
+
+
+def test_who_asks_for_the_card_again_gets_the_lessons_that_come_next():
+    order = lessons().course().lessons
+    assert tuple(lesson.key for lesson in offered(welcomed(*order[:2]))) == order[2 : 2 + OFFERED]
+    assert offered(welcomed(*order)) == ()
+    assert offered(State.initial(catalogue()["puma560"])) == ()
+    form = BareForm()
+    assert "Show me around" in welcome_markup(form, part.Welcome(part.CARD), ())
 
 
 def test_the_tour_has_as_many_stops_as_can_be_gone_to_and_opens_pages_that_exist():

@@ -10,8 +10,9 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from armlab import resources
+from armlab.content.courses import mistakes_in
 from armlab.content.lesson_file import digest_of
-from armlab.content.lesson_folder import ENDING, LESSON, Source, sources_of
+from armlab.content.lesson_folder import COURSE, ENDING, LESSON, Source, sources_of
 from armlab.content.lessons import Lesson, add_folder, lessons
 from armlab.content.robots import KEY
 from armlab.errors import ContentError, InputError
@@ -76,6 +77,7 @@ class Place:
     def __init__(self, folders: Iterable[Path] = ()) -> None:
         self._folders: list[Traversable] = [resources.folder("lessons")]
         self._problems: list[str] = []
+        self._looked_into: dict[str, Traversable] = {}
         for folder in folders:
             add_folder(folder)
             self._folders.append(folder)
@@ -115,8 +117,15 @@ class Place:
         return self._at(typed, Path(os.path.abspath(typed)))
 
     def problems(self) -> list[str]:
-        """Return a line for each entry of the folders looked into that cannot be a lesson."""
-        return list(dict.fromkeys(self._problems))
+        """Return a line for each entry of the folders looked into that cannot be a lesson, and mistake in a course."""
+        found = lessons()
+        known = {*found.lessons, *found.broken}
+        of_courses = [
+            f"{shown(folder.joinpath(COURSE))}:{getattr(error, 'line', 1)}: {in_words(error)}"
+            for folder in self._looked_into.values()
+            for error in mistakes_in(folder, known, found.needs)
+        ]
+        return [*dict.fromkeys(self._problems), *of_courses]
 
     def _at(self, typed: str, path: Path) -> list[Found]:
         """Return the lessons of a file or folder, and add its folder to those of the lab."""
@@ -140,6 +149,7 @@ class Place:
 
     def _in(self, folder: Traversable) -> list[Found]:
         found, wrong = _looked(folder)
+        self._looked_into[str(folder)] = folder
         self._problems += [f"{shown(folder.joinpath(name) if name else folder)}: {problem}" for name, problem in wrong]
         return found
 
@@ -149,6 +159,11 @@ def add_lessons_option(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--lessons", type=Path, action="append", default=[], metavar="DIR", help="a folder of lessons; may be repeated"
     )
+
+
+def in_words(error: ContentError) -> str:
+    """Return a mistake without the name of its file."""
+    return f"{error.key}: {error.problem}" if error.key else error.problem
 
 
 def _of(text: Path, whole: Path) -> bool:

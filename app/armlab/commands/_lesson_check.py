@@ -57,7 +57,7 @@ def problems_of(found: Found, variants: int = VARIANTS) -> Iterator[str]:
     Its names are looked for, and it is played in its variant 0 and, if it varies, in variants 1 to ``variants``.
     """
     from armlab.commands import _references
-    from armlab.content.lessons import lesson
+    from armlab.content.lessons import lesson, lessons
 
     try:
         first = found.lesson()
@@ -69,6 +69,7 @@ def problems_of(found: Found, variants: int = VARIANTS) -> Iterator[str]:
         yield from wrong
         return
     yield from _names(found, first)
+    yield from (_of_error(found, error) for error in lessons().amiss.get(found.key, ()))
     yield from _titles(found, first)
     told: set[tuple[int, str]] = set()
     broken: dict[str, tuple[ContentError, list[int]]] = {}
@@ -96,9 +97,10 @@ def _titles(found: Found, lesson: Lesson) -> Iterator[str]:
 
 def _names(found: Found, lesson: Lesson) -> Iterator[str]:
     from armlab.commands import _references
+    from armlab.content.lesson_head import front_line
 
     for key, says in _references.of_front(lesson):
-        yield f"{found.file}:{_line_of(found.text(), key)}: {key}: {says}"
+        yield f"{found.file}:{front_line(found.text(), key)}: {key}: {says}"
     for i, step in enumerate(lesson.steps):
         for says in _references.of_step(lesson, step):
             yield f"{found.file}:{step.line}: step {i + 1}: {says}"
@@ -116,21 +118,14 @@ def _played(found: Found, lesson: Lesson, told: set[tuple[int, str]]) -> Iterato
 
 
 def _of_error(found: Found, error: ContentError, variants: Sequence[int] = ()) -> str:
+    from armlab.commands._found import in_words
+
     which = ", ".join(map(str, variants))
     where = f"variant{'s' * (len(variants) > 1)} {which}: " if variants else ""
     file, name = PurePath(found.file), PurePath(error.file).name
     # A picture has no lines.
     place = f"{file}:{getattr(error, 'line', 1)}" if name == file.name else str(file.with_name(name))
-    return f"{place}: {where}{f'{error.key}: ' if error.key else ''}{error.problem}"
-
-
-def _line_of(text: str, key: str) -> int:
-    """Return the line of a key at the top of a lesson."""
-    from armlab.content.lesson_lines import line_of
-
-    _, *lines = text.splitlines()
-    end = next((i for i, line in enumerate(lines) if line.strip() == "+++"), len(lines))
-    return line_of("\n".join(["", *lines[:end]]), key) or 1
+    return f"{place}: {where}{in_words(error)}"
 
 
 PART = CommandType(

@@ -14,6 +14,7 @@ from armlab.commands._sheet_motion import motion_words
 from armlab.content import actions
 from armlab.content.bench_words import BenchWord
 from armlab.content.lesson import Lesson, Step
+from armlab.content.lesson_head import time_said
 from armlab.content.lesson_values import written
 from armlab.content.question import Choices, Question
 from armlab.content.questions.number import NumberQuestion
@@ -34,7 +35,8 @@ def sheet(first: Lesson, variants: Sequence[tuple[int, Lesson]], students: Mappi
     students : mapping of int to str
         Names by variant; empty for none.
     """
-    lines = [f"# {escaped(first.title)}: solutions", "", f"Lesson `{first.key}`, {escaped(first.chapter)}.", ""]
+    told = ", ".join(filter(None, (f"Lesson `{first.key}`", escaped(first.chapter), time_said(first.minutes))))
+    lines = [f"# {escaped(first.title)}: solutions", "", f"{told}.", ""]
     if first.varies:
         lines += [f"The numbers of variants are those of the lab; `/lesson/{first.key}/7` opens variant 7.", ""]
     lines += [*_asked(first), ""]

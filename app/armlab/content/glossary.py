@@ -33,12 +33,28 @@ class Term:
 
 TERMS: tuple[Term, ...] = (
     Term(
+        "Back-EMF",
+        "The voltage that a turning motor makes against the one that drives it: k times its speed. It is a loop inside "
+        "the motor and limits its speed.",
+        r"v_{emf}=k\,\omega",
+        "motor",
+        ("back electromotive force", "speed constant"),
+    ),
+    Term(
         "Closed form",
         "A formula that gives all solutions of the inverse kinematics in finitely many steps. An arm has one if, for "
         "example, three neighbouring axes meet in one point or are parallel.",
         "",
         "by_hand",
         ("analytic solution",),
+    ),
+    Term(
+        "Commutator",
+        "A divided ring on the rotor of a motor that reverses the current of a coil at each half turn, so that its "
+        "torque keeps one sign. A brushless motor switches its currents electronically instead.",
+        "",
+        "torque",
+        ("brushes", "brushless motor"),
     ),
     Term(
         "Condition number",
@@ -74,6 +90,14 @@ TERMS: tuple[Term, ...] = (
         r"a,\,\alpha,\,d,\,\theta",
         "table",
         ("DH parameters", "link length", "link twist", "link offset", "joint angle"),
+    ),
+    Term(
+        "Efficiency",
+        "Useful power over the power that is supplied. Those of converters in a chain multiply. A motor that holds a "
+        "load still has the efficiency zero.",
+        r"\eta=P_u/P_c",
+        "drive",
+        ("losses",),
     ),
     Term(
         "End effector",
@@ -161,6 +185,13 @@ TERMS: tuple[Term, ...] = (
         ("redundancy", "self-motion"),
     ),
     Term(
+        "Servomotor",
+        "A motor with a sensor of its angle and a controller that compares the angle with the wanted one.",
+        "",
+        "drive",
+        ("actuator",),
+    ),
+    Term(
         "Singular configuration",
         "A configuration in which the rank of the Jacobian drops: in some direction no joint speed moves the tool, "
         "and in "
@@ -215,10 +246,24 @@ TERMS: tuple[Term, ...] = (
         ("tool frame", "tool point", "TCP", "tool centre point"),
     ),
     Term(
+        "Torque constant",
+        "Torque of a motor for each ampere. In SI it is the same number as its voltage for each radian per second.",
+        r"k_t=k_v=k",
+        "motor",
+        ("voltage constant",),
+    ),
+    Term(
         "Torque of a joint",
         "What a motor exerts about the axis of a revolute joint; of a prismatic joint it is a force along its axis.",
         r"\tau=J^TF",
         "statics",
+    ),
+    Term(
+        "Torque ripple",
+        "The largest less the least torque of a motor over a turn, divided by the mean. It falls with the square of "
+        "the number of coils.",
+        "",
+        "torque",
     ),
     Term(
         "Trajectory",

@@ -107,7 +107,11 @@ def search(
 
 def taught_in(found: Lessons) -> tuple[Taught, ...]:
     """Return the data of lessons for the index."""
-    return tuple(Taught(each.key, each.title, each.chapter, each.teaches) for each in found.lessons.values())
+    chapters = {key: title for course in reversed(found.courses) for key, title in course.chapter_of.items()}
+    return tuple(
+        Taught(each.key, each.title, chapters.get(each.key, each.chapter), each.teaches, each.can, each.minutes)
+        for each in found.lessons.values()
+    )
 
 
 # --- The index

@@ -9,6 +9,7 @@ from typing import Literal, NamedTuple
 
 from armlab import kin
 from armlab.content.citations import functions
+from armlab.content.lesson_head import time_said
 from armlab.content.rows import SECTION, Reference, Row, chapters, reference, rows
 
 Kind = Literal["chapter", "row", "lesson", "bench", "function", "arm", "command", "setting", "export"]
@@ -76,12 +77,14 @@ class Entry:
 
 
 class Taught(NamedTuple):
-    """The data of a lesson for the index."""
+    """The data of a lesson for the index: the chapter is that of its course, ``can`` the words by which it is found."""
 
     key: str
     title: str
     chapter: str
     teaches: tuple[str, ...]
+    can: tuple[str, ...] = ()
+    minutes: int = 0
 
 
 @dataclass(frozen=True)
@@ -142,7 +145,8 @@ def _row_item(row: Row, belonging: Iterable[Item]) -> Item:
 
 
 def _lesson_item(lesson: Taught) -> Item:
-    return Item(Entry("lesson", lesson.key, lesson.title, lesson.chapter, lesson.teaches))
+    detail = ", ".join(filter(None, (lesson.chapter, time_said(lesson.minutes))))
+    return Item(Entry("lesson", lesson.key, lesson.title, detail, lesson.teaches), words=lesson.can)
 
 
 def _thing_item(thing: Thing) -> Item:

@@ -70,6 +70,12 @@ class Lesson:
     file : str
         Its name in messages.
     title, chapter : str
+    after : tuple of str
+        Keys of the lessons that it needs.
+    can : tuple of str
+        Sentences on what one can do afterwards.
+    minutes : int
+        Time that it takes; 0 where the file does not say.
     teaches : tuple of str
         Rows of the inventory.
     robot : str
@@ -113,6 +119,9 @@ class Lesson:
     file: str
     title: str
     chapter: str
+    after: tuple[str, ...]
+    can: tuple[str, ...]
+    minutes: int
     teaches: tuple[str, ...]
     robot: str
     robot_used: Robot

@@ -14,15 +14,15 @@ from typing import TYPE_CHECKING
 from armlab.content import robots
 from armlab.content.bench_words import placed
 from armlab.content.lesson import Lesson
-from armlab.content.lesson_fields import Fields
 from armlab.content.lesson_front import read_front
+from armlab.content.lesson_head import filled_front, split
 from armlab.content.lesson_lines import LessonError, located
 from armlab.content.lesson_steps import TABLES, TEXTS, Setting, read_step, sections_of
 from armlab.content.lesson_text import Prose
-from armlab.content.lesson_values import filled, filled_data
+from armlab.content.lesson_values import filled
 from armlab.content.markdown import tokens_of
 from armlab.content.robots import KEY, Catalogue
-from armlab.content.variants import NoValue, Value, Variants
+from armlab.content.variants import Value
 from armlab.errors import ContentError, InputError
 from armlab.kin.checks import whole_number
 
@@ -32,7 +32,6 @@ if TYPE_CHECKING:
 MOST_STEPS = 200
 """Largest number of steps of a lesson; a lesson of one hour has about ten."""
 
-_FENCE = "+++"
 _OPENED = "{{="
 
 
@@ -70,10 +69,10 @@ def parse_lesson(
         raise ContentError(
             file, "", f"expected a file name of lower-case letters, digits and underscores, got {key!r}; rename it"
         )
-    toml, body, before = _split(file, text)
+    toml, body, before = split(file, text)
     with located(file, "", toml, 1):
-        top, values, varies = _filled_front(key, file, toml, variant)
-        front = read_front(top, catalogue or robots.catalogue())
+        top, values, varies = filled_front(key, file, toml, variant)
+        front = read_front(key, top, catalogue or robots.catalogue())
     prose = Prose.of(file, front.robot.arm, pictures)
     setting = Setting(file, before, front.robot, catalogue or robots.catalogue(), values, prose)
     intro, *sections = sections_of(tokens_of(_filled_body(file, body, before, values)))
@@ -88,8 +87,11 @@ def parse_lesson(
     return Lesson(
         key=key,
         file=file,
-        title=front.title,
-        chapter=front.chapter,
+        title=front.head.title,
+        chapter=front.head.chapter,
+        after=front.head.after,
+        can=front.head.can,
+        minutes=front.head.minutes,
         teaches=front.teaches,
         robot=front.robot.key,
         robot_used=front.robot,
@@ -128,32 +130,6 @@ def digest_of(text: str, pictures: Mapping[str, str] | None = None) -> str:
     for name, address in sorted((pictures or {}).items()):
         found.update(f"\0{name}\0{address}".encode())
     return found.hexdigest()[:16]
-
-
-def _split(file: str, text: str) -> tuple[str, str, int]:
-    """Return the front matter, the Markdown, and the number of lines before the Markdown.
-
-    The front matter begins with an empty line, so that its lines have the numbers of the file.
-    """
-    lines = text.removeprefix("\ufeff").splitlines()
-    if not lines or lines[0].strip() != _FENCE:
-        raise LessonError(file, "", f"expected a first line {_FENCE} before title, robot and the rest", 1)
-    for i, line in enumerate(lines[1:], start=1):
-        if line.strip() == _FENCE:
-            return "\n".join(["", *lines[1:i]]), "\n".join(lines[i + 1 :]), i + 1
-    raise LessonError(file, "", f"expected a second line {_FENCE} after the front matter", len(lines))
-
-
-def _filled_front(key: str, file: str, toml: str, variant: int) -> tuple[Fields, dict[str, Value], bool]:
-    """Return the table at the top with the values of the variant, these values, and whether the lesson varies."""
-    top = Fields.parse(file, toml)
-    variants = Variants.read(key, top.table("variants"))
-    try:
-        values = variants.draw(variant if variants.varies else 0)
-    except NoValue as error:
-        raise top.fail(f"variants.{error.name}", f"it has no value in variant {variant}: {error.problem}") from None
-    data = {name: entry for name, entry in top.data.items() if name != "variants"}
-    return Fields(file, filled_data(data, values, file, "")), values, variants.varies
 
 
 def _filled_body(file: str, body: str, before: int, values: Mapping[str, Value]) -> str:

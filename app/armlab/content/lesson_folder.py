@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from importlib.resources.abc import Traversable
@@ -16,6 +17,7 @@ MOST_TEXT = 1_000_000
 """Largest size of a lesson file, bytes."""
 
 LESSON = "lesson.md"
+COURSE = "course.toml"
 ENDING = ".md"
 _README = "readme.md"
 
@@ -25,7 +27,7 @@ Stamp = tuple[tuple[str | int, ...], ...]
 
 @dataclass(frozen=True)
 class Source:
-    """The files of one lesson.
+    """The files of one lesson, or of a course.
 
     Attributes
     ----------
@@ -113,6 +115,29 @@ def sources_of(folder: Traversable, label: str = "") -> tuple[list[Source], list
         problem = f"expected at most {MOST_LESSONS} lessons, got {len(found)}; those from {found[MOST_LESSONS].file} on"
         problems.append(ContentError(label or "lessons", "", f"{problem} are left out"))
     return found[:MOST_LESSONS], problems
+
+
+def lesson_of(folder: Traversable, key: str) -> Source | None:
+    """Return the lesson with a key in a folder, or None."""
+    root = folder if isinstance(folder, Path) else None
+    try:
+        file, beside = folder.joinpath(f"{key}{ENDING}"), folder.joinpath(key)
+        return _source(file if file.is_file() else beside, "", root)
+    except OSError:
+        return None
+
+
+def course_of(folder: Traversable, label: str = "") -> Source | None:
+    """Return the file of the course of a folder, or None; its key is that of the course, made of the folder's name."""
+    entry = folder.joinpath(COURSE)
+    try:
+        if not entry.is_file():
+            return None
+        key = re.sub(r"[^a-z0-9]+", "_", folder.name.lower())[:40].strip("_") or "course"
+        root = folder if isinstance(folder, Path) else None
+        return Source(key, f"{label}{COURSE}", entry, None, root, _stamp([entry]))
+    except OSError:
+        return None  # it was taken away while we looked
 
 
 def _source(entry: Traversable, label: str, root: Path | None) -> Source | None:

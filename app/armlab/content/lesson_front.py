@@ -1,4 +1,4 @@
-"""The table at the top of a lesson: title, arm, and initial state."""
+"""The table at the top of a lesson: its head, arm, and initial state."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from armlab.content.check import JOINT_VALUES, configuration
 from armlab.content.lesson import LOCKS
 from armlab.content.lesson_arm import read_arm
 from armlab.content.lesson_fields import Fields, example_name
+from armlab.content.lesson_head import Head, read_head
 from armlab.content.reader import Table
 from armlab.content.robots import Camera, Catalogue, Robot, read_pose
 from armlab.content.rows import known, unknown
@@ -19,10 +20,9 @@ from armlab.content.rows import known, unknown
 
 @dataclass(frozen=True, eq=False)
 class Front:
-    """The front matter; the attributes are those of `armlab.content.lesson.Lesson`."""
+    """The front matter: its head; the other attributes are those of `armlab.content.lesson.Lesson`."""
 
-    title: str
-    chapter: str
+    head: Head
     teaches: tuple[str, ...]
     robot: Robot
     start: NDArray[np.float64]
@@ -37,7 +37,7 @@ class Front:
     hidden: tuple[str, ...]
 
 
-def read_front(top: Fields, catalogue: Catalogue) -> Front:
+def read_front(key: str, top: Fields, catalogue: Catalogue) -> Front:
     """Read the table, of which ``variants`` has been taken already.
 
     Raises
@@ -46,8 +46,7 @@ def read_front(top: Fields, catalogue: Catalogue) -> Front:
     """
     robot = _robot(top, catalogue)
     front = Front(
-        title=top.text("title"),
-        chapter=top.text("chapter"),
+        head=read_head(key, top),
         teaches=_teaches(top),
         robot=robot,
         start=_start(top, robot),

@@ -1,23 +1,26 @@
-"""All lessons: those of the lab and of teachers' folders, read again when their files change."""
+"""All lessons and courses: those of the lab and of teachers' folders, read again when their files change."""
 
 from __future__ import annotations
 
 import logging
-import re
 from collections import OrderedDict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache
+from functools import cache, cached_property
 from importlib.resources.abc import Traversable
 from pathlib import Path
 from threading import Lock, RLock
 
 from armlab import resources
+from armlab.content.course import Chapter, Course, amiss, by_chapters, ordered, sound
+from armlab.content.courses import CourseFiles
 from armlab.content.folder import Folder
 from armlab.content.lesson import Lesson as Lesson
 from armlab.content.lesson import Step as Step
 from armlab.content.lesson_file import parse_lesson as parse_lesson
 from armlab.content.lesson_folder import Source, Stamp, sources_of
+from armlab.content.lesson_head import front_line
+from armlab.content.lesson_lines import LessonError
 from armlab.content.robots import Catalogue
 from armlab.errors import ContentError, InputError
 
@@ -39,6 +42,12 @@ class Lessons(Folder[Lesson]):
         Lessons whose files were taken away: those who are in one can go on.
     broken : dict
         Problems, by key, of files that never were readable.
+    courses : tuple of Course
+        Those of teachers' folders before that of the lab.
+    needs : dict
+        By lesson, the keys of those it needs, without mistakes.
+    amiss : dict
+        By lesson, problems of what it needs; it can be used all the same.
     """
 
     kind = "lesson"
@@ -46,11 +55,33 @@ class Lessons(Folder[Lesson]):
 
     gone: Mapping[str, Lesson] = field(default_factory=dict)
     broken: Mapping[str, ContentError] = field(default_factory=dict)
+    courses: tuple[Course, ...] = ()
+    needs: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    amiss: Mapping[str, tuple[LessonError, ...]] = field(default_factory=dict)
 
     @property
     def lessons(self) -> dict[str, Lesson]:
         """The lessons by key, in the order of their chapters."""
         return self.found
+
+    def course(self, key: str = "") -> Course:
+        """Return the course with this key or, where there is none, the first; without any, one of all chapters."""
+        return next((each for each in self.courses if each.key == key), self._first)
+
+    @cached_property
+    def _first(self) -> Course:
+        chapters = by_chapters(self.found.values())
+        return self.courses[0] if self.courses else Course("", "All lessons", "", chapters)
+
+    @cached_property
+    def others(self) -> tuple[Chapter, ...]:
+        """The lessons that no course names, by the chapters that they name themselves."""
+        named = {key for course in self.courses or (self._first,) for key in course.lessons}
+        return by_chapters(lesson for key, lesson in self.found.items() if key not in named)
+
+    def chapters(self, key: str = "") -> tuple[Chapter, ...]:
+        """Return the chapters of a course, and behind them those of `others`."""
+        return (*self.course(key).chapters, *self.others)
 
     def __getitem__(self, key: str) -> Lesson:
         """Return a lesson, even a deleted one; the error lists the available ones, or tells what is wrong with it."""
@@ -100,6 +131,8 @@ class Library:
         self._entries: dict[str, _Entry] = {}
         self._good: dict[str, _Good] = {}
         self._variants: OrderedDict[tuple[str, str, int], Lesson] = OrderedDict()
+        self._courses = CourseFiles()
+        self._said: list[str] = []  # problems of the folders themselves
         self._lessons = Lessons({}, ())
         for i, folder in enumerate(folders):
             self._folders.append((folder, f"{folder.name}/" if i else ""))
@@ -153,10 +186,10 @@ class Library:
             return self.changed()
 
     def changed(self) -> frozenset[str]:
-        """Look at the files again, read those that changed, and return their keys.
+        """Look at the files again, read those that changed, and return the keys of these lessons.
 
-        A file that has become broken is listed as a problem and keeps the lesson it last was. Nothing is read when
-        no file has another time or size.
+        A file that has become broken is listed as a problem and keeps the lesson or the course it last was. Nothing is
+        read when no file has another time or size.
         """
         with self._lock:
             found: dict[str, _Entry] = {}
@@ -169,9 +202,10 @@ class Library:
                     changed.add(source.key)
             changed |= self._entries.keys() - found.keys()
             self._entries = found
-            problems += [entry.problem for entry in found.values() if entry.problem is not None]
-            if changed or [str(each) for each in problems] != [str(each) for each in self._lessons.problems]:
-                self._lessons = self._listed(tuple(problems))
+            another = self._courses.look(self._folders)
+            if changed or another or [str(each) for each in problems] != self._said:
+                self._said = [str(each) for each in problems]
+                self._lessons = self._listed(problems)
             return frozenset(changed)
 
     def _sources(self, problems: list[ContentError]) -> list[Source]:
@@ -210,28 +244,32 @@ class Library:
         self._good[source.key] = _Good(lesson, *content)
         return _Entry(source.stamp, source.file, content, None)
 
-    def _listed(self, problems: tuple[ContentError, ...]) -> Lessons:
+    def _listed(self, problems: list[ContentError]) -> Lessons:
         there = {key: good.lesson for key, good in self._good.items() if key in self._entries}
+        lessons = {lesson.key: lesson for lesson in ordered(there.values())}
+        needed = {key: lesson.after for key, lesson in lessons.items()}
+        wrong = {key: tuple(self._needs(key, said)) for key, said in amiss(needed, self._entries).items()}
+        needs = sound(needed, lessons)
+        courses, misplaced = self._courses.judged(self._entries, needs)
+        problems += [entry.problem for entry in self._entries.values() if entry.problem is not None]
+        problems += [*(error for errors in wrong.values() for error in errors), *misplaced]
         return Lessons(
-            dict(sorted(there.items(), key=lambda item: _order(item[1]))),
-            problems,
+            lessons,
+            tuple(problems),
             {key: good.lesson for key, good in self._good.items() if key not in there},
             {key: entry.problem for key, entry in self._entries.items() if entry.problem and key not in there},
+            tuple(course for each in courses if (course := each.among(lessons)).chapters),
+            needs,
+            wrong,
         )
+
+    def _needs(self, key: str, said: Iterable[str]) -> Iterator[LessonError]:
+        good = self._good[key]
+        return (LessonError(good.lesson.file, "after", each, front_line(good.text, "after")) for each in said)
 
 
 def _differ(entry: _Entry, before: _Entry | None) -> bool:
     return before is None or replace(entry, stamp=()) != replace(before, stamp=())
-
-
-def _order(lesson: Lesson) -> tuple[list[int], str, str]:
-    return _numbers(lesson.chapter), lesson.chapter, lesson.key
-
-
-def _numbers(chapter: str) -> list[int]:
-    """Return the number a chapter begins with, so that 10 comes after 9."""
-    number = re.match(r"[\d.]*", chapter)
-    return [int(part) for part in re.findall(r"\d{1,9}", number[0] if number else "")]
 
 
 def library() -> Library:

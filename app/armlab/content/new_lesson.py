@@ -125,6 +125,10 @@ _TEMPLATE = """\
 # Between these lines stands what the lesson is about. Lines like this one are for authors only.
 title = "My lesson"
 chapter = "My lessons"
+# What one has to have done before, by the names of lessons; what one can do afterwards; how long it takes.
+after = []
+minutes = 5
+can = ["Move a joint to an angle, and read a coordinate of the hand."]
 # Rows of the inventory; the index of the lab finds them by word and equation.
 teaches = ["S1.1-direct-kinematics"]
 robot = "{robot}"

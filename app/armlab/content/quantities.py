@@ -28,6 +28,14 @@ UNITS: dict[str, tuple[str, float]] = {
     "mm^2": ("an area", 1e-6),
     "N": ("a force", 1.0),
     "Nm": ("a torque", 1.0),
+    "mNm": ("a torque", 1e-3),
+    "rpm": ("an angular speed", 2.0 * math.pi / 60.0),
+    "V": ("a voltage", 1.0),
+    "A": ("a current", 1.0),
+    "mA": ("a current", 1e-3),
+    "W": ("a power", 1.0),
+    "mW": ("a power", 1e-3),
+    "kW": ("a power", 1e3),
 }
 """Units, each with its kind of quantity and its size in the unit of computation."""
 
@@ -36,7 +44,7 @@ ROUNDING = 1e-9
 
 _SPELLINGS = {"°": "deg", "degree": "deg", "degrees": "deg", "radian": "rad", "radians": "rad"}
 _UNIT = re.compile(
-    r"(?<![a-zA-Z^/])(degrees?|deg|°|radians?|rad|cm|mm|ms|m|s|N[ *]?m|N)"
+    r"(?<![a-zA-Z^/])(degrees?|deg|°|radians?|rad|rpm|cm|mm|ms|mN[ *]?m|mA|mW|kW|m|s|N[ *]?m|N|V|A|W)"
     r"(?:(?P<square>\s*\^?2|\s*\^\(2\))|(?P<second>\s*/\s*s|[ *]*s\^\(?-1\)?))?$"
 )
 

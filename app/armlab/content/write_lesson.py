@@ -29,6 +29,7 @@ from armlab.registry import known_name
 Vector = NDArray[np.float64]
 
 CHAPTER = "My lessons"
+MINUTES, CAN = 5, "Bring the arm to a given pose."
 PART_OF_REACH = 0.01
 """Largest distance of the tool from the goal, relative to the reach."""
 
@@ -145,7 +146,8 @@ def _front(
     begin: Sequence[tuple[str, Mapping[str, str]]],
 ) -> str:
     known = robots.catalogue().robots.get(robot.key) is robot
-    lines = ["+++", f"title = {_text(title.strip() or 'My lesson')}", f"chapter = {_text(CHAPTER)}", "teaches = []"]
+    lines = ["+++", f"title = {_text(title.strip() or 'My lesson')}", f"chapter = {_text(CHAPTER)}"]
+    lines += ["after = []", f"minutes = {MINUTES}", f"can = [{_text(CAN)}]", "teaches = []"]
     lines += [f"robot = {_text(robot.key)}"] if known else []
     lines += [start]
     lines += [f"panel = {_text(panel)}"] if panel else []

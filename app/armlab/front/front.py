@@ -14,13 +14,15 @@ from collections.abc import AsyncIterator, Sequence
 import aiohttp
 from aiohttp import WSCloseCode, web
 
+from armlab.front.course_pages import POLICY as OF_PAPER
+from armlab.front.course_pages import CoursePages, Printed
 from armlab.front.doors import Doors
 from armlab.front.limits import Addresses, Limits, Meter
 from armlab.front.page import Page
 from armlab.front.relay import relay
 from armlab.front.room import FORM, POLICY, Room
 from armlab.front.tokens import Tokens
-from armlab.front.wishes import ROUTES, Wishes, refused
+from armlab.front.wishes import COURSES, ROUTES, Wishes, refused
 
 HEADERS = {
     "Cache-Control": "no-store",  # a cached page of another viser version cannot talk to this one
@@ -57,6 +59,8 @@ class Front:
     limits : Limits
     room : Room, optional
         The code that visitors need; everybody is let in when it is left out.
+    courses : CoursePages, optional
+        The courses as pages to print; those of the lab alone when left out.
     """
 
     def __init__(
@@ -68,10 +72,12 @@ class Front:
         hosts: frozenset[str] | None,
         limits: Limits | None = None,
         room: Room | None = None,
+        courses: CoursePages | None = None,
     ) -> None:
         self._page, self._tokens, self._secret = page, tokens, secret
         self._labs, self._hosts = labs, hosts
         self._limits, self._room = limits or Limits(), room
+        self._courses = courses or CoursePages()
         self.doors = Doors(self._limits)
         self._lapsed = Addresses(self._limits.lapse_rate, self._limits.lapses)
         self._there = asyncio.Event()
@@ -86,6 +92,8 @@ class Front:
         self.app.router.add_get("/", self._visit)
         for path in ROUTES:
             self.app.router.add_get(path, self._visit)
+        for path in COURSES:
+            self.app.router.add_get(path, self._visit_course)
 
     def open_labs(self, labs: Sequence[int]) -> None:
         """Let the sockets of pages through to labs, also those that wait; to be called on the front's loop."""
@@ -104,14 +112,28 @@ class Front:
         await asyncio.gather(*closing, return_exceptions=True)
 
     async def _visit(self, request: web.Request) -> web.StreamResponse:
-        self.doors.hear(request.protocol)
         is_socket = request.headers.get("Upgrade", "").lower() == "websocket"
-        refusal = self._refusal(request, is_socket)
-        if refusal is None:  # an answer of older versions of aiohttp counts as false
-            refusal = self._asked_for_code(request)
+        refusal = self._turned_away(request, is_socket)
         if refusal is not None:
             return refusal
         return await (self._serve_socket(request) if is_socket else self._serve_page(request))
+
+    async def _visit_course(self, request: web.Request) -> web.StreamResponse:
+        """Answer with a course as a page to print, which belongs to no browser."""
+        refusal = self._turned_away(request, False)
+        if refusal is not None:
+            return refusal
+        page = await asyncio.to_thread(self._courses.page, request.match_info.get("name", ""))
+        if page is None:
+            return _text(404, "There is no such course.")
+        return _html(request, page, OF_PAPER)
+
+    def _turned_away(self, request: web.Request, is_socket: bool) -> web.Response | None:
+        """Return the answer to a request that is not served, or not before the code of the room has been given."""
+        self.doors.hear(request.protocol)
+        refusal = self._refusal(request, is_socket)
+        # An answer of older versions of aiohttp counts as false.
+        return self._asked_for_code(request) if refusal is None else refusal
 
     def _refusal(self, request: web.Request, is_socket: bool) -> web.Response | None:
         if not request.headers.get("Host"):
@@ -149,16 +171,7 @@ class Front:
             kept = {key: value for key, value in request.query.items() if key not in FOREIGN}
             raise web.HTTPFound(request.rel_url.with_query(kept))
         sockets = f"ws://{request.host} wss://{request.host}" if HOST.match(request.host) else "'self'"
-        compressed = "gzip" in request.headers.get("Accept-Encoding", "")
-        response = web.Response(
-            # Read in pieces: of a page that a browser is slow to take, only the piece at hand is kept for it.
-            body=io.BytesIO(self._page.compressed if compressed else self._page.html),
-            content_type="text/html",
-            charset="utf-8",
-            headers={"Content-Security-Policy": self._page.policy(sockets)},
-        )
-        if compressed:
-            response.headers["Content-Encoding"] = "gzip"
+        response = _html(request, self._page, self._page.policy(sockets))
         token = self._tokens.read(request.cookies.get(self._tokens.cookie))
         if token is None:
             value = self._tokens.new()
@@ -254,6 +267,21 @@ def _bare(host: str) -> str:
     if host.startswith("["):
         return host[1:].partition("]")[0]
     return host.partition(":")[0]
+
+
+def _html(request: web.Request, page: Page | Printed, policy: str) -> web.Response:
+    """Return the answer that holds a page, gzipped for browsers that take it so."""
+    compressed = "gzip" in request.headers.get("Accept-Encoding", "")
+    response = web.Response(
+        # Read in pieces: of a page that a browser is slow to take, only the piece at hand is kept for it.
+        body=io.BytesIO(page.compressed if compressed else page.html),
+        content_type="text/html",
+        charset="utf-8",
+        headers={"Content-Security-Policy": policy},
+    )
+    if compressed:
+        response.headers["Content-Encoding"] = "gzip"
+    return response
 
 
 def _text(status: int, text: str) -> web.Response:

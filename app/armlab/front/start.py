@@ -20,6 +20,7 @@ from aiohttp import web
 from armlab import resources
 from armlab.errors import ArmlabError, InputError
 from armlab.front.addresses import served_names
+from armlab.front.course_pages import CoursePages
 from armlab.front.doors import Site, let_open_many_files
 from armlab.front.front import Front
 from armlab.front.lock import FolderLock
@@ -140,7 +141,8 @@ def start(settings: Settings, on_served: Callable[[int], None] = lambda port: No
         secret = secrets.token_urlsafe(24)
         room = Room(settings.code, kept) if settings.code else None
         names = served_names(settings.host) | {name.lower() for name in settings.names}
-        front = Front(make_page(), Tokens(kept), secret, [], names, room=room)
+        courses = CoursePages(settings.lessons)
+        front = Front(make_page(), Tokens(kept), secret, [], names, room=room, courses=courses)
         port, loop = _open_front(front, settings, opened)
         on_served(port)
         lab, labs = _open_labs(settings, secret, behind)

@@ -10,6 +10,9 @@ from armlab.session.share_text import LONGEST, TEXT
 
 ROUTES = ("/robot/{name}", "/lesson/{name}", "/lesson/{name}/{variant}", "/state/{state}")
 
+COURSES = ("/course", "/course/{name}")
+"""Addresses of courses as pages to print, which wish nothing of the lab."""
+
 NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}\Z")
 VARIANT = re.compile(r"[0-9]{1,4}\Z")
 

@@ -9,6 +9,7 @@ from typing import ClassVar
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
 from armlab.errors import InputError
+from armlab.registry import known_name
 from armlab.session.lesson_progress import MOST_TYPED, Progress, RightAnswer, step_names
 from armlab.session.lesson_start import gone_to, refuse_unknown, set_up, without_lesson
 from armlab.session.panel_commands import lesson_followed
@@ -101,6 +102,26 @@ class ReloadLesson(Command):
         if part.open.partition("/")[0] != self.key:
             return state
         return state.replace(replace(part, loaded=part.loaded + 1))
+
+
+@dataclass(frozen=True)
+class ChooseCourse(Command):
+    """Choose the course that is shown; which lesson is open and what is done stays.
+
+    Parameters
+    ----------
+    key : str
+    """
+
+    key: str
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the course."""
+        courses = {course.key: course for course in lessons().courses}
+        known_name("course", self.key, courses)
+        part = state[LessonPart]
+        return state if part.course == self.key else state.replace(replace(part, course=self.key))
 
 
 @dataclass(frozen=True)

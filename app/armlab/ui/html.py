@@ -23,7 +23,7 @@ absent."""
 
 _KIND = re.compile(r"([a-z][a-zA-Z0-9]*)((?:\.[\w-]+)*)")
 
-_VOID = frozenset({"br", "hr", "img", "input"})
+_VOID = frozenset({"br", "hr", "img", "input", "meta"})
 
 _new = str.__new__  # three times as quick as `Markup`, which first asks what it was given
 

@@ -31,6 +31,7 @@ from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.search.markup import search_button
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import verdict_line
+from armlab.ui.welcome import offered as offered_lessons
 from armlab.ui.welcome import welcome_markup
 
 if TYPE_CHECKING:
@@ -122,7 +123,7 @@ class Overlay:
         if self._form.shows(line, handle, coming, *self._made_of(session)):
             return
         hint = tag("div.al-over.al-hint", line, role="status") if line else None
-        welcome = welcome_markup(self._form, session.state[Welcome])
+        welcome = welcome_markup(self._form, session.state[Welcome], offered_lessons(session.state))
         top, place = self._top(session.state), self._place(session)
         self._form.show(top, hint, place, self._steps(session), welcome, self._notes(session, handle, coming))
 
@@ -138,7 +139,7 @@ class Overlay:
         state, history = session.state, session.history
         shelf, robot = state[Shelf], state[RobotPart]
         return (
-            (shelf.place, _waits(shelf), offered(state), state[Welcome]),
+            (shelf.place, _waits(shelf), offered(state), state[Welcome], offered_lessons(state)),
             (history.undo_label, history.redo_label),
             (name_of(robot), robot.own, robot.robot.key, state[LessonPart].open, hidden_tabs(state)),
             (self._tab, self._asked),

@@ -17,8 +17,8 @@ def pick(form: Form, cell: str, action: Pressed, name: str, aside: str, about: s
 
 
 def broken_files(kind: str, problems: Sequence[ContentError]) -> Markup | None:
-    """Return the problems of broken files of a kind, or nothing if there are none."""
+    """Return the mistakes in files of a kind, or nothing if there are none."""
     if not problems:
         return None
-    head = f"{len(problems)} broken {kind} file{'s' if len(problems) > 1 else ''}"
+    head = f"{len(problems)} mistake{'s' if len(problems) > 1 else ''} in {kind} files"
     return verdict_box("no", head, [tag("p", str(problem)) for problem in problems])

@@ -53,10 +53,13 @@ def play_button(
     return form.button(f"play-{name}", f"▶ {word}", action, kind, hint, off=off, data_key=SPACE)
 
 
-def clock(form: Form, state: State, clip: str, end: float) -> Markup:
-    """Return the button of a film that takes ``end`` seconds, and the field of its time, with the clip in the cells."""
+def clock(form: Form, state: State, clip: str, end: float, closed: float = 0.0) -> Markup:
+    """Return the button of a film that takes ``end`` seconds, and the field of its time, with the clip in the cells.
+
+    ``closed`` is the time that the page shows while the film is closed.
+    """
     on = state[Timeline].clip == clip
-    now = state[Timeline].time if on else 0.0
+    now = state[Timeline].time if on else closed
     typed = form.field("time", amount(now), "Time in seconds", lambda text: _to_time(text, clip, end, on))
     play = play_button(form, state, clip, clip)
     return tag("div.bar.kit-clock", play, tag("label", "t = ", typed, " ", tag("i", f"of {amount(end, 's')}")))

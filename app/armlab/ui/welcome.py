@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
+from armlab.content.lesson_head import Headed, time_said
+from armlab.content.lessons import lessons_read
+from armlab.content.outline import first_heads
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.pages import pages
 from armlab.session.panel_commands import OpenPanel
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.welcome import CARD, LEFT, LeaveWelcome, TakeTour, Welcome
-from armlab.session.state import Command
+from armlab.session.state import Command, State
+from armlab.session.way import Way
 from armlab.ui.form import Form
 from armlab.ui.html import Markup, tag
 
-LESSONS = {
-    "joint_types": ("Joints that turn or slide", "Read a kinematic chain from its base to its tool."),
-    "first_arm": ("Where is the hand?", "Two angles, and the point they lead to."),
-    "ik_2r": ("Two elbows for one point", "The way back: from the point to the angles."),
-}
-"""Lessons to begin with: title and a line about each. They are written here since the first page reads no lesson."""
+OFFERED = 3
+"""Number of lessons on the card."""
 
 
 @dataclass(frozen=True)
@@ -64,17 +66,31 @@ STOPS = (
     Stop(
         "lessons",
         "Learn with lessons",
-        "Lessons ask questions, check what you do with the arm, and give hints. Your progress is saved.",
+        "The map shows all lessons in order, and what comes next. Lessons ask questions, check what you do with the "
+        "arm, and give hints.",
         tab="lessons",
     ),
 )
 
 
-def welcome_markup(form: Form, welcome: Welcome) -> Markup | None:
-    """Return the card or the stop at which a student is; nothing for somebody who has left both."""
+def offered(state: State) -> tuple[Headed, ...]:
+    """Return the lessons that the card offers: those that come next; none while there is no card.
+
+    As long as nobody has needed a lesson none is read for it: the first page has only the heads of the first ones.
+    """
+    if state[Welcome].at != CARD:
+        return ()
+    found = lessons_read()
+    if found is None:
+        return first_heads(OFFERED)
+    return tuple(found[key] for key in Way.of(state[LessonPart], found).coming(OFFERED))
+
+
+def welcome_markup(form: Form, welcome: Welcome, lessons: Sequence[Headed]) -> Markup | None:
+    """Return the card with these lessons or the stop at which a student is; nothing for somebody who has left both."""
     if welcome.at == LEFT:
         return None
-    return _card(form) if welcome.at == CARD else _stop(form, welcome.stop)
+    return _card(form, lessons) if welcome.at == CARD else _stop(form, welcome.stop)
 
 
 def tour_from(stop: int) -> tuple[Command, ...]:
@@ -83,15 +99,20 @@ def tour_from(stop: int) -> tuple[Command, ...]:
     return (*((OpenPanel(opens),) if opens else ()), TakeTour(stop))
 
 
-def _card(form: Form) -> Markup:
-    lessons = [
-        form.button(f"start-{key}", (tag("b", title), tag("span", about)), OpenLesson(key), "start")
-        for key, (title, about) in LESSONS.items()
-    ]
-    tour = form.button("start-tour", "Show me around", tour_from(0), "main", f"A tour of {len(STOPS)} stops")
+def _card(form: Form, lessons: Sequence[Headed]) -> Markup:
+    begin = [_lesson(form, lesson, "start main" if i == 0 else "start") for i, lesson in enumerate(lessons)]
+    tour = form.button("start-tour", "Show me around", tour_from(0), "chip", f"A tour of {len(STOPS)} stops")
+    course = form.button("start-course", "All lessons", OpenPanel("lessons"), "chip", "The map of the course")
     shut = form.button("welcome-leave", "✕", LeaveWelcome(), "chip", "Close; you will find it again in Help", "Close")
     head = tag("header", tag("h2", "Start here"), shut)
-    return tag("section.al-over.al-card", head, lessons, tour, aria_label="Start here")
+    return tag("section.al-over.al-card", head, begin, tag("footer", tour, course), aria_label="Start here")
+
+
+def _lesson(form: Form, lesson: Headed, kind: str) -> Markup:
+    """Return one lesson: its title, the minutes, and what one can do afterwards."""
+    can = tag("span", lesson.can[0]) if lesson.can else None
+    inside = tag("b", lesson.title), tag("i", time_said(lesson.minutes)), can
+    return form.button(f"start-{lesson.key}", inside, OpenLesson(lesson.key), kind)
 
 
 def _stop(form: Form, number: int) -> Markup:

@@ -158,6 +158,7 @@ def test_pushes_are_made_and_taken_away(url):
         browser = await at_runs(url, "push")
         assert "✕ 1" in browser.html()
         await browser.press("push-size", "20 mm")
+        await browser.until(lambda: not re.search('<button[^>]*data-cell="push"[^>]* disabled', browser.html()))
         await browser.press("push")
         await browser.until(lambda: "✕ 2" in browser.html())
         await browser.press("drop")

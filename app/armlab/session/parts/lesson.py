@@ -52,6 +52,8 @@ class LessonPart(Part):
         Number of times that a lesson has put its own arm on the table; not saved.
     loaded : int
         Changes when the file of the open lesson has changed; not saved.
+    course : str
+        Key of the course that is shown; empty for the first.
     """
 
     key: ClassVar[str] = "lesson"
@@ -63,6 +65,7 @@ class LessonPart(Part):
     student: str = ""
     set_up: int = 0
     loaded: int = 0
+    course: str = ""
 
     @property
     def lesson(self) -> Lesson | None:
@@ -187,7 +190,8 @@ class LessonPart(Part):
     def to_json(self) -> Json:
         """Return place, progress and number as JSON."""
         progress = {place: written(each) for place, each in self.progress_of.items()}
-        return {"open": self.open, "progress": progress, "number": self.number, "student": self.student}
+        shown = {"course": self.course} if self.course else {}
+        return {"open": self.open, "progress": progress, "number": self.number, "student": self.student, **shown}
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
@@ -197,7 +201,8 @@ class LessonPart(Part):
         if number < 0:
             raise InputError(f"number: expected 0 or more, got {number}")
         opened = data["open"] if is_place(data["open"]) else ""
-        return cls(opened, MappingProxyType(progress), number, signed(str(data.get("student", ""))))
+        student, course = signed(str(data.get("student", ""))), str(data.get("course", ""))
+        return cls(opened, MappingProxyType(progress), number, student, course=course)
 
 
 PART = PartType(LessonPart, order=95)

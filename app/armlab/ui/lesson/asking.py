@@ -12,7 +12,7 @@ from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import verdict_box
 
-UNIT_SIGNS = {"deg": "°", "m^2": "m²", "cm^2": "cm²", "mm^2": "mm²", "Nm": "N m"}
+UNIT_SIGNS = {"deg": "°", "m^2": "m²", "cm^2": "cm²", "mm^2": "mm²", "Nm": "N m", "mNm": "mN m"}
 """Signs of units that differ from their names in lesson files."""
 
 ANSWER, CHECK, CHOICE, ENTRY = "lesson-answer", "lesson-check", "lesson-choice-", "lesson-entry-"

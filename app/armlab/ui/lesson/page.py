@@ -24,6 +24,7 @@ from armlab.session.state import Post, State
 from armlab.ui.form import Form, Wish
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.lesson.asking import Draft, asked, said
+from armlab.ui.lesson.end import with_end
 from armlab.ui.lesson.load import load_work
 from armlab.ui.lesson.text import step_text, words_of
 from armlab.ui.markup import verdict_box
@@ -61,7 +62,7 @@ class LessonPage:
         lesson, step = part.lesson, part.step
         if lesson is None or step is None:
             return
-        choice = _choice(self._head, lesson, lambda: self._begin_again(part))
+        choice = _choice(self._head, lesson, part.course, lambda: self._begin_again(part))
         self._head.show(choice, _strips(self._head, lesson, part))
         self._text.show(step_text(state, lesson, part.index))
         self._task.show(_task(self._task, state, lesson))
@@ -115,14 +116,15 @@ def _variant(part: LessonPart, text: str) -> OpenLesson:
     return OpenLesson(part.open.partition("/")[0], variant=int(text))
 
 
-def _choice(form: Form, lesson: Lesson, anew: Callable[[], Wish]) -> Markup:
-    """Return the list of lessons by chapter, with the buttons beside it."""
+def _choice(form: Form, lesson: Lesson, course: str, anew: Callable[[], Wish]) -> Markup:
+    """Return the list of lessons by chapter of the course that is shown, with the buttons beside it."""
     there = lessons().lessons
     groups: dict[str, dict[str, str]] = {}
-    if lesson.key not in there:  # its file was taken away
-        groups[""] = {lesson.key: lesson.title}
-    for each in there.values():
-        groups.setdefault(each.chapter, {})[each.key] = each.title
+    chapters = lessons().chapters(course)
+    if lesson.key not in {key for chapter in chapters for key in chapter.lessons}:
+        groups[""] = {lesson.key: lesson.title}  # it is of another course, or its file was taken away
+    for chapter in chapters:
+        groups.setdefault(chapter.title, {}).update({key: there[key].title for key in chapter.lessons})
     again, close = "Begin this lesson again", "Close the lesson"
     return tag(
         "div.lesson-head",
@@ -165,7 +167,7 @@ def _task(form: Form, state: State, lesson: Lesson) -> Markup | None:
 
 
 def _foot(form: Form, lesson: Lesson, part: LessonPart) -> Markup:
-    """Return the buttons back and on, with the next hint between them."""
+    """Return the buttons back and on, with the next hint between them; at the last step also the next lesson."""
     i, last, progress = part.index, len(lesson.steps) - 1, part.progress
     passed = progress.passed(lesson)
     back = form.button("lesson-back", "‹ Back", GoToStep(i - 1), "way") if i else tag("span")
@@ -173,7 +175,7 @@ def _foot(form: Form, lesson: Lesson, part: LessonPart) -> Markup:
     if i < last:
         word, kind = ("Next ›", "way on") if i in passed else ("Skip ›", "way")
         return tag("div.lesson-foot", back, hint, form.button("lesson-next", word, GoToStep(i + 1), kind))
-    return tag("div.lesson-foot", back, hint, _end(form, last, passed))
+    return with_end(form, lesson, part, tag("div.lesson-foot", back, hint, _end(form, last, passed)))
 
 
 def _hint(form: Form, lesson: Lesson, part: LessonPart, i: int) -> Markup | None:
@@ -191,7 +193,7 @@ def _end(form: Form, last: int, passed: frozenset[int]) -> Inside:
             f"{len(missing)} to do",
             title=f"Not done yet: step{'s' if len(missing) > 1 else ''} {', '.join(missing)}",
         )
-    return tag("b.ok", "✓ Lesson done"), form.button("lesson-close", "Close", CloseLesson(), "way on")
+    return tag("b.ok", "✓ Lesson done"), form.button("lesson-close", "Close", CloseLesson(), "way")
 
 
 def _more(form: Form, lesson: Lesson, part: LessonPart, save: Callable[[], Wish]) -> Markup:

@@ -8,7 +8,10 @@ PAGE = Page(
     "Lessons",
     "BOOK",
     5,
-    about=("exercises", "course", "chapters", "index of the notes", "assignments", "homework", "tutorial"),
+    about=(
+        *("exercises", "course", "chapters", "index of the notes", "assignments", "homework", "tutorial"),
+        *("map", "next lesson", "syllabus", "curriculum", "print the course"),
+    ),
     always=True,
     exports=(
         Export("lesson-load", "Open saved work", ("import", "load", "continue", "progress")),

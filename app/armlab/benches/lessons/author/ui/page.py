@@ -29,8 +29,8 @@ GOAL = (
 )
 
 TO_A_CLASS = (
-    "Put the file into a folder and start the lab with it. The lesson appears in the list, and changes for everybody "
-    "each time the file is saved.",
+    "Put the file into a folder and start the lab with it. The lesson appears in the map, and changes for everybody "
+    "each time the file is saved. A file course.toml in the folder puts lessons in order, yours and those of the lab.",
     "armlab --host 0.0.0.0 --lessons FOLDER",
 )
 

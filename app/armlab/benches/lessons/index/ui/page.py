@@ -1,76 +1,72 @@
-"""The choice of a lesson by chapter, and the search for one by an equation, a section or a word of the notes."""
+"""The map of the course, and the search for a lesson by an equation, a section or a word of the notes."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import groupby
-
-from armlab.content.lesson import Lesson
-from armlab.content.lessons import lessons
+from armlab.benches.lessons.index.ui.map import Map
+from armlab.content.course import Course
+from armlab.content.lesson_head import time_said
+from armlab.content.lessons import Lessons, lessons
 from armlab.session.hand_in import MOST
-from armlab.session.lesson_commands import OpenLesson
+from armlab.session.lesson_commands import ChooseCourse
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Post, State
+from armlab.session.way import Way
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.lesson.load import load_work
-from armlab.ui.markup import fold
-from armlab.ui.picks import broken_files, pick
+from armlab.ui.markup import row
+from armlab.ui.picks import broken_files
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.search.markup import search_button
 from armlab.ui.widgets import Gui
 
+PRINTED = "course"
+"""Address of the course as a page to print."""
+
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Build the button of the search and the list of lessons."""
+    """Build the map, the button of the search, and what is needed seldom."""
+    now = gui.form(post)
     gui.html(search_button("Find: 3.66, section 4.1, quaternion …", "field"))
-    saved, entries = gui.form(post, MOST), gui.form(post)
+    entries = gui.form(post)
+    saved = gui.form(post, MOST)
 
     def show(state: State) -> None:
-        saved.show(tag("div.chips", load_work(saved)))
-        entries.show(_all(entries, state))
+        found, part = lessons(), state[LessonPart]
+        way = Way.of(part, found)
+        now.show(_head(now, found, way), Map(now, way, found.lessons).now())
+        course_map = Map(entries, way, found.lessons).markup(way.course.chapters, found.others)
+        entries.show(course_map, broken_files("lesson", found.problems))
+        saved.show(tag("div.chips", load_work(saved), _printed(way.course)))
 
     return show
 
 
-def _all(form: Form, state: State) -> Inside:
-    """Return the lessons by chapter, each with its arm and the student's progress."""
-    part = state[LessonPart]
-    chapters = [
-        (chapter, list(found)) for chapter, found in groupby(lessons().lessons.values(), lambda lesson: lesson.chapter)
-    ]
-    here = part.open.partition("/")[0]
-    present = next((chapter for chapter, found in chapters if any(each.key == here for each in found)), None)
-    listed = [
-        _chapter(form, chapter, found, part, chapter == present if present else i == 0)
-        for i, (chapter, found) in enumerate(chapters)
-    ]
-    return listed, broken_files("lesson", lessons().problems)
+def _head(form: Form, found: Lessons, way: Way) -> Inside:
+    """Return the course that is shown, where there are several a choice, and how much of it is done."""
+    courses = {course.key: course.title for course in found.courses}
+    if len(courses) > 1:
+        title: Inside = row("Course", form.select("course", "Course", courses, way.course.key, ChooseCourse))
+    else:
+        title = tag("h3", way.course.title)
+    return title, tag("p.dim", _told(way, found))
 
 
-def _chapter(form: Form, chapter: str, found: Sequence[Lesson], part: LessonPart, opened: bool) -> Markup:
-    """Return a chapter, which is open where it holds the open lesson, or is the first when none is open."""
-    done = sum(_passed(lesson, part) == len(lesson.steps) for lesson in found)
-    count = f"{done} of {len(found)} done" if done else f"{len(found)} lesson{'s' if len(found) > 1 else ''}"
-    inside = [_lesson(form, lesson, part) for lesson in found]
-    return fold((chapter, " ", tag("small", count)), inside, opened=opened, key=chapter)
+def _told(way: Way, found: Lessons) -> str:
+    """Return how many lessons the course has and how long they take, or how many are done."""
+    count = len(way.course.lessons)
+    left = [key for key in way.course.lessons if key not in way.done]
+    minutes = time_said(sum(found.lessons[key].minutes for key in left))
+    if len(left) == count:
+        return ", ".join(filter(None, (f"{count} lesson{'s' if count > 1 else ''}", minutes)))
+    done = f"{count - len(left)} of {count} lessons done"
+    return f"{done}, {minutes} left" if minutes else done
 
 
-def _passed(lesson: Lesson, part: LessonPart) -> int:
-    """Return the number of steps passed, in the variant in which most were."""
-    progress = [each for place, each in part.progress_of.items() if place.partition("/")[0] == lesson.key]
-    return max((len(each.passed(lesson)) for each in progress), default=0)
-
-
-def _lesson(form: Form, lesson: Lesson, part: LessonPart) -> Markup:
-    count = len(lesson.steps)
-    steps = f"{count} step{'s' if count > 1 else ''}"
-    passed = _passed(lesson, part)
-    begun = any(place.partition("/")[0] == lesson.key for place in part.progress_of)
-    come = "✓ done" if passed == count else f"{passed} of {count}" if begun else ""
-    about = f"{lesson.robot_used.name}, {steps}"
-    here = lesson.key == part.open.partition("/")[0]
-    return pick(form, f"lesson:{lesson.key}", OpenLesson(lesson.key), lesson.title, come, about, here)
+def _printed(course: Course) -> Markup:
+    to = f"{PRINTED}/{course.key}" if course.key else PRINTED
+    hint = "The whole course on paper, with boxes to tick; opens a page of its own"
+    return tag("a.chip", "To print", href=f"/{to}", target="_blank", rel="noopener", title=hint)
 
 
 PANEL = Panel((LessonPart,), build, rebuilds=(), outside=lessons)

@@ -1,0 +1,1 @@
+"""The panel of the page DC motor, and its part of the scene."""

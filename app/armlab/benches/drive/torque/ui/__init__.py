@@ -1,0 +1,1 @@
+"""The panel of the page Torque, and its part of the scene."""

@@ -1,0 +1,101 @@
+"""The course, by hand: a newcomer begins, goes on to the next lesson, sees the way on the map, and prints it."""
+
+import pytest
+
+from armlab.content.lessons import lessons
+from support.axe import findings
+
+pytestmark = pytest.mark.browser
+
+PAGE, PHONE = (1400, 850), {"width": 390, "height": 844}
+
+PAGES = range(3, 9)
+"""Numbers of pages that the course may have on paper."""
+
+WIDER = "() => document.documentElement.scrollWidth > innerWidth"
+
+CUT = """() => [...document.querySelectorAll('.lm-lesson b, .lm summary span, .lm summary small')]
+  .filter(e => e.scrollWidth > e.clientWidth + 1 || e.getBoundingClientRect().right > innerWidth)
+  .map(e => e.textContent)"""
+"""Words of the map that do not fit into their place."""
+
+
+def row(lab, key):
+    return lab.page.locator(f'[data-cell="lesson:{key}"]')
+
+
+def sign(lab, key):
+    return row(lab, key).locator("u").inner_text()
+
+
+def test_a_newcomer_begins_goes_on_and_sees_the_way(visit):
+    lab = visit(size=PAGE)
+    first, second = lessons().course().lessons[:2]
+    begin = lab.page.locator(f'.al-card [data-cell="start-{first}"]')
+    assert begin.inner_text().split("\n")[:2] == [lessons()[first].title, f"{lessons()[first].minutes} min"]
+    begin.click()
+    lab.ready()
+    one_does_the_first_lesson(lab)
+    the_map_shows_it(lab, first, second)
+    lab.press("lesson-onward")
+    lab.ready()
+    lab.until(lambda: f"/lesson/{second}" in lab.address())
+    lab.open_tab("Lessons")
+    lab.until(lambda: sign(lab, second) == "●")
+    assert sign(lab, first) == "✓"
+    assert not lab.page.evaluate(CUT)
+    what_needs_others_first_opens_all_the_same(lab)
+    the_course_is_printed(lab)
+
+
+def one_does_the_first_lesson(lab):
+    lab.type_into("value 1", "0")
+    lab.type_into("value 2", "0")
+    lab.until(lambda: lab.page.locator(".verdict.ok").count() == 1)
+    lab.press("lesson-next")
+    lab.type_into("value 2", "90")
+    lab.until(lambda: lab.page.locator(".verdict.ok").count() == 1)
+    lab.press("lesson-next")
+    assert lab.page.locator(".lesson-can").count() == 0
+    assert lab.page.locator("[data-cell=lesson-onward]").is_visible(), "nothing is locked"
+    lab.type_into("lesson-answer", "0.866")
+    lab.until(lambda: "You can now" in lab.page.inner_text("body"))
+    assert not findings(lab, whole=True)
+
+
+def the_map_shows_it(lab, first, second):
+    lab.open_tab("Lessons")
+    lab.until(lambda: f"1 of {len(lessons().course().lessons)} lessons done" in lab.page.inner_text("body"))
+    assert sign(lab, first) == "✓"
+    assert row(lab, first).get_attribute("aria-current") == "true"
+    assert sign(lab, second) == "▸"
+    onward = lab.page.locator("[data-cell=lesson-onward]").inner_text()
+    assert onward == f"Next lesson: {lessons()[second].title}, {lessons()[second].minutes} min"
+    assert not lab.page.evaluate(CUT)
+
+
+def what_needs_others_first_opens_all_the_same(lab):
+    early = row(lab, "ik_2r")
+    assert "first: The planar arm" in early.inner_text()
+    early.click()
+    lab.ready()
+    lab.until(lambda: "/lesson/ik_2r" in lab.address())
+
+
+def the_course_is_printed(lab):
+    """The paper is light whatever the look of the lab."""
+    lab.open_tab("Lessons")
+    with lab.page.context.expect_page() as opened:
+        lab.page.get_by_text("To print", exact=True).click()
+    paper = opened.value
+    paper.emulate_media(color_scheme="dark")
+    course = lessons().course()
+    assert paper.locator("h1").inner_text() == course.title
+    assert paper.locator("li > i").count() == len(course.lessons)
+    assert paper.evaluate("() => getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+    paper.set_viewport_size(PHONE)
+    assert not paper.evaluate(WIDER)
+    assert paper.pdf(format="A4").count(b"/Type /Page\n") in PAGES
+    paper.locator("a", has_text=lessons()["statics"].title).click()
+    paper.wait_for_url("**/lesson/statics")
+    paper.close()

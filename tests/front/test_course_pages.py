@@ -1,0 +1,149 @@
+"""Courses as pages to print: what stands on them, who gets them, and that they need no lab behind the front."""
+
+import gzip
+import html
+import json
+import re
+
+import pytest
+
+from armlab.content.lessons import lessons
+from armlab.front.course_pages import CoursePages
+from armlab.front.start import Settings, start
+from support.command import command
+from support.lab import running_lab
+from support.own_lessons import PWN, lesson, write
+from support.patience import WAIT
+from support.web import get
+
+COURSE = """title = "My {title}"
+about = "For those who are quick."
+
+[[chapters]]
+title = "Mine"
+lessons = ["own", "ik_2r"]
+"""
+
+SERVED = """
+import json, sys, urllib.request
+from armlab.front.start import Settings, start
+
+def look(port):
+    with urllib.request.urlopen(f"http://127.0.0.1:{port}/course") as page:
+        print(json.dumps([page.status, "viser" in sys.modules, "markdown_it" in sys.modules]))
+
+start(Settings("127.0.0.1", [0], "puma560", None), look).stop()
+"""
+
+
+@pytest.fixture(scope="module")
+def url():
+    with running_lab() as address:
+        yield address
+
+
+def words(body):
+    """Return the text of a page."""
+    return html.unescape(re.sub(r"<style>.*?</style>|<[^>]*>", " ", body.decode(), flags=re.DOTALL))
+
+
+def html_of(pages, key=""):
+    return pages.page(key).html.decode()
+
+
+def test_the_course_is_a_page_with_a_box_for_each_lesson(url):
+    status, headers, body = get(f"{url}course")
+    assert status == 200
+    assert headers["Content-Type"] == "text/html; charset=utf-8"
+    course = lessons().course()
+    text = words(body)
+    assert text.count("min") >= len(course.lessons)
+    for chapter in course.chapters:
+        assert chapter.title in text
+    for key in course.lessons:
+        found = lessons()[key]
+        assert f'href="/lesson/{key}"' in body.decode()
+        assert found.title in text
+        assert all(sentence in text for sentence in found.can)
+    assert body.count(b"<i></i>") == len(course.lessons)
+    assert "after: Your first arm" in re.sub(r"\s+", " ", text)
+    assert "Other courses" not in text
+
+
+def test_the_page_holds_no_script_is_not_kept_and_gives_no_cookie(url):
+    _, headers, body = get(f"{url}course/lab")
+    assert b"<script" not in body
+    assert headers["Content-Security-Policy"].startswith("default-src 'none'; style-src 'unsafe-inline'")
+    assert "script-src" not in headers["Content-Security-Policy"]
+    assert headers["Cache-Control"] == "no-store"
+    assert headers["Set-Cookie"] is None
+
+
+@pytest.mark.parametrize(
+    ("path", "status"), [("course/none", 404), ("course/%3Cb%3E", 404), ("course/lab/x", 404), ("course/", 404)]
+)
+def test_another_address_is_no_course(url, path, status):
+    found, _, body = get(url + path)
+    assert found == status
+    assert b"<b>" not in body
+
+
+def test_a_page_is_small_on_its_way(url):
+    _, headers, body = get(f"{url}course", {"Accept-Encoding": "gzip"})
+    assert headers["Content-Encoding"] == "gzip"
+    assert len(body) < 20_000
+
+
+def test_strangers_to_a_room_get_no_course():
+    lab = start(Settings("127.0.0.1", [0], "scara", None, code="blue"))
+    try:
+        url = f"http://127.0.0.1:{lab.port}/"
+        assert get(f"{url}course")[0] == 401
+        status, headers, _ = get(f"{url}course?code=blue", follow=False)
+        assert (status, headers["Location"]) == (303, "/course")
+        assert get(f"{url}course", {"Cookie": headers["Set-Cookie"].split(";")[0]})[0] == 200
+        assert get(f"{url}course", {"Host": "evil.example"})[0] == 421
+    finally:
+        lab.stop()
+
+
+def test_an_own_course_comes_first_and_follows_its_file(tmp_path):
+    front = 'minutes = 65\nrobot = "planar_2r"\ncan = ["Do ⟦3.66⟧ this."]\n'
+    write(tmp_path, own=lesson(front=front, title=f"Own {PWN}".replace('"', "'")))
+    file = tmp_path / "course.toml"
+    file.write_text(COURSE.format(title="course"), encoding="utf-8")
+    pages = CoursePages([tmp_path], interval=0.0)
+    page = html_of(pages)
+    text = words(page.encode())
+    assert "My course" in text
+    assert "1 h 5 min" in text
+    assert "Two elbows for one point" in text
+    assert "<script" not in page
+    assert "Do  this." in text
+    assert pages.page() is pages.page()
+    assert gzip.decompress(pages.page().compressed) == pages.page().html
+    assert 'href="/course/lab"' in page
+    assert "Robot arms" in html_of(pages, "lab")
+    assert pages.page("gone") is None
+    file.write_text(COURSE.format(title="other course").replace("ik_2r", "gone"), encoding="utf-8")
+    assert "My course" in html_of(pages), "a course with a mistake changes nothing"
+    file.write_text(COURSE.format(title="other course"), encoding="utf-8")
+    assert "My other course" in html_of(pages)
+    write(tmp_path, loose=lesson(title="Loose one"))
+    assert "More lessons" in html_of(pages)
+    assert "0 Tests" in html_of(pages)
+
+
+def test_whoever_asks_often_gets_the_page_that_was_made(tmp_path, monkeypatch):
+    pages = CoursePages([write(tmp_path, own=lesson(title="Own one"))], interval=WAIT)
+    page = pages.page()
+    write(tmp_path, own=lesson(title="Another"))
+    assert pages.page() is page
+    monkeypatch.setattr(pages, "_until", 0.0)
+    assert b"Another" in pages.page().html
+
+
+def test_the_page_is_there_before_the_lab_and_reads_no_lesson():
+    out, err = command(code=SERVED).communicate(timeout=WAIT)
+    assert err == ""
+    assert json.loads(out) == [200, False, False]
