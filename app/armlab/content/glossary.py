@@ -41,6 +41,14 @@ TERMS: tuple[Term, ...] = (
         ("back electromotive force", "speed constant"),
     ),
     Term(
+        "Backlash",
+        "The motion that a joint can make while its motor stands still, because teeth or threads have room between "
+        "them. An encoder on the motor does not see it.",
+        "",
+        "joint_drive",
+        ("play",),
+    ),
+    Term(
         "Closed form",
         "A formula that gives all solutions of the inverse kinematics in finitely many steps. An arm has one if, for "
         "example, three neighbouring axes meet in one point or are parallel.",
@@ -123,6 +131,14 @@ TERMS: tuple[Term, ...] = (
         ("world frame", "base frame"),
     ),
     Term(
+        "Harmonic drive",
+        "A gear whose flexible ring, bent by a turning wave generator, loses two of its teeth in each turn: a large "
+        "ratio in one stage, with hardly any backlash. Also called strain wave gear.",
+        "",
+        "harmonic",
+        ("flexspline", "wave generator", "circular spline"),
+    ),
+    Term(
         "Inverse kinematics",
         "The configurations in which the tool has a given pose. There may be none, several, or infinitely many.",
         "",
@@ -176,6 +192,14 @@ TERMS: tuple[Term, ...] = (
         "Of all joint speeds that bring the tool closest to the wanted velocity it gives the shortest.",
         r"J^\#",
         "solve",
+    ),
+    Term(
+        "Reduction ratio",
+        "The turns of the motor for one turn of the load. The speed is divided by it, and without losses the torque is "
+        "multiplied by it; a negative ratio turns the sense round.",
+        "n",
+        "gears",
+        ("gear ratio", "transmission ratio"),
     ),
     Term(
         "Redundant arm",

@@ -59,6 +59,17 @@ def whole_number(value: object, where: str, least: int) -> int:
     return int(value)
 
 
+def whole_between(value: object, where: str, least: int, most: int) -> int:
+    """Return an integer from ``least`` to ``most``; `InputError` otherwise.
+
+    >>> whole_between(20, "teeth", 6, 200)
+    20
+    """
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not least <= value <= most:
+        raise wrong(where, f"a whole number from {least} to {most}", value)
+    return int(value)
+
+
 def wrong(where: str, expected: str, got: object) -> InputError:
     """Return the error for a wrong argument; a long value is shortened.
 

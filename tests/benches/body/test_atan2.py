@@ -8,7 +8,7 @@ import pytest
 
 from armlab.benches.body.atan2.angle import CASES, POINTS, angle_of, present
 from armlab.benches.body.atan2.facts import FACTS
-from armlab.benches.body.atan2.state import MOST, Plane, PutPoint, SetCoordinate
+from armlab.benches.body.atan2.state import MOST, DragPoint, Plane, SetCoordinate
 from armlab.benches.body.atan2.ui.page import verdict
 from armlab.benches.body.atan2.ui.picture import SIZE, arc, at, picture, place_of
 from armlab.benches.body.atan2.ui.scene import arcs_of, arrow_of
@@ -77,11 +77,11 @@ def test_where_there_is_no_quotient_and_no_angle():
 
 
 def test_a_drag_brings_the_point_to_the_nearest_round_place_inside_the_picture():
-    state = opened(PutPoint(0.51, -0.26, 3))
+    state = opened(DragPoint(0.51, -0.26, 3))
     assert state[Plane].point == (0.5, -0.25)
-    assert apply(state, PutPoint(7.0, 0.01, 3))[Plane].point == (MOST, 0.0)
-    assert PutPoint(0, 0, 3).stroke == PutPoint(1, 1, 3).stroke != PutPoint(1, 1, 4).stroke
-    assert PutPoint(0, 0).stroke is None
+    assert apply(state, DragPoint(7.0, 0.01, 3))[Plane].point == (MOST, 0.0)
+    assert DragPoint(0, 0, 3).stroke == DragPoint(1, 1, 3).stroke != DragPoint(1, 1, 4).stroke
+    assert DragPoint(0, 0).stroke is None
     for x, y in ((0.0, 0.0), (1.2, -0.7), (-2.0, 2.0)):
         across, down = (each / SIZE for each in at(x, y))
         np.testing.assert_allclose(place_of(across, down), (x, y), rtol=0, atol=1e-12)

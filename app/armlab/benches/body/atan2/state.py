@@ -51,7 +51,7 @@ class SetCoordinate(Command):
 
 
 @dataclass(frozen=True)
-class PutPoint(Command):
+class DragPoint(Command):
     """Put the point at a place, by a click or a drag: the nearest of those `ROUND` apart, inside the picture.
 
     Parameters
@@ -70,7 +70,7 @@ class PutPoint(Command):
     @property
     def stroke(self) -> object:
         """Make one step of history of one drag."""
-        return (PutPoint, self.drag) if self.drag else None
+        return (DragPoint, self.drag) if self.drag else None
 
     def apply(self, state: State) -> State:
         """Return the state with the point there."""

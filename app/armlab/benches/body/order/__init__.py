@@ -16,7 +16,7 @@ PAGE = Page(
         "5.1",
         "finite rotations do not commute",
         "infinitesimal rotations",
-        "commutator",
+        "commutator of rotations",
         "two rotations in both orders",
         "translations commute",
     ),

@@ -16,7 +16,7 @@ PAGE = Page(
         "S3.3.2-rpy",
         "S3.3.2-rpy-xyz",
         "3.3",
-        "euler",
+        "Euler angles",
         "roll pitch yaw",
         "moving axes",
         "fixed axes",

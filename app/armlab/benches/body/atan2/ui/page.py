@@ -5,10 +5,11 @@ from __future__ import annotations
 from functools import partial
 
 from armlab.benches.body.atan2.angle import CASES, POINTS, Angle, angle_of, present
-from armlab.benches.body.atan2.state import Plane, PutPoint, SetCoordinate
+from armlab.benches.body.atan2.state import DragPoint, Plane, SetCoordinate
 from armlab.benches.body.atan2.ui.picture import caption, picture, place_of
 from armlab.benches.body.forms.stage import around
 from armlab.benches.body.forms.ui.page import HIDES
+from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.state import Command, Post, State
 from armlab.ui.form import Form
@@ -46,8 +47,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _put(across: float, down: float, drag: int) -> PutPoint:
-    return PutPoint(*place_of(across, down), drag)
+def _put(across: float, down: float, drag: int) -> DragPoint:
+    return DragPoint(*place_of(across, down), drag)
 
 
 def _label(found: Angle, units: Units) -> str:
@@ -107,7 +108,7 @@ def _point(form: Form, k: int, now: Angle, each: Angle, units: Units) -> Markup:
         return NONE if angle is None else units.text(angle, True)
 
     name = f"{readable(each.x, 0)}, {readable(each.y, 0)}"
-    go = form.chip(f"go {k}", name, PutPoint(each.x, each.y), f"Put the point at ({name})")
+    go = form.chip(f"go {k}", name, Set(Plane, "point", [each.x, each.y]), f"Put the point at ({name})")
     wrong = classes("td", **{"at-off": not each.right})
     here = (now.x, now.y) == (each.x, each.y)
     return tag(classes("tr", now=here), tag("td", go), tag("td", text(each.atan2)), tag(wrong, text(each.atan)))

@@ -1,0 +1,1 @@
+"""The panel of the page Gears, and its part of the scene."""

@@ -1,0 +1,1 @@
+"""The panel of the page Harmonic drive, and its part of the scene."""

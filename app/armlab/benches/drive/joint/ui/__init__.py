@@ -1,0 +1,1 @@
+"""The panel of the page Joint drive, and its part of the scene."""
