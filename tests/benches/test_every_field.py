@@ -55,6 +55,7 @@ TEXTS = {
     "control name",
     "identities left",
     "identities right",
+    "frame_chain name",
     "lessons lesson-load",
     "motion_files read-motion",
     "newton_1d f",

@@ -21,11 +21,12 @@ from armlab.content.robots import Robot
 from armlab.session.session import Session
 from armlab.session.state import Command, State
 from armlab.ui.fields import Fields
+from armlab.ui.html import Inside
 from armlab.ui.plugin import panel
-from armlab.ui.widgets import Gui
+from armlab.ui.widgets import Gui, Html
 
 _COUNT = itertools.count(1)
-_CONTROL = re.compile(r"<(input|textarea|button|select)\b([^>]*)>(.*?(?=</select>))?", re.S)
+_CONTROL = re.compile(r"<((select)|input|textarea|button)\b([^>]*)>(?(2)(.*?)(?=</select>))", re.S)
 _OPTION = re.compile(r'<option value="([^"]*)"')
 
 
@@ -86,6 +87,7 @@ class BareGui(Gui):
         camera: Any = SimpleNamespace(look_from=print, as_view=lambda: None)
         super().__init__(client, camera, lambda key: None)
         self.has: list[Fields] = []
+        self.said: list[Html] = []
 
     @property
     def origin(self) -> str:
@@ -98,6 +100,11 @@ class BareGui(Gui):
     def save_picture(self, name: str, on_failure: Callable[[str], None]) -> None:
         """Draw nothing."""
 
+    def html(self, *inside: Inside) -> Html:
+        """Keep the markup, too."""
+        self.said.append(super().html(*inside))
+        return self.said[-1]
+
     def fields(self, on_input: Callable[[str, str], None], longest: int | None = None) -> Fields:
         """Keep the fields."""
         self.has.append(super().fields(on_input, longest))
@@ -106,7 +113,7 @@ class BareGui(Gui):
     def clear(self, linger: bool = False) -> None:
         """Forget the fields, too."""
         super().clear()
-        self.has = []
+        self.has, self.said = [], []
 
 
 class BarePage:
@@ -142,7 +149,7 @@ class BarePage:
         for fields in self._gui.has:
             if not fields.html.visible:
                 continue
-            for kind, attributes, inside in _CONTROL.findall(content(fields)):
+            for kind, _, attributes, inside in _CONTROL.findall(content(fields)):
                 cell = re.search(r'data-cell="([^"]*)"', attributes)
                 if kind in kinds and cell and " disabled" not in attributes:
                     yield fields, unescape(cell[1]), inside
@@ -155,6 +162,13 @@ class BarePage:
             with contextlib.suppress(StopIteration):
                 callback(SimpleNamespace(client=self)).send(None)
         self.show()
+
+
+def words(page: BarePage) -> str:
+    """Return everything that a page shows, without tags."""
+    gui = page._gui
+    shown = [content(fields) for fields in gui.has] + [each.handle._impl.props.content for each in gui.said]
+    return unescape(re.sub(r"<[^>]+>", " ", " ".join(shown)))
 
 
 def content(fields: Fields) -> str:

@@ -54,6 +54,15 @@ def test_decades_of_a_logarithmic_axis_are_equally_wide():
     assert gaps == pytest.approx([3 * 300.0 / 16] * 5, abs=0.1)  # pixels are rounded to tenths
 
 
+def test_an_ordinate_may_be_logarithmic_too():
+    chart = replace(CHART, y=(0.01, 10.0), height=196, bottom=16, log_y=True)
+    assert [round(chart.py(10.0**power), 9) for power in (-2, -1, 0, 1)] == [180.0, 120.0, 60.0, 0.0]
+    levels = re.findall(r'y="([\d.]+)" text-anchor="end">([\d.]+)<', "".join(chart.grid()))
+    assert levels[1:] == [("184.0", "0.01"), ("124.0", "0.1"), ("64.0", "1"), ("4.0", "10")]
+    with pytest.raises(ValueError, match="y of chart made-up: expected a range above zero, got 0 to 1"):
+        replace(CHART, y=(0.0, 1.0), log_y=True)
+
+
 def test_round_values_of_a_given_distance():
     chart = replace(CHART, y=(-90.0, 30.0), steps=(0.0, 45.0))
     assert re.findall(r'text-anchor="end">([^<]+)</text>', "".join(chart.grid()))[1:] == ["−90", "−45", "0"]

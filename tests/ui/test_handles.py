@@ -38,6 +38,8 @@ def test_the_handles_fit_the_task(key, axes, rings):
     (move,) = handles_of(arm, "move")
     assert move["active_axes"] == axes
     assert move["disable_rotations"]
+    # In a plane there is a square to move in it freely.
+    assert move["disable_sliders"] == (sum(axes) != 2)
     turn = handles_of(arm, "turn")
     assert len(turn) == rings
     assert all(options["disable_axes"] and options["disable_sliders"] for options in turn)

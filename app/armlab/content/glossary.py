@@ -139,6 +139,14 @@ TERMS: tuple[Term, ...] = (
         ("flexspline", "wave generator", "circular spline"),
     ),
     Term(
+        "Homogeneous transform",
+        "The pose of one frame in another as a 4 × 4 matrix, of rotation R and position p above a row 0 0 0 1. It also "
+        "leads coordinates of points from the one frame to the other, and products of transforms are chains of frames.",
+        "{}^{A}T_B",
+        "frame_chain",
+        ("transformation matrix", "change of coordinates"),
+    ),
+    Term(
         "Inverse kinematics",
         "The configurations in which the tool has a given pose. There may be none, several, or infinitely many.",
         "",
@@ -207,6 +215,14 @@ TERMS: tuple[Term, ...] = (
         r"n>m",
         "solutions",
         ("redundancy", "self-motion"),
+    ),
+    Term(
+        "Screw motion",
+        "A turn about a line in space together with a slide along it. Every motion from one pose to another is one; "
+        "the slide for each turn is its pitch.",
+        "",
+        "screw",
+        ("screw axis", "pitch of a screw", "twist"),
     ),
     Term(
         "Servomotor",

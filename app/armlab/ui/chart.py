@@ -48,8 +48,8 @@ class Chart:
         them is left out.
     steps : (float, float)
         Distances of the round values; 0 lets the chart choose.
-    log : bool
-        Whether the abscissa is logarithmic.
+    log, log_y : bool
+        Whether the abscissa, and the ordinate, is logarithmic.
 
     Raises
     ------
@@ -67,22 +67,21 @@ class Chart:
     names: tuple[str, str] = ("", "")
     steps: tuple[float, float] = (0.0, 0.0)
     log: bool = False
+    log_y: bool = False
 
     def __post_init__(self) -> None:
-        for axis, (low, high), least in (("x", self.x, 0.0 if self.log else -math.inf), ("y", self.y, -math.inf)):
-            if not (low > least and 0.0 < high - low < math.inf):
-                what = "above zero" if axis == "x" and self.log else "of finite numbers"
+        for axis, (low, high), log in (("x", self.x, self.log), ("y", self.y, self.log_y)):
+            if not (low > (0.0 if log else -math.inf) and 0.0 < high - low < math.inf):
+                what = "above zero" if log else "of finite numbers"
                 raise ValueError(f"{axis} of chart {self.key}: expected a range {what}, got {low:g} to {high:g}")
 
     def px(self, x: float) -> float:
         """Return the pixel of an abscissa."""
-        low, high = self.x
-        part = math.log(x / low) / math.log(high / low) if self.log else (x - low) / (high - low)
-        return self.left + (self.width - self.left) * part
+        return self.left + (self.width - self.left) * _part(x, self.x, self.log)
 
     def py(self, y: float) -> float:
         """Return the pixel of an ordinate."""
-        return (self.height - self.bottom) * (self.y[1] - y) / (self.y[1] - self.y[0])
+        return (self.height - self.bottom) * (1.0 - _part(y, self.y, self.log_y))
 
     def grid(self) -> list[Markup]:
         """Return lines at round values, with the values and the names of the axes beside them."""
@@ -94,11 +93,19 @@ class Chart:
             lines.append(self.upright(value, "grid"))
             if not across or x - 0.5 * DIGIT * len(text) >= 2.0 + LETTER * len(across):
                 lines.append(svg.text("tick", x, floor, text, anchor))
-        for value in _round(self.steps[1], self.y):
+        for value in powers_of_ten(*self.y) if self.log_y else _round(self.steps[1], self.y):
             y = self.py(value)
             lines.append(svg.path("grid", f"M{self.left:g} {y:.1f}H{self.width:g}"))
             if not up or y >= NAME:
-                lines.append(svg.text("tick", self.left - 4.0, y + 4.0, value_text(value, self.y), "end"))
+                lines.append(
+                    svg.text(
+                        "tick",
+                        self.left - 4.0,
+                        y + 4.0,
+                        value_text(value, (0.0, value) if self.log_y else self.y),
+                        "end",
+                    )
+                )
         return lines
 
     def upright(self, x: float, kind: str, **looks: Attribute) -> Markup:
@@ -127,6 +134,12 @@ class Chart:
         wide, tall = self.width - self.left, self.height - self.bottom
         clip = tag("clipPath", svg.shape("rect", x=self.left, y=0, width=wide, height=tall), id=f"{self.key}-clip")
         return svg.drawing(f"chart.{self.key}", self.width, self.height, label, clip, *inside)
+
+
+def _part(value: float, span: Range, log: bool) -> float:
+    """Return where a value lies in a range, 0 to 1 between its ends."""
+    low, high = span
+    return math.log(value / low) / math.log(high / low) if log else (value - low) / (high - low)
 
 
 def _round(step: float, span: Range) -> list[float]:

@@ -16,6 +16,8 @@ from armlab.ui.html import Inside, Markup, classes, tag
 
 MINUS = "\u2212"
 
+EN_SPACE = "\N{EN SPACE}"
+
 FIGURES, TINY, ROUNDING = 4, 1e-6, 1e-12
 """Least number of digits in a field, value below which a power of ten is written, and relative rounding."""
 
@@ -58,6 +60,11 @@ def readable(value: float, decimals: int) -> str:
         mantissa, exponent = f"{value:.{FIGURES - 1}e}".split("e")
         return f"{mantissa.rstrip('0').rstrip('.')}e{int(exponent)}".replace("-", MINUS)
     return trimmed(value, max(decimals, FIGURES - 1 - math.floor(math.log10(abs(value)))))
+
+
+def components(values: NDArray[np.floating], decimals: int = 4) -> str:
+    """Return the components of a vector in a row."""
+    return EN_SPACE.join(number(float(value), decimals) for value in values)
 
 
 def subscript(letter: str, index: int) -> str:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+from contextlib import suppress
 from dataclasses import dataclass
 
 from armlab.content.arithmetic import evaluate
@@ -218,3 +220,20 @@ def plain_number(text: str, where: str = "", expected: str = "a number") -> floa
     except InputError:
         said = f"{where}: " if where else ""
         raise InputError(f"{said}expected {expected}, got {text.strip()[:40]!r}") from None
+
+
+def typed_numbers(text: str, where: str, count: int, of: str) -> list[float]:
+    """Return one typed number, or ``count`` of them if all were pasted, with or without brackets.
+
+    Parameters
+    ----------
+    text, where : str
+    count : int
+    of : str
+        What they are the numbers of, for the `InputError` when it is none of both.
+    """
+    parts = re.sub(r"[\[\]{};]|,\s", " ", text).split()
+    if len(parts) == count:
+        with suppress(InputError):
+            return [plain_number(part) for part in parts]
+    return [plain_number(text, where, f"a number, or all {count} of {of}")]

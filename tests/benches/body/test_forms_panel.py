@@ -19,16 +19,16 @@ from armlab.benches.body.forms.commands import (
 from armlab.benches.body.forms.rotation import forms_of
 from armlab.benches.body.forms.stage import stage_of
 from armlab.benches.body.forms.state import Body
-from armlab.benches.body.forms.ui.block import DOTS, block_glb
 from armlab.benches.body.forms.ui.count import count_markup
 from armlab.benches.body.forms.ui.numbers import angles_markup, axis_markup, matrix_markup, quaternion_markup
 from armlab.benches.body.forms.ui.scene import lost_marks, ring_names
-from armlab.benches.body.forms.ui.words import turn_names, typed_numbers
+from armlab.benches.body.forms.ui.words import turn_names
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.session import Asked
 from armlab.session.state import State, apply
-from armlab.ui.units import units_of
+from armlab.ui.scene._block import DOTS, block_glb
+from armlab.ui.units import typed_numbers, units_of
 from support.forms import BareForm
 
 

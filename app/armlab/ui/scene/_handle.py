@@ -85,6 +85,14 @@ class Handle:
         """Put rings that turn something freely, whatever the task of the arm, about axes (3, 3) at a pose (4, 4)."""
         self._show(pose, axes, ("", "turn", ""), [_ring("xyz")])
 
+    def show_arrows(self, pose: Floats, axes: Floats, letters: str = "xyz", ring: str = "") -> None:
+        """Put arrows that move something, whatever the task of the arm, along some of the axes (3, 3) at a pose (4, 4).
+
+        ``ring`` is the letter of an axis about which it can be turned, too.
+        """
+        controls = [_arrows(letters), *([_ring(ring)] if ring else [])]
+        self._show(pose, axes, ("", letters, ring), controls)
+
     def _show(self, pose: Floats, axes: Floats, wanted: tuple[str, str, str], controls: list[dict[str, Any]]) -> None:
         self._pose, self._axes = pose, axes
         if self._made_for != wanted and self._held is None:
@@ -151,9 +159,12 @@ def handles_of(arm: Arm, handle: str) -> list[dict[str, Any]]:
     if handle == "turn":
         rings = {"none": (), "phi": ("z",), "approach": ("x", "y"), "full": ("xyz",)}[task.rotation]
         return [_ring(ring) for ring in rings]
-    axes = tuple(letter in task.position for letter in "xyz")
-    in_plane = sum(axes) == 2
-    return [{"active_axes": axes, "disable_rotations": True, "disable_sliders": not in_plane}] if any(axes) else []
+    return [_arrows(task.position)] if task.position else []
+
+
+def _arrows(letters: str) -> dict[str, Any]:
+    axes = tuple(letter in letters for letter in "xyz")
+    return {"active_axes": axes, "disable_rotations": True, "disable_sliders": sum(axes) != 2}
 
 
 def _ring(about: str) -> dict[str, Any]:

@@ -78,10 +78,16 @@ class _Segments:
             if not np.array_equal(points, self._points):
                 self._handle.points = self._points = points
             return
+        self.forget()
         self._points, self._colours = points, colours
+        self._handle = make(self._path, points, colours) if segments else None
+
+    def forget(self) -> None:
+        """Remove the node; the next drawing makes another."""
+        self._points, self._colours = _arrays([])
         if self._handle is not None:
             self._handle.remove()
-        self._handle = make(self._path, points, colours) if segments else None
+        self._handle = None
 
 
 class Sketch:
@@ -99,6 +105,13 @@ class Sketch:
         self._canvas, self._name, self._weight = canvas, name, weight
         self._arrows, self._strokes = (_Segments(canvas.path(f"{name}/{kind}")) for kind in ("arrows", "strokes"))
         self._label: viser.LabelHandle | None = None
+
+    def weigh(self, weight: float) -> None:
+        """Draw in another thickness from now on."""
+        if weight != self._weight:
+            self._weight = weight
+            self._arrows.forget()
+            self._strokes.forget()
 
     def draw(self, marks: Marks) -> None:
         """Draw these marks in place of the present ones."""
@@ -133,6 +146,22 @@ class Sketch:
                 anchor="bottom-left",
                 position=np.asarray(at, dtype=float),
             )
+        seen(self._label, bool(text))
+        if text:
+            write(self._label, text)
+            move(self._label, at)
+
+
+class Named:
+    """A label at a point of the scene."""
+
+    def __init__(self, canvas: LayerCanvas, name: str, text: str = "") -> None:
+        self._label: viser.LabelHandle = canvas.scene.add_label(
+            canvas.path(name), text, font_screen_scale=0.9, anchor="center-center"
+        )
+
+    def show(self, text: str, at: Vector) -> None:
+        """Show a text at a point (3,); an empty one hides it."""
         seen(self._label, bool(text))
         if text:
             write(self._label, text)

@@ -11,7 +11,6 @@ from armlab.benches.body.atan2.angle import Angle, present
 from armlab.benches.body.atan2.state import MOST, Plane
 from armlab.benches.body.forms.stage import stage_of
 from armlab.benches.body.forms.ui.base import BaseFrame
-from armlab.benches.body.forms.ui.block import Named
 from armlab.session.parts.display import Display
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
@@ -19,7 +18,7 @@ from armlab.session.state import State
 from armlab.ui.colours import BLUE, GREY, INK, VERMILLION
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
-from armlab.ui.scene._marks import Marks, Segment, Sketch, arc
+from armlab.ui.scene._marks import Marks, Named, Segment, Sketch, arc
 from armlab.ui.switches import DARK
 from armlab.ui.units import units_of
 

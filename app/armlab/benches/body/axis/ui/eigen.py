@@ -8,11 +8,10 @@ import numpy as np
 
 from armlab.benches.body.axis.inverse import Inverse, inverse_of
 from armlab.benches.body.forms.rotation import Forms, forms_of
-from armlab.benches.body.forms.ui.words import components
 from armlab.kin.axis_angle import eigenvalue_equation
 from armlab.session.state import State
 from armlab.ui import svg
-from armlab.ui.format import MINUS, mathml, number, scientific
+from armlab.ui.format import MINUS, components, mathml, number, scientific
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.units import units_of
 

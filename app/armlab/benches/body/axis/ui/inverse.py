@@ -9,12 +9,11 @@ import numpy as np
 from armlab.benches.body.axis.inverse import FINEST, Inverse, errors, inverse_of
 from armlab.benches.body.axis.state import NEAR, Axis
 from armlab.benches.body.forms.rotation import forms_of
-from armlab.benches.body.forms.ui.words import components
 from armlab.session.fields import Set
 from armlab.session.state import State
 from armlab.ui.colours import BLUE, VERMILLION
 from armlab.ui.form import Form
-from armlab.ui.format import MINUS, mathml, number, scientific
+from armlab.ui.format import MINUS, components, mathml, number, scientific
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import row, verdict_box
 from armlab.ui.plot import Curve, Plot

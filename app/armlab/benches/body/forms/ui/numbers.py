@@ -26,7 +26,7 @@ from armlab.benches.body.forms.commands import (
 from armlab.benches.body.forms.rotation import Forms, Triples, forms_of
 from armlab.benches.body.forms.state import Body
 from armlab.benches.body.forms.ui.rings import COLOURS
-from armlab.benches.body.forms.ui.words import LETTERS, components, turn_names, typed_numbers
+from armlab.benches.body.forms.ui.words import LETTERS, turn_names
 from armlab.kin.conditioning import conditioning
 from armlab.kin.euler import NAMES, SEQUENCES, angle_symbols, product_latex
 from armlab.session.fields import Set
@@ -34,11 +34,11 @@ from armlab.session.state import Command, State
 from armlab.ui.colours import AXES, css
 from armlab.ui.factors import turns
 from armlab.ui.form import Form
-from armlab.ui.format import MINUS, capitalised, dot, mathml, number, readable
+from armlab.ui.format import MINUS, capitalised, components, dot, mathml, number, readable
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import verdict_box
 from armlab.ui.tables import head_line, line
-from armlab.ui.units import Units, units_of
+from armlab.ui.units import Units, typed_numbers, units_of
 
 UNIT = 1e-9
 """Difference of a length from 1 up to which a quaternion is of unit length."""

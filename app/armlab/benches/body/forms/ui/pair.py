@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 
 from armlab.benches.body.forms.stage import pose_at, sides_of
 from armlab.benches.body.forms.ui.base import BaseFrame
-from armlab.benches.body.forms.ui.block import Block, Named
 from armlab.session.state import State
 from armlab.ui.colours import Rgb
 from armlab.ui.drawing import LayerCanvas
-from armlab.ui.scene._marks import Marks, Segment, Sketch, across, arc
+from armlab.ui.scene._block import Block
+from armlab.ui.scene._marks import Marks, Named, Segment, Sketch, across, arc
 
 Floats = NDArray[np.float64]
 

@@ -9,13 +9,12 @@ from numpy.typing import NDArray
 
 from armlab.benches.body.forms.gimbal import RADII, Ring
 from armlab.benches.body.forms.stage import pose_at
-from armlab.benches.body.forms.ui.block import Named
 from armlab.ui.colours import ORANGE, PURPLE, SKY, Rgb
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.glb import scene_glb
 from armlab.ui.figure.mesh import Solid, placed
 from armlab.ui.figure.solids import along, drum, torus
-from armlab.ui.scene._marks import Marks, Segment, Sketch
+from armlab.ui.scene._marks import Marks, Named, Segment, Sketch
 from armlab.ui.scene._nodes import put, seen
 
 Floats = NDArray[np.float64]

@@ -10,7 +10,6 @@ from armlab.benches.body.forms.rotation import Forms, forms_of
 from armlab.benches.body.forms.stage import pose_at, stage_of
 from armlab.benches.body.forms.state import Body
 from armlab.benches.body.forms.ui.base import BaseFrame
-from armlab.benches.body.forms.ui.block import Block
 from armlab.benches.body.forms.ui.handle import body_handle
 from armlab.benches.body.forms.ui.rings import Rings
 from armlab.benches.body.forms.ui.words import LETTERS, turn_names
@@ -22,6 +21,7 @@ from armlab.session.state import State
 from armlab.ui.colours import INK
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
+from armlab.ui.scene._block import Block
 from armlab.ui.scene._marks import Marks, Segment, Sketch
 from armlab.ui.switches import DARK
 from armlab.ui.units import Units, units_of

@@ -11,9 +11,7 @@ from armlab.benches.body.forms.rotation import forms_of
 from armlab.benches.body.forms.stage import pose_at, stage_of
 from armlab.benches.body.forms.state import Body
 from armlab.benches.body.forms.ui.base import BaseFrame
-from armlab.benches.body.forms.ui.block import Block, Named
 from armlab.benches.body.forms.ui.handle import body_handle
-from armlab.benches.body.forms.ui.words import components
 from armlab.benches.body.meanings.state import MATRIX, Meanings, image_of
 from armlab.session.parts.display import Display
 from armlab.session.parts.robot import RobotPart
@@ -21,9 +19,10 @@ from armlab.session.parts.selection import Selection
 from armlab.session.state import State
 from armlab.ui.colours import AXES, INK, ORANGE, PURPLE, Rgb
 from armlab.ui.drawing import LayerCanvas
-from armlab.ui.format import number
+from armlab.ui.format import components, number
 from armlab.ui.plugin import Layer, Show
-from armlab.ui.scene._marks import Marks, Segment, Sketch, arc
+from armlab.ui.scene._block import Block
+from armlab.ui.scene._marks import Marks, Named, Segment, Sketch, arc
 from armlab.ui.switches import DARK
 
 Floats = NDArray[np.float64]

@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 from armlab.benches.body.forms.stage import pose_at, stage_of
 from armlab.benches.body.forms.ui.base import BaseFrame
-from armlab.benches.body.forms.ui.block import Block, Named
 from armlab.benches.body.forms.ui.rings import COLOURS
 from armlab.benches.body.forms.ui.words import PRIMES
 from armlab.benches.body.products.facts import matrix_of
@@ -20,7 +19,8 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
-from armlab.ui.scene._marks import Marks, Segment, Sketch
+from armlab.ui.scene._block import Block
+from armlab.ui.scene._marks import Marks, Named, Segment, Sketch
 from armlab.ui.units import units_of
 
 Floats = NDArray[np.float64]

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from armlab.benches.body.forms.stage import pose_at, stage_of
 from armlab.benches.body.forms.state import Body
 from armlab.benches.body.forms.ui.base import BaseFrame
-from armlab.benches.body.forms.ui.block import Block, Named
 from armlab.benches.body.quaternion.between import POINTS, film_share, kinds_of_ends, present_way, ways_of
 from armlab.benches.body.quaternion.state import Quaternions
 from armlab.benches.body.quaternion.state_view import WAYS, QuaternionView
@@ -23,7 +22,8 @@ from armlab.session.state import State
 from armlab.ui.colours import GREY
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
-from armlab.ui.scene._marks import Marks, Segment, Sketch, arc
+from armlab.ui.scene._block import Block
+from armlab.ui.scene._marks import Marks, Named, Segment, Sketch, arc
 
 Floats = NDArray[np.float64]
 

@@ -8,7 +8,6 @@ import numpy as np
 
 from armlab.benches.body.forms.stage import around
 from armlab.benches.body.forms.ui.page import HIDES
-from armlab.benches.body.forms.ui.words import components, typed_numbers
 from armlab.benches.body.skew.facts import cross_of, dyad_of, matrix_of, orthonormal, sum_of, swapped
 from armlab.benches.body.skew.state import (
     SHOWN,
@@ -24,12 +23,12 @@ from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.state import Command, Post, State
 from armlab.ui.form import Form
-from armlab.ui.format import mathml, matrix, number, pairs, readable, scientific
+from armlab.ui.format import components, mathml, matrix, number, pairs, readable, scientific
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import row, verdict_box
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.tables import head_line, line
-from armlab.ui.units import plain_number
+from armlab.ui.units import plain_number, typed_numbers
 from armlab.ui.widgets import Gui
 
 AXES = ("x", "y", "z")

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from armlab.benches.body.forms.stage import stage_of
 from armlab.benches.body.forms.ui.base import BaseFrame
-from armlab.benches.body.forms.ui.block import Named
 from armlab.benches.body.skew.facts import cross_of, matrix_of
 from armlab.benches.body.skew.state import Skew
 from armlab.kin.matrix_parts import skew_part, symmetric_part
@@ -19,7 +18,7 @@ from armlab.session.state import State
 from armlab.ui.colours import GREY, INK, ORANGE, PURPLE, SKY, Rgb
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
-from armlab.ui.scene._marks import Marks, Segment, Sketch
+from armlab.ui.scene._marks import Marks, Named, Segment, Sketch
 from armlab.ui.switches import DARK
 
 Floats = NDArray[np.float64]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
-import viser
 from numpy.typing import NDArray
 
 from armlab.ui.colours import AXES, Rgb
@@ -13,12 +12,12 @@ from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.glb import scene_glb
 from armlab.ui.figure.mesh import Solid, joined, placed
 from armlab.ui.figure.solids import along, block, drum, lathe
-from armlab.ui.scene._nodes import move, put, seen, write
+from armlab.ui.scene._nodes import put, seen
 
 Floats = NDArray[np.float64]
 
 SIZE = (0.62, 0.48, 0.34)
-"""Edges of the block along x, y and z, in radii of the outermost ring."""
+"""Edges of the block along x, y and z, in radii."""
 
 BEVEL, PLATE, DOT = 0.02, 0.006, 0.034
 """Its bevel, the thickness of the plates on its faces, and the radius of a dot."""
@@ -49,7 +48,7 @@ class Block:
     name : str
         Of its node.
     radius : float
-        Of the outermost ring, metres.
+        Of a ring around it, metres: a corner of it is at 0.43 of that, a tip of its arrows at 0.62.
     names : sequence of str
         Of its three axes; empty ones have no label.
     """
@@ -76,25 +75,9 @@ class Block:
         seen(self._node, on)
 
 
-class Named:
-    """A label at a point of the scene."""
-
-    def __init__(self, canvas: LayerCanvas, name: str, text: str = "") -> None:
-        self._label: viser.LabelHandle = canvas.scene.add_label(
-            canvas.path(name), text, font_screen_scale=0.9, anchor="center-center"
-        )
-
-    def show(self, text: str, at: Floats) -> None:
-        """Show a text at a point (3,); an empty one hides it."""
-        seen(self._label, bool(text))
-        if text:
-            write(self._label, text)
-            move(self._label, at)
-
-
 @cache
 def block_glb() -> bytes:
-    """Return the block for a ring of radius 1."""
+    """Return the block for a radius of 1."""
     solids: list[tuple[Solid, tuple[Rgb, float, float]]] = [(block(SIZE, BEVEL), (DARK, 0.5, 0.0))]
     dots: list[Solid] = []
     dark_dots: list[Solid] = []
@@ -109,7 +92,7 @@ def block_glb() -> bytes:
 
 @cache
 def arrows_glb() -> bytes:
-    """Return the three arrows of the body for a ring of radius 1."""
+    """Return the three arrows of the body for a radius of 1."""
     profile = [(0.0, 0.0), (WIDTH, 0.0), (WIDTH, ARROW - HEAD), (2.6 * WIDTH, ARROW - HEAD), (0.0, ARROW)]
     arrow = lathe(profile, sides=20)
     units = zip(np.eye(3), AXES.values(), strict=True)

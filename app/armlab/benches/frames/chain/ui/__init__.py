@@ -1,0 +1,1 @@
+"""The panel of the page Frame chain, and its part of the scene."""

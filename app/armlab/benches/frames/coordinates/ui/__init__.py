@@ -1,0 +1,1 @@
+"""The panel of the page Coordinates, and its part of the scene."""

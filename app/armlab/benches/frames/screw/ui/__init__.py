@@ -1,0 +1,1 @@
+"""The panel of the page Screw motion, and its part of the scene."""

@@ -1,0 +1,1 @@
+"""The panel of the page Table task, and its part of the scene."""

@@ -1,0 +1,1 @@
+"""The tab of sensors and of measuring with them, with one folder for each page."""

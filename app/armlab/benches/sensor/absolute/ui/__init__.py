@@ -1,0 +1,1 @@
+"""Everything that the page Absolute encoder draws, and what the pages of encoders share."""

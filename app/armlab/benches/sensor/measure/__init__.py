@@ -1,0 +1,28 @@
+"""The page Accuracy and repeatability of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "accuracy",
+    "Accuracy and repeatability",
+    "TARGET",
+    59,
+    tab="absolute_encoder",
+    page="Accuracy",
+    about=(
+        "S2.3-measurement",
+        "S1.7-accuracy-repeatability",
+        "1.7",
+        "2.3",
+        "accuracy",
+        "repeatability",
+        "precision",
+        "bias",
+        "spread",
+        "dart board",
+        "confidence interval",
+        "standard deviation",
+        "measurement error",
+    ),
+)

@@ -1,0 +1,132 @@
+"""The page of the speed from an encoder: the example of the notes, what the others say, and what is refused."""
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+from armlab.benches.sensor.speed.commands import SetCounts
+from armlab.benches.sensor.speed.examples import EXAMPLES, ChooseSpeedExample
+from armlab.benches.sensor.speed.facts import FACTS
+from armlab.benches.sensor.speed.state import EncoderSpeed
+from armlab.benches.sensor.speed.ui.errors import errors, large, percents, speeds
+from armlab.benches.sensor.speed.ui.words import readings_markup, seconds, verdict
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.session.fields import Set
+from armlab.session.parts.notation import Notation
+from armlab.session.state import State, apply
+from armlab.ui.units import Units
+from support.filled import Filled
+
+DEG = math.radians(1.0)
+UNITS = Units(Notation())
+
+
+def opened(*commands):
+    state = State.initial(catalogue()["planar_2r"])
+    for command in commands:
+        state = apply(state, command)
+    return state
+
+
+def fact(state, name):
+    return FACTS.facts[name].now(state).value
+
+
+def example(key):
+    return opened(ChooseSpeedExample(key))
+
+
+def test_the_page_opens_with_the_example_of_the_notes(truth):
+    state, case = opened(), truth["C2.3-encoder-720"]
+    assert state[EncoderSpeed] == EXAMPLES["notes"].part
+    assert fact(state, "counts") == case["inputs"]["C"]
+    assert math.degrees(fact(state, "resolution")) == pytest.approx(case["expected"]["AR_deg"])
+    assert math.degrees(fact(state, "by_counts")) == pytest.approx(case["expected"]["omega_deg_s"])
+    assert fact(state, "ticks") == 500
+    assert math.degrees(fact(state, "by_time")) == pytest.approx(720.0)
+    assert math.degrees(fact(state, "quantum")) == pytest.approx(3.6)
+    assert fact(state, "error_by_counts") == pytest.approx(0.005)
+    assert fact(state, "delay_by_counts") == pytest.approx(0.05)
+
+
+def test_the_other_examples_read_as_their_sentences_say():
+    slow = example("slow")
+    assert fact(slow, "counts") in (2, 3)
+    assert fact(slow, "ticks") == 40_000
+    assert fact(slow, "error_by_time") == pytest.approx(2.5e-5, rel=0.01)
+    assert fact(slow, "finer") == "time"
+    servo = example("servo")
+    assert fact(servo, "counts") == 8
+    assert fact(servo, "error_by_counts") == pytest.approx(0.125)
+    assert fact(servo, "error_by_time") < 1e-3
+    coarse = example("coarse_clock")
+    assert sorted(coarse[EncoderSpeed].ticks[:2]) == [2, 3]
+    assert sorted({round(math.degrees(each)) for each in coarse[EncoderSpeed].by_time}) == [3000, 4500]
+    assert fact(coarse, "finer") == "counts"
+    uneven = example("uneven")[EncoderSpeed]
+    np.testing.assert_allclose(sorted(uneven.by_time / uneven.speed), [2 / 3, 2], rtol=1e-2)
+    assert uneven.by_counts == pytest.approx(uneven.speed, rel=0.01)
+
+
+def test_typed_counts_set_the_speed_at_which_they_come():
+    state = opened(SetCounts(50))
+    assert math.degrees(fact(state, "speed")) == pytest.approx(180.0)
+    assert fact(state, "counts") == 50
+    with pytest.raises(InputError, match=r"counts: expected 1 to 1.59155e\+06 in a window of 0.1 s, got 10000000"):
+        opened(SetCounts(10_000_000))
+
+
+def test_without_a_tick_between_counts_there_is_no_reading():
+    state = opened(Set(EncoderSpeed, "clock", 100.0))
+    assert fact(state, "by_time") is None
+    assert fact(state, "error_by_time") is None
+    assert "no tick" in readings_markup(state[EncoderSpeed], UNITS)
+
+
+def test_the_picture_crosses_where_both_are_as_fine_and_marks_the_speed():
+    part = opened()[EncoderSpeed]
+    picture = errors(part, UNITS)
+    assert "nan" not in picture
+    assert "as fine: 1138 °/s" in picture
+    assert len(re.findall(r"<circle ", picture)) == 2
+    cross = np.array([0.99, 1.01]) * part.meter.crossover
+    counts, time = percents(part, cross)
+    assert (counts / time)[0] > 1.0 > (counts / time)[1] * 0.98
+    assert len(large(part, UNITS).drawn) == 2
+    for key in EXAMPLES:
+        assert "nan" not in errors(example(key)[EncoderSpeed], UNITS)
+    at = speeds(part)
+    assert at[0] < part.speed < at[-1]
+
+
+def test_what_is_said_of_both():
+    assert "The time between counts is finer here" in verdict(opened()[EncoderSpeed], UNITS)
+    assert "Counting is finer here" in verdict(example("coarse_clock")[EncoderSpeed], UNITS)
+    assert "No clock helps" in verdict(example("uneven")[EncoderSpeed], UNITS)
+    assert [seconds(value) for value in (2.0, 0.05, 2.5e-4, 3e-9)] == ["2 s", "50 ms", "250 µs", "3 ns"]
+
+
+@pytest.mark.parametrize(
+    ("cell", "text", "words"),
+    [
+        ("pulses", "0", "periods in a turn, PPR: expected a whole number from 1 to 1000000, got '0'"),
+        (
+            "window",
+            "-1",
+            "T (window in which counts are counted): expected a number in s from 0.00001 to 100, got '-1'",
+        ),
+        ("clock", "0", "f (clock that times counts): expected a number in Hz from 1 to"),
+        ("counts", "0", "counts: expected a whole number of at least 1, got '0'"),
+        ("counts", "1e9", "counts: expected 1 to 1.59155e+06 in a window of 0.1 s, got 1000000000"),
+        ("speed", "-3", "ω (true speed): expected a number in °/s from"),
+    ],
+)
+def test_bad_input_is_said_at_its_field_and_all_stays_as_it_was(cell, text, words):
+    page = Filled("encoder_speed")
+    before = page.state
+    page.fill(cell, text)
+    assert words in page.text
+    assert page.state is before
