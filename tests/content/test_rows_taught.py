@@ -19,17 +19,6 @@ ROW = re.compile(r"S[1-7AR][.\d]*-")
 OPEN = {
     "S2.3.3-force": "core page lesson",
     "S2.3.4-vision": "core page lesson",
-    "S3.2.1-dyads": "lesson",
-    "S3.2.1-skew": "lesson",
-    "S3.2.1-eigen": "lesson",
-    "S3.2.3-quat-from-R": "lesson",
-    "S3.3.1-zxz": "lesson",
-    "SA-atan2": "core page lesson",
-    "SA-trig": "core page lesson",
-    "SA-complex": "core page lesson",
-    "SA-rot3": "core page lesson",
-    "SA-rot2": "core page lesson",
-    "SR-SCARA": "lesson",
 }
 """Rows without all of core, page and step of a lesson, and what they lack."""
 
