@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.errors import InputError
-from armlab.kin.repeatability import scatter_of
+from armlab.kin.sensors.repeatability import scatter_of
 
 
 def test_four_positions_by_hand():

@@ -22,16 +22,28 @@ class Scatter(NamedTuple):
         Mean of the attained positions, metres.
     accuracy : float
         AP, the distance of the mean from the commanded position, metres: the systematic error.
-    repeatability : float
-        RP, the mean distance from the mean plus three of its standard deviations, metres: the scatter.
     distances : ndarray, shape (n,)
         Of the attained positions from their mean, metres.
     """
 
     middle: Floats
     accuracy: float
-    repeatability: float
     distances: Floats
+
+    @property
+    def mean_distance(self) -> float:
+        """Mean m of the distances, metres."""
+        return float(self.distances.mean())
+
+    @property
+    def deviation(self) -> float:
+        """Standard deviation S of the distances, with n - 1, metres."""
+        return float(self.distances.std(ddof=1))
+
+    @property
+    def repeatability(self) -> float:
+        """RP, the mean distance from the mean plus three of its standard deviations, metres: the scatter."""
+        return self.mean_distance + 3.0 * self.deviation
 
 
 def scatter_of(attained: ArrayLike, commanded: ArrayLike) -> Scatter:
@@ -64,5 +76,4 @@ def scatter_of(attained: ArrayLike, commanded: ArrayLike) -> Scatter:
     goal = finite_floats(commanded, "commanded", (3,), "three finite numbers")
     middle = points.mean(axis=0)
     distances = np.linalg.norm(points - middle, axis=1)
-    spread = float(distances.std(ddof=1))
-    return Scatter(middle, float(np.linalg.norm(middle - goal)), float(distances.mean()) + 3.0 * spread, distances)
+    return Scatter(middle, float(np.linalg.norm(middle - goal)), distances)
