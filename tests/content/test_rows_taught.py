@@ -1,7 +1,7 @@
 """Each row of the course's inventory has something that computes it, a page that shows it, and a step that teaches it.
 
-``OPEN`` and ``UNSEEN`` are what is still missing. Where a row of them has come to have what it lacked, the test asks for its
-line to be taken out.
+``OPEN`` and ``UNSEEN`` are what is still missing. Where a row of them has come to have what it lacked, the test asks
+for its line to be taken out.
 """
 
 import re
