@@ -21,6 +21,7 @@ from armlab.benches.body.products.state import (
     TakeBodyAngles,
     TypeEntry,
 )
+from armlab.benches.body.products.ui.scene import GREEK
 from armlab.content.identity import POINTS
 from armlab.kin.euler import SEQUENCES
 from armlab.kin.rotation_products import ANGLES, PAIRS, product_entries
@@ -36,8 +37,6 @@ from armlab.ui.plugin import Panel, Show
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
-
-GREEK = ("α", "β", "γ")
 
 GROUPS = {
     "three axes": {axes: axes.upper() for axes in sorted(SEQUENCES)},

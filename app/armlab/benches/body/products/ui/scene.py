@@ -11,7 +11,6 @@ from armlab.benches.body.forms.ui.rings import COLOURS
 from armlab.benches.body.forms.ui.words import PRIMES
 from armlab.benches.body.products.facts import matrix_of
 from armlab.benches.body.products.state import Products
-from armlab.benches.body.products.ui.page import GREEK
 from armlab.kin.rotations import rotation_from_sequence
 from armlab.session.parts.display import Display
 from armlab.session.parts.notation import Notation
@@ -29,6 +28,9 @@ AXIS = 1.15
 """Half length of the axis of a turn, in radii of the outermost gimbal ring; each further one is a little shorter."""
 
 SHORTER = 0.12
+
+GREEK = ("α", "β", "γ")
+"""Names of the three angles."""
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
