@@ -80,7 +80,7 @@ def arrows_move_a_slider_and_not_the_camera_and_go_along_tabs_and_pages(lab):
     assert lab.slider_value(1) == pytest.approx(before + 0.2)
     assert lab.camera() == camera
 
-    lab.tab("Rotation").focus()
+    lab.tab("Frames").focus()
     press(lab, "ArrowDown")
     assert focused(lab) == "Target"
     page = lab.page.locator(".pages .page[data-cell=target]")

@@ -68,7 +68,7 @@ OPENED = """key => {
 @pytest.fixture(scope="module")
 def url(tmp_path_factory):
     """A lab with a lesson that takes a tab away."""
-    front = 'robot = "planar_2r"\npanel = "joints"\nhidden = ["pose", "orientation", "formulas"]\n'
+    front = 'robot = "planar_2r"\npanel = "joints"\nhidden = ["pose", "orientation", "formulas", "spaces"]\n'
     folder = write(tmp_path_factory.mktemp("lessons"), posed=lesson(front=front))
     with running_lab(tmp_path_factory.mktemp("state"), lessons=folder) as address:
         yield address

@@ -1,7 +1,7 @@
 """Each row of the course's inventory has something that computes it, a page that shows it, and a step that teaches it.
 
-``OPEN`` and ``UNSEEN`` are what is still missing. They only ever become shorter: where a row of them has come to have
-what it lacked, the test asks for its line to be taken out.
+``OPEN`` and ``UNSEEN`` are what is still missing. Where a row of them has come to have what it lacked, the test asks
+for its line to be taken out.
 """
 
 import re
@@ -19,29 +19,14 @@ ROW = re.compile(r"S[1-7AR][.\d]*-")
 OPEN = {
     "S2.3.3-force": "core page lesson",
     "S2.3.4-vision": "core page lesson",
-    "S3.2.1-dyads": "lesson",
-    "S3.2.1-skew": "lesson",
-    "S3.2.1-eigen": "lesson",
-    "S3.2.3-quat-from-R": "lesson",
-    "S3.3.1-zxz": "lesson",
-    "SA-atan2": "core page lesson",
-    "SA-trig": "core page lesson",
-    "SA-complex": "core page lesson",
-    "SA-rot3": "core page lesson",
-    "SA-rot2": "core page lesson",
-    "SR-SCARA": "lesson",
 }
 """Rows without all of core, page and step of a lesson, and what they lack."""
 
 UNSEEN = (
-    "S2.0-system",
     "S2.1-brushed-brushless",
     "S2.1.1-kt-kv",
     "S3.1-atan2",
     "S3.1-sphere",
-    "S3.1-opcount",
-    "S3.4.1-table-task",
-    "S3.4.2-two-robots",
     "S4.2-side-view",
     "S4.3-multiplicity",
     "S4.3-ur10",
@@ -49,18 +34,12 @@ UNSEEN = (
     "S4.4.1-newton-ik",
     "S4.4.1-newton-redundant",
     "S4.4.1-newton-singular",
-    "S5.1-commute",
-    "S5.1-omega-integral",
-    "S5.1-infinitesimal",
     "S5.2-sim-170",
     "S5.2-sim-178",
     "S5.2.1-dls-sim",
     "S5.2.2-penrose",
     "S5.4.1-force-ellipsoid",
-    "S6.0-planning",
-    "S6.0-checklist",
     "S6.3-cartesian",
-    "S6.3.1-execution",
     "S6.3.2-optimality",
 )
 """Rows that a page claims while nobody has yet named what is seen of them there."""

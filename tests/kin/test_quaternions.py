@@ -147,3 +147,44 @@ def test_it_agrees_with_axis_and_angle(rng):
 def test_what_is_none_is_refused_in_words(call, told):
     with pytest.raises(InputError, match=told):
         call()
+
+
+def test_another_library_agrees(rng):
+    """Products, inverses, matrices and slerp of spatialmath, whose quaternions have the scalar first."""
+    base = pytest.importorskip("spatialmath.base")
+    p, q = unit(rng.normal(size=(2, 60, 4)))
+    for one, other in zip(p, q, strict=True):
+        np.testing.assert_allclose(product(one, other), base.qqmul(one, other), rtol=0, atol=1e-14)
+        np.testing.assert_allclose(inverse(one), base.qconj(one), rtol=0, atol=1e-15)
+        np.testing.assert_allclose(rotation_from_quaternion(one), base.q2r(one), rtol=0, atol=1e-14)
+        for s in (0.0, 0.3, 1.0):
+            expected = base.qslerp(one, other, s, shortest=True)
+            assert abs(slerp(one, other, s) @ expected) == pytest.approx(1.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("near", [0.0, np.pi])
+@pytest.mark.parametrize("away", [1e-8, 1e-9, 1e-12, 0.0])
+def test_within_1e_8_of_no_turn_and_of_half_a_turn_all_is_exact(near, away, rng):
+    angle = abs(near - away)
+    axes = rng.normal(size=(40, 3))
+    axes /= np.linalg.norm(axes, axis=1, keepdims=True)
+    q = exponential(np.hstack([np.zeros((40, 1)), 0.5 * angle * axes]))
+    vector = 2.0 * logarithm(q)[:, 1:]
+    np.testing.assert_allclose(np.linalg.norm(vector, axis=1), angle, rtol=0, atol=1e-15)
+    R = Rotation.from_rotvec(angle * axes).as_matrix()
+    np.testing.assert_allclose(rotation_from_quaternion(q), R, rtol=0, atol=1e-15)
+    found = 2.0 * logarithm(quaternion_from_rotation(R))[:, 1:]
+    same = np.minimum(np.abs(found - angle * axes).max(axis=1), np.abs(found + angle * axes).max(axis=1))
+    assert (same if near else np.abs(found - angle * axes).max(axis=1)).max() < 1e-7
+    half = 2.0 * logarithm(slerp([1.0, 0, 0, 0], q, 0.5))[:, 1:]
+    if angle < np.pi:  # there both ways are as short
+        np.testing.assert_allclose(half, 0.5 * angle * axes, rtol=0, atol=2e-15)
+
+
+def test_between_a_quaternion_and_its_opposite_the_short_way_stands_still_and_the_long_one_is_a_whole_turn():
+    p = unit([0.3, -0.5, 0.7, 0.2])
+    np.testing.assert_allclose(slerp(p, -p, [0.0, 0.4, 1.0]), np.array([p, p, p]), rtol=0, atol=1e-15)
+    long = slerp(p, -p, [0.0, 0.5, 1.0], shorter=False)
+    np.testing.assert_allclose(long[2], -p, rtol=0, atol=1e-15)
+    # About z of the body, which is taken where no axis is given: its logarithm is that of -1.
+    np.testing.assert_allclose(long[1], product(p, [0.0, 0.0, 0.0, 1.0]), rtol=0, atol=1e-15)

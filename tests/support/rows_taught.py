@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import importlib
 import re
 import tomllib
@@ -22,6 +21,7 @@ from armlab.content.rows import rows
 from armlab.session.bench import PutInPlace, robot_of
 from armlab.session.pages import pages
 from support.bare_gui import BareGui, BarePage, content
+from support.student import run
 
 FILE = Path(__file__).resolve().parents[1] / "data/rows_taught.toml"
 
@@ -152,7 +152,7 @@ def seen(page: str, example: str) -> str:
 
     What may be chosen from a list does not count: the names of all examples are there, whichever is in place.
     """
-    return asyncio.run(_seen(page, example))
+    return run(_seen(page, example))
 
 
 async def _seen(page: str, example: str) -> str:

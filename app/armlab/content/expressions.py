@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 from typing import NoReturn, TypeVar
 
+from armlab.content.fold import Fold
 from armlab.content.symbols import plain_symbols
 from armlab.errors import InputError, suggestion
 
@@ -44,6 +45,20 @@ FUNCTIONS: dict[str, tuple[Callable[..., float], int, int]] = {
 }
 """Functions by name, with the least and largest number of arguments. Angles are in radians; rad converts degrees."""
 
+MORE_FUNCTIONS: dict[str, tuple[Callable[..., float], int, int]] = {
+    "sec": (lambda x: 1.0 / math.cos(x), 1, 1),
+    "csc": (lambda x: 1.0 / math.sin(x), 1, 1),
+    "cot": (lambda x: math.cos(x) / math.sin(x), 1, 1),
+    "sinh": (math.sinh, 1, 1),
+    "cosh": (math.cosh, 1, 1),
+    "tanh": (math.tanh, 1, 1),
+    "arg": (lambda x: math.atan2(0.0, x), 1, 1),
+    "conj": (lambda x: x, 1, 1),
+    "re": (lambda x: x, 1, 1),
+    "im": (lambda x: 0.0, 1, 1),
+}
+"""Functions that `parse` takes where they are named, likewise; what they are of complex numbers is in `identity`."""
+
 RESERVED = frozenset({*FUNCTIONS, "pi"})
 """Names that no variable may have."""
 
@@ -67,7 +82,7 @@ _OPERATIONS: dict[str, Callable[..., float]] = {
     "sin of degrees": lambda a: math.sin(math.radians(a)),
     "cos of degrees": lambda a: math.cos(math.radians(a)),
     "tan of degrees": lambda a: math.tan(math.radians(a)),
-    **{name: function for name, (function, _, _) in FUNCTIONS.items()},
+    **{name: function for name, (function, _, _) in (FUNCTIONS | MORE_FUNCTIONS).items()},
 }
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d]\w*)|(?P<sign>\*\*|[-+*/^(),°]))"
@@ -93,10 +108,10 @@ class _Node:
             return float(values[self.name])
         return self.number
 
-    def worked_out(self, leaf: Callable[[float | str], T], operate: Callable[[str, Sequence[T]], T]) -> T:
-        if not self.operation:
-            return leaf(self.name or self.number)
-        return operate(self.operation, [node.worked_out(leaf, operate) for node in self.arguments])
+    def folded(self, fold: Fold[T]) -> T:
+        if self.operation:
+            return fold.operation(self.operation, [node.folded(fold) for node in self.arguments])
+        return fold.name(self.name) if self.name else fold.number(self.number)
 
     def with_functions(self, others: Mapping[str, str]) -> _Node:
         if not self.operation:
@@ -144,17 +159,9 @@ class Expression:
             raise InputError(f"{self._cut}: the result is not finite")
         return found
 
-    def worked_out(self, leaf: Callable[[float | str], T], operate: Callable[[str, Sequence[T]], T]) -> T:
-        """Return what comes of the formula with values of another kind, such as matrices.
-
-        Parameters
-        ----------
-        leaf : callable
-            Gets a number or a name.
-        operate : callable
-            Gets ``+ - * / ^``, ``minus`` or a function, and its arguments.
-        """
-        return self._root.worked_out(leaf, operate)
+    def folded(self, fold: Fold[T]) -> T:
+        """Return what a fold makes of the formula, such as its values at many points, or how it is printed."""
+        return self._root.folded(fold)
 
     def with_functions(self, others: Mapping[str, str]) -> Expression:
         """Return the formula with some functions in place of others, such as ``{"sin": "cos", "cos": "sin"}``."""
@@ -177,7 +184,7 @@ def parse(text: str, names: Collection[str] = (), functions: Collection[str] = t
     names : collection of str
         The variables that may stand in it.
     functions : collection of str
-        Those of `FUNCTIONS` that are allowed.
+        Those of `FUNCTIONS` and `MORE_FUNCTIONS` that are allowed.
 
     Raises
     ------
@@ -355,7 +362,7 @@ class _Reader:
             self._take()
             arguments.append(self._deeper(self.sum))
         self._close()
-        _, fewest, most = FUNCTIONS[function]
+        _, fewest, most = (FUNCTIONS | MORE_FUNCTIONS)[function]
         if not fewest <= len(arguments) <= most:
             expected = f"{fewest}" if fewest == most else f"{fewest} to {most}"
             raise InputError(f"{function} takes {expected} values in its brackets, got {len(arguments)}")

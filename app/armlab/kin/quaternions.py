@@ -20,6 +20,9 @@ Floats = NDArray[np.float64]
 NO_AXIS = np.array([0.0, 0.0, 1.0])
 """Axis taken where a quaternion has none: of the logarithm of a negative number, and between q and -q."""
 
+ROUNDING = 2e-15
+"""Length of the vector part of a quotient of unit quaternions up to which it is made of rounding errors."""
+
 
 def product(p: ArrayLike, q: ArrayLike) -> Floats:
     """Return the quaternion p q; of unit quaternions it is that of the rotation R(p) R(q).
@@ -126,7 +129,9 @@ def slerp(p: ArrayLike, q: ArrayLike, s: ArrayLike, *, shorter: bool = True) -> 
     s : array_like, shape (...)
         0 gives p, 1 gives q.
     shorter : bool
-        q and -q are the same rotation; whether to go to the nearer one. Otherwise the turn may be up to 2 pi.
+        q and -q are the same rotation; whether to go to the nearer one, which of q = -p is p itself. Otherwise the turn
+        may be up to 2 pi; that from p to -p, a whole turn about no axis in particular, is made about z of the body. At
+        half a turn q and -q are as near, and q is taken as it is given, up to rounding.
 
     Returns
     -------
@@ -147,6 +152,8 @@ def slerp(p: ArrayLike, q: ArrayLike, s: ArrayLike, *, shorter: bool = True) -> 
     between = product(conjugate(start), end)
     if shorter:
         between = np.where(between[..., :1] < 0.0, -between, between)
+    none = _norm(between[..., 1:]) < ROUNDING
+    between = np.where(none & (between[..., :1] < 0.0), [-1.0, 0.0, 0.0, 0.0], between)
     return product(start, exponential(share[..., None] * logarithm(between)))
 
 

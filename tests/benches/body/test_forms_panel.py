@@ -19,6 +19,7 @@ from armlab.benches.body.forms.commands import (
 from armlab.benches.body.forms.rotation import forms_of
 from armlab.benches.body.forms.stage import stage_of
 from armlab.benches.body.forms.state import Body
+from armlab.benches.body.forms.ui.count import count_markup
 from armlab.benches.body.forms.ui.numbers import angles_markup, axis_markup, matrix_markup, quaternion_markup
 from armlab.benches.body.forms.ui.scene import lost_marks, ring_names
 from armlab.benches.body.forms.ui.words import turn_names
@@ -138,3 +139,10 @@ def test_the_faces_are_those_of_a_die():
 def test_it_stands_above_the_ground_whatever_the_arm(robot):
     centre, radius = stage_of(State.initial(robot))
     assert centre[2] - radius > robot.arm.base[2, 3]
+
+
+def test_it_is_told_how_many_numbers_each_form_has():
+    text = str(count_markup(opened()))
+    assert "Six conditions" in text
+    assert "manifold of three dimensions" in text
+    assert text.count("<td>3</td>") == 5  # free in all four forms, and the numbers of three angles

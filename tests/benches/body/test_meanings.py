@@ -9,8 +9,16 @@ import pytest
 
 from armlab.benches.body.forms.commands import PlaceBody, SetBodyTurn, SetWholeAxis
 from armlab.benches.body.forms.rotation import forms_of
-from armlab.benches.body.meanings.state import MATRIX, Meanings, SetVector, image_of
-from armlab.benches.body.meanings.ui.page import SAID, _numbers
+from armlab.benches.body.meanings.facts import FACTS
+from armlab.benches.body.meanings.state import (
+    MATRIX,
+    Meanings,
+    SetVector,
+    TurnElementary,
+    elementary_of,
+    image_of,
+)
+from armlab.benches.body.meanings.ui.page import SAID, _numbers, _of_the_notes
 from armlab.benches.body.meanings.ui.scene import picture_of, steps
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -133,3 +141,47 @@ def test_what_cannot_be_is_refused_in_words(command, told):
 def test_it_is_written_down_and_read_back():
     part = opened(SetVector(0, 0.25), Set(Meanings, "shown", "operator"))[Meanings]
     assert Meanings.from_json(json.loads(json.dumps(part.to_json())), catalogue()["planar_2r"]) == part
+
+
+@pytest.mark.parametrize("axis", ["x", "y", "z"])
+@pytest.mark.parametrize("angle", [0.9, -2.0])
+def test_an_elementary_rotation_adds_its_angle_in_the_plane_across_its_axis(axis, angle):
+    state = opened(Set(Meanings, "shown", "operator"), TurnElementary(axis), SetBodyTurn(angle))
+    found = elementary_of(state)
+    i, j = ("xyz".index(each) for each in found.plane)
+    assert (found.axis, found.theta) == (axis, pytest.approx(angle))
+    image = image_of(state)
+    turned = found.alpha + found.theta
+    assert image[i] == pytest.approx(found.radius * math.cos(turned), abs=1e-12)
+    assert image[j] == pytest.approx(found.radius * math.sin(turned), abs=1e-12)
+    assert image["xyz".index(axis)] == pytest.approx(found.along)
+    assert found.along == state[Meanings].p["xyz".index(axis)]
+
+
+def test_the_elementary_rotations_of_the_notes(truth):
+    names = [name for name in truth if name.startswith("C3.1-R")]
+    assert len(names) >= 2
+    for name in names:
+        case = truth[name]
+        state = opened(TurnElementary(name[-1]), SetBodyTurn(case["inputs"]["theta"]))
+        np.testing.assert_allclose(forms_of(state).R, case["expected"]["R"], rtol=0, atol=case["tol"])
+
+
+def test_no_other_axis_is_elementary_and_a_body_that_is_not_turned_gets_an_angle():
+    assert elementary_of(opened(SetWholeAxis((1.0, 1.0, 0.0)))) is None
+    state = opened(SetBodyTurn(0.0), TurnElementary("y"))
+    assert elementary_of(state).theta == pytest.approx(math.radians(50.0))
+    facts = {key: fact.now(state).value for key, fact in FACTS.facts.items()}
+    assert facts["axis"] == "y"
+    p = state[Meanings].p
+    assert facts["alpha"] == pytest.approx(math.atan2(p[0], p[2]))
+    with pytest.raises(InputError, match="w"):
+        TurnElementary("w").apply(state)
+
+
+def test_the_line_of_the_notes_misses_by_what_the_errata_say(truth):
+    """ERR-3.15b: alpha = 0.4, theta = 0.9 and a length of 2; here of 1, since the vector is no longer than that."""
+    state = opened(TurnElementary("z"), SetBodyTurn(0.9), Set(Meanings, "p", (math.cos(0.4), math.sin(0.4), 0.0)))
+    text = str(_of_the_notes(elementary_of(state)))
+    residual = truth["ERR-3.15b"]["printed_value_if_wrong"]["printed_residual"] / 2.0
+    assert f"it would miss by {residual:.4f}" in text

@@ -103,9 +103,9 @@ def test_the_cloud_is_seen_and_true_to_the_errors(robot):
         away = np.linalg.norm(cloud.points - cloud.commanded, axis=1)
         assert away.max() <= SEEN * reach * (1.0 + 1e-9)
         assert np.linalg.norm(cloud.mean - cloud.commanded) == pytest.approx(
-            cloud.magnification * figures.accuracy, rel=1e-9
+            cloud.magnification * figures.position.accuracy, rel=1e-9
         )
-        assert cloud.radius == pytest.approx(cloud.magnification * figures.repeatability)
+        assert cloud.radius == pytest.approx(cloud.magnification * figures.position.repeatability)
         assert words(cloud).startswith("errors × ")
         assert marks(cloud, reach).label == words(cloud)
         low, high = around(state)

@@ -260,7 +260,7 @@ def test_the_page_solves_moves_and_refuses(url):
         assert 'aria-pressed="false"' in browser.html()
         await browser.press("svd")
         await browser.until(lambda: "U is 2 × 2" in browser.html())
-        await browser.press("spaces")
+        await browser.press("subspaces")
         await browser.until(lambda: "dimension 1" in browser.html())
         await browser.press("penrose")
         await browser.until(lambda: "Largest entries" in browser.html())

@@ -21,11 +21,11 @@ def pose(x=0.0, y=0.0, z=0.0, axis=(0, 0, 1), angle=0.0):
 def test_three_positions_by_hand():
     """Means (1, 0, 0), so AP = 1; l = 3, 0, 3, mean 2, S = sqrt(3), so RP = 2 + 3 sqrt(3)."""
     figures = PoseFigures(np.eye(4), np.stack([pose(1, 3), pose(1, 0), pose(1, -3)]))
-    assert figures.accuracy == pytest.approx(1.0, abs=1e-12)
-    np.testing.assert_allclose(figures.distances, [3, 0, 3], rtol=0, atol=1e-12)
-    assert figures.mean_distance == pytest.approx(2.0, abs=1e-12)
-    assert figures.deviation == pytest.approx(math.sqrt(3), abs=1e-12)
-    assert figures.repeatability == pytest.approx(2 + 3 * math.sqrt(3), abs=1e-12)
+    assert figures.position.accuracy == pytest.approx(1.0, abs=1e-12)
+    np.testing.assert_allclose(figures.position.distances, [3, 0, 3], rtol=0, atol=1e-12)
+    assert figures.position.mean_distance == pytest.approx(2.0, abs=1e-12)
+    assert figures.position.deviation == pytest.approx(math.sqrt(3), abs=1e-12)
+    assert figures.position.repeatability == pytest.approx(2 + 3 * math.sqrt(3), abs=1e-12)
     np.testing.assert_allclose(figures.turn_accuracy, 0.0, rtol=0, atol=1e-12)
 
 
@@ -51,7 +51,7 @@ def test_the_spread_of_the_tool_is_that_of_the_joints_through_the_jacobian(key):
         stops, _ = attained(q, errors, 1000, approach, 5)
         np.testing.assert_allclose(stops.std(axis=0), errors.spread(approach), rtol=0.1)
         figures = PoseFigures(arm.fk(q), arm.fk(stops))
-        rms = math.sqrt(float((figures.distances**2).mean()))
+        rms = math.sqrt(float((figures.position.distances**2).mean()))
         assert rms == pytest.approx(expected_spread(arm, q, errors, approach), rel=0.1)
         parts = shares(arm, q, errors, approach)
         assert math.sqrt(float((parts**2).sum())) == pytest.approx(expected_spread(arm, q, errors, approach), rel=1e-9)
@@ -64,21 +64,21 @@ def test_backlash_is_accuracy_from_one_side_and_repeatability_from_either():
     play = JointErrors(np.zeros(arm.n), np.array([1e-3, *[0.0] * (arm.n - 1)]), np.zeros(arm.n))
     same, _ = attained(q, play, 400, "same", 1)
     figures = PoseFigures(arm.fk(q), arm.fk(same))
-    assert figures.accuracy == pytest.approx(0.5e-3 * reach, rel=1e-3)
-    assert figures.repeatability == pytest.approx(0.0, abs=1e-12)
+    assert figures.position.accuracy == pytest.approx(0.5e-3 * reach, rel=1e-3)
+    assert figures.position.repeatability == pytest.approx(0.0, abs=1e-12)
     either, below = attained(q, play, 400, "either", 1)
     assert 0.4 < below[:, 0].mean() < 0.6
     figures = PoseFigures(arm.fk(q), arm.fk(either))
-    assert figures.accuracy < 0.1e-3 * reach
-    assert figures.mean_distance == pytest.approx(0.5e-3 * reach, rel=0.02)
+    assert figures.position.accuracy < 0.1e-3 * reach
+    assert figures.position.mean_distance == pytest.approx(0.5e-3 * reach, rel=0.02)
 
 
 def test_the_error_of_the_zero_is_the_same_every_time():
     arm, q = catalogue()["planar_2r"].arm, np.array([0.3, 0.4])
     figures = PoseFigures(arm.fk(q), arm.fk(attained(q, errors_of(arm, 0.0, 0.0, 2e-3), 30)[0]))
     expected = np.linalg.norm(arm.position(q + 2e-3) - arm.position(q))
-    assert figures.accuracy == pytest.approx(expected, abs=1e-12)
-    assert figures.repeatability == pytest.approx(0.0, abs=1e-12)
+    assert figures.position.accuracy == pytest.approx(expected, abs=1e-12)
+    assert figures.position.repeatability == pytest.approx(0.0, abs=1e-12)
 
 
 def test_the_same_seed_moves_the_arm_to_the_same_places():

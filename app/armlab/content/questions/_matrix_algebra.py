@@ -34,7 +34,7 @@ def shape_of(value: Value) -> tuple[int, ...]:
 
 @dataclass(frozen=True)
 class Algebra:
-    """Values for the names of formulas.
+    """The fold of formulas of matrices, with values for their names.
 
     Attributes
     ----------
@@ -51,15 +51,22 @@ class Algebra:
         InputError
             Sizes that do not fit, a matrix without an inverse, an operation that matrices do not have.
         """
-        found = formula.worked_out(self._leaf, _operate)
+        found = formula.folded(self)
         if isinstance(found, _Marker):
             raise _alone()
         return found
 
-    def _leaf(self, given: float | str) -> Value:
-        if isinstance(given, str):
-            return self.values[given] if given in self.values else _Marker()
-        return given
+    def number(self, value: float) -> Value:
+        """Return the number itself."""
+        return value
+
+    def name(self, name: str) -> Value:
+        """Return the matrix or number of a name, or the mark of a transpose."""
+        return self.values[name] if name in self.values else _Marker()
+
+    def operation(self, operation: str, arguments: Sequence[Value]) -> Value:
+        """Return the sum, product, power or root, the transpose or the negative of the arguments."""
+        return _operate(operation, arguments)
 
 
 def _alone() -> InputError:

@@ -12,6 +12,9 @@ Style = Literal["text", "latex"]
 
 _SUM, _PRODUCT, _ATOM = 0, 1, 2
 
+GREEK = frozenset({"alpha", "beta", "gamma", "theta", "phi", "psi"})
+"""Names of parameters that are Greek letters in LaTeX."""
+
 
 @dataclass(frozen=True)
 class _Text:
@@ -123,13 +126,16 @@ class Printer:
         return rf"\{name}({inside})"
 
     def _symbol(self, name: str) -> str:
-        """Return ``a12`` as it is or as ``a_{12}``; ``cos(alpha2)`` is a symbol of its own."""
+        """Return ``a12`` as it is or as ``a_{12}``, ``beta`` as ``\\beta``; ``cos(alpha2)`` is a symbol of its own."""
         if not self.latex:
             return name
         twist = re.fullmatch(r"(sin|cos)\((alpha)(\d+)\)", name)
         if twist:
             return rf"\{twist[1]}\alpha_{{{twist[3]}}}"
         letter, digits = re.fullmatch(r"([a-z]+?)(\d*)", name).groups()  # type: ignore[union-attr]
+        letter = f"\\{letter}" if letter in GREEK else letter
+        if not digits:
+            return letter
         return f"{letter}_{digits}" if len(digits) == 1 else f"{letter}_{{{digits}}}"
 
 

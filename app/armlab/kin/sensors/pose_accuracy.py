@@ -29,6 +29,7 @@ from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import as_floats, finite_floats, whole_number, wrong
 from armlab.kin.rotations import axis_angle
+from armlab.kin.sensors.repeatability import Scatter, scatter_of
 from armlab.registry import known_name
 
 Floats = NDArray[np.float64]
@@ -129,34 +130,9 @@ class PoseFigures:
             raise InputError(f"attained: expected at least two poses (4, 4), got shape {self.poses.shape}")
 
     @cached_property
-    def mean(self) -> Floats:
-        """Barycentre of the attained positions, (3,), metres."""
-        return np.asarray(self.poses[:, :3, 3].mean(axis=0))
-
-    @property
-    def accuracy(self) -> float:
-        """AP of the position, metres."""
-        return float(np.linalg.norm(self.mean - self.commanded[:3, 3]))
-
-    @cached_property
-    def distances(self) -> Floats:
-        """Distances l of the attained positions from their barycentre, (n,), metres."""
-        return np.asarray(np.linalg.norm(self.poses[:, :3, 3] - self.mean, axis=1))
-
-    @property
-    def mean_distance(self) -> float:
-        """Mean of l, metres."""
-        return float(self.distances.mean())
-
-    @property
-    def deviation(self) -> float:
-        """Standard deviation S_l of l, metres."""
-        return float(self.distances.std(ddof=1))
-
-    @property
-    def repeatability(self) -> float:
-        """RP of the position, metres."""
-        return self.mean_distance + 3.0 * self.deviation
+    def position(self) -> Scatter:
+        """AP and RP of the position."""
+        return scatter_of(self.poses[:, :3, 3], self.commanded[:3, 3])
 
     @cached_property
     def turns(self) -> Floats:

@@ -7,7 +7,7 @@ PAGE = Page(
     "axis",
     "Axis & angle",
     "ROTATE_360",
-    31,
+    34,
     tab="body",
     about=(
         "S3.2-axis-angle",
@@ -18,9 +18,6 @@ PAGE = Page(
         "S3.2.2-inverse",
         "3.2",
         "rodrigues",
-        "dyads",
-        "outer product",
-        "skew-symmetric matrix",
         "eigenvalues on the unit circle",
         "arccos and atan2",
         "lost digits",

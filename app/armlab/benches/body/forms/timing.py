@@ -1,4 +1,4 @@
-"""Times of a film of three steps, one after the other with a rest between them."""
+"""Times of a film of steps, usually three, one after the other with a rest between them."""
 
 from __future__ import annotations
 
@@ -12,17 +12,23 @@ STEPS = 3
 STEP, REST = 1.5, 0.4
 """Duration of a step and of the rest after it, seconds."""
 
-ENDS = tuple((STEP + REST) * k + STEP for k in range(STEPS))
+
+def ends_of(steps: int) -> tuple[float, ...]:
+    """Return the ends of so many steps, seconds."""
+    return tuple((STEP + REST) * k + STEP for k in range(steps))
+
+
+ENDS = ends_of(STEPS)
 """Ends of the steps, seconds."""
 
 DURATION = ENDS[-1]
 
 
-def amounts(time: float) -> NDArray[np.float64]:
-    """Return how much of each step is done at a time, shape (3,), from 0 to 1."""
-    return np.array([eased((time - end) / STEP + 1.0) for end in ENDS])
+def amounts(time: float, steps: int = STEPS) -> NDArray[np.float64]:
+    """Return how much of each step is done at a time, shape (steps,), from 0 to 1."""
+    return np.array([eased((time - end) / STEP + 1.0) for end in ends_of(steps)])
 
 
-def step_at(time: float) -> int:
-    """Return the step that is being made, or has just been made, at a time, 0 to 2."""
-    return min(int(time / (STEP + REST)), STEPS - 1)
+def step_at(time: float, steps: int = STEPS) -> int:
+    """Return the step that is being made, or has just been made, at a time, 0-based."""
+    return min(int(time / (STEP + REST)), steps - 1)

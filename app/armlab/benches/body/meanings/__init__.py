@@ -1,4 +1,4 @@
-"""The page Three meanings of the lab."""
+"""The page Meanings of the lab."""
 
 from armlab.page import Page
 
@@ -9,6 +9,7 @@ PAGE = Page(
     "AXIS_X",
     29,
     tab="body",
+    page="Meanings",
     about=(
         "S3.1-three-meanings",
         "S3.1-rotation-matrix",

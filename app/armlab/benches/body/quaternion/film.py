@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.body.forms.rotation import forms_of
 from armlab.benches.body.quaternion.state import CLIP_KEY, Quaternions
+from armlab.benches.body.quaternion.state_view import QuaternionView
 from armlab.kin.quaternions import product, unit
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
@@ -42,8 +43,20 @@ def turned(axis: Floats, angle: float) -> Floats:
 
 
 def present(state: State) -> Floats:
-    """Return the quaternion of the film, shape (4,)."""
-    return turned(state.derived(forms_of).axis, angle_at(film_time(state)))
+    """Return the quaternion of the film, shape (4,); on other views than that of the film that of the body."""
+    found = state.derived(forms_of)
+    return turned(found.axis, angle_at(film_time(state))) if in_film(state) else found.q
+
+
+def in_film(state: State) -> bool:
+    """Return whether the two whole turns are shown."""
+    return state[QuaternionView].shown == "cover"
+
+
+def present_turn(state: State) -> tuple[Floats, float]:
+    """Return axis and angle of the present quaternion, radians."""
+    found = state.derived(forms_of)
+    return found.axis, angle_at(film_time(state)) if in_film(state) else found.angle
 
 
 def second(state: State) -> Floats:

@@ -128,7 +128,8 @@ def _written(frames: Iterable[Frame]) -> Json:
 def checked_name(name: object) -> str:
     """Return the name of a frame; `InputError` when it is none."""
     if not isinstance(name, str) or not NAME.fullmatch(name):
-        raise InputError(f"name: expected a letter and up to three letters or digits, such as A or EA, got {name!r}")
+        got = str(name)[:40]
+        raise InputError(f"name: expected a letter and up to three letters or digits, such as A or EA, got {got!r}")
     if name in (WORLD, POINT):
         raise InputError(f"name: {WORLD} is the world and {POINT} the point; expected another name, got {name!r}")
     return name

@@ -72,7 +72,7 @@ DEFINITIONS: Registry[Definition] = Registry(
             ("automatic", "perceives", "acts"),
             "Percept, action, percept: what it perceives decides what it does, and what it does changes what it "
             "perceives next. This says more of how a machine behaves than of how it is built.",
-            "Course notes, section 1.4.2",
+            "Course notes⟦, section 1.4.2⟧",
         ),
     ),
 )

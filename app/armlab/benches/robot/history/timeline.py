@@ -65,7 +65,7 @@ class Event:
     joints: str = ""
     drive: str = ""
     models: tuple[Model, ...] = ()
-    source: str = "Course notes, section 1.7"
+    source: str = "Course notes⟦, section 1.7⟧"
 
     @property
     def structure(self) -> str:
@@ -86,7 +86,7 @@ EVENTS: Registry[Event] = Registry(
             "words",
             "Karel Čapek's play R.U.R., Rossum's Universal Robots, calls its artificial workers robots, after the "
             "Czech robota, forced labour. They are creatures of flesh, made to be cheap; the machines came later.",
-            source="Course notes, section 1.5",
+            source="Course notes⟦, section 1.5⟧",
         ),
         Event(
             "asimov",
@@ -95,7 +95,7 @@ EVENTS: Registry[Event] = Registry(
             "words",
             "Isaac Asimov writes three laws of robotics down in his story Runaround, and with them the word robotics. "
             "What they decide can be tried under “3 Three laws”.",
-            source="Astounding Science Fiction, March 1942; course notes, section 1.6",
+            source="Astounding Science Fiction, March 1942⟦; course notes, section 1.6⟧",
         ),
         Event(
             "manipulator",
@@ -117,7 +117,7 @@ EVENTS: Registry[Event] = Registry(
             joints="PPP",
             drive="hydraulic",
             models=(Model("cartesian_3p", "Three sliding joints at right angles, as such a machine has them."),),
-            source="MIT Museum; course notes, section 1.7, for the part it has in the origin of robots",
+            source="MIT Museum⟦; course notes, section 1.7, for the part it has in the origin of robots⟧",
         ),
         Event(
             "unimate",
@@ -166,7 +166,7 @@ EVENTS: Registry[Event] = Registry(
                 Model("scorbot", "A school robot with the same order of five joints; its own lengths."),
                 Model("irb140", "A successor: ASEA became a part of ABB. It has a sixth joint."),
             ),
-            "Tekniska museet, Stockholm; course notes, section 1.7",
+            "Tekniska museet, Stockholm⟦; course notes, section 1.7⟧",
         ),
         Event(
             "t3",
@@ -178,7 +178,7 @@ EVENTS: Registry[Event] = Registry(
             "minicomputer, and the IRB-6 had the microprocessor.⟧",
             "RRRRRR",
             "hydraulic",
-            source="Powerhouse Collection, Sydney, 2019/102/1; course notes, section 1.7",
+            source="Powerhouse Collection, Sydney, 2019/102/1⟦; course notes, section 1.7⟧",
         ),
         Event(
             "puma",
@@ -203,7 +203,7 @@ EVENTS: Registry[Event] = Registry(
             "RRPR",
             "electric",
             (Model("scara", "The same joints with the lengths of an Adept Cobra 600: none of the AR-300 are known."),),
-            "Makino, Development of the SCARA, 2014; course notes, section 1.7, for Hirata's AR-300",
+            "Makino, Development of the SCARA, 2014⟦; course notes, section 1.7, for Hirata's AR-300⟧",
         ),
         Event(
             "puma560",
@@ -234,7 +234,7 @@ EVENTS: Registry[Event] = Registry(
             "research",
             "The humanoid of Waseda University reads notes with a camera and plays them on an organ with hands and "
             "feet.⟦ WAM-8, as the notes call it, is the name of its arm.⟧",
-            source="Takanishi, 1st International Symposium on Roboethics, 2004; course notes, section 1.5",
+            source="Takanishi, 1st International Symposium on Roboethics, 2004⟦; course notes, section 1.5⟧",
         ),
         Event(
             "h4",
@@ -245,7 +245,7 @@ EVENTS: Registry[Event] = Registry(
             "programmed anew for every model.",
             "RRRRRR",
             "electric",
-            source="Course notes, section 1.5",
+            source="Course notes⟦, section 1.5⟧",
         ),
         Event(
             "lbr",
@@ -278,7 +278,7 @@ EVENTS: Registry[Event] = Registry(
             "Launched on 10 June 2003, it landed on 4 January 2004 and drove for six years. Its goals came from Earth; "
             "words that take minutes to arrive cannot steer, so it found its way by itself.⟦ The notes date it to "
             "2002.⟧",
-            source="NASA, Mars Exploration Rovers; course notes, section 1.5",
+            source="NASA, Mars Exploration Rovers⟦; course notes, section 1.5⟧",
         ),
         Event(
             "ur5",

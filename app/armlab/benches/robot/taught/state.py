@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import ClassVar
 
 from armlab.kin.arm import Arm
@@ -70,8 +71,12 @@ class TaughtGoal(FieldPart):
 
     def real(self, arm: Arm) -> Arm:
         """Return the arm as it is: with longer lengths than those of the table."""
-        factor = 1.0 + self.longer
-        return replace(arm, rows=tuple(replace(row, a=factor * row.a, d=factor * row.d) for row in arm.rows))
+        return _longer(arm, 1.0 + self.longer)
+
+
+@lru_cache(maxsize=8)
+def _longer(arm: Arm, factor: float) -> Arm:
+    return replace(arm, rows=tuple(replace(row, a=factor * row.a, d=factor * row.d) for row in arm.rows))
 
 
 PART = PartType(TaughtGoal, order=43)

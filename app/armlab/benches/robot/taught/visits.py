@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.robot.taught.state import TaughtGoal
 from armlab.kin.arm import Arm
-from armlab.kin.repeatability import Scatter, scatter_of
+from armlab.kin.sensors.repeatability import Scatter, scatter_of
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 

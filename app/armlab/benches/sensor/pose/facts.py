@@ -34,10 +34,14 @@ FACTS = Facts(
     {
         "times": Fact("how often the arm is sent there", lambda s: s[Repeats].times, kind="count"),
         "approach": Fact("from which side it comes", lambda s: s[Repeats].approach, kind="text"),
-        "accuracy": Fact("AP of the position", _of(lambda a: a.figures.accuracy), "m"),
-        "repeatability": Fact("RP of the position", _of(lambda a: a.figures.repeatability), "m"),
-        "mean_distance": Fact("the mean distance from the barycentre", _of(lambda a: a.figures.mean_distance), "m"),
-        "deviation": Fact("the standard deviation of these distances", _of(lambda a: a.figures.deviation), "m"),
+        "accuracy": Fact("AP of the position", _of(lambda a: a.figures.position.accuracy), "m"),
+        "repeatability": Fact("RP of the position", _of(lambda a: a.figures.position.repeatability), "m"),
+        "mean_distance": Fact(
+            "the mean distance from the barycentre", _of(lambda a: a.figures.position.mean_distance), "m"
+        ),
+        "deviation": Fact(
+            "the standard deviation of these distances", _of(lambda a: a.figures.position.deviation), "m"
+        ),
         "turn_accuracy": Fact(
             "AP of the angles about x, y, z", _of(lambda a: a.figures.turn_accuracy), "rad", "numbers"
         ),

@@ -12,7 +12,7 @@ from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.glb import scene_glb
 from armlab.ui.figure.mesh import placed
 from armlab.ui.figure.solids import along, lathe
-from armlab.ui.scene._nodes import move
+from armlab.ui.scene._nodes import move, seen
 
 LENGTH, WIDTH, HEAD = 1.4, 0.007, 0.09
 """Length and radius of its arrows, and length of their heads, in radii of the outermost ring."""
@@ -32,6 +32,10 @@ class BaseFrame:
     def show(self, centre: NDArray[np.float64]) -> None:
         """Move its origin to a point (3,)."""
         move(self._node, centre)
+
+    def visible(self, on: bool) -> None:
+        """Show or hide it."""
+        seen(self._node, on)
 
 
 @cache

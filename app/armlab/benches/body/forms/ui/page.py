@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from armlab.benches.body.forms.stage import around
 from armlab.benches.body.forms.state import Body
+from armlab.benches.body.forms.ui.count import count_markup
 from armlab.benches.body.forms.ui.numbers import (
     angles_markup,
     axis_markup,
@@ -34,6 +35,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             axis_markup(form, state),
             quaternion_markup(form, state),
             matrix_markup(form, state),
+            count_markup(state),
         )
 
     return show

@@ -59,16 +59,24 @@ class Pair:
         self._names = [Named(canvas, f"{name}/name{k}") for k in range(2)]
         self._about = [Named(canvas, f"{name}/about{k}") for k in range(2)]
         self._marks = [Sketch(canvas, f"{name}/marks{k}", 0.7) for k in range(2)]
+        self._on = True
+
+    def visible(self, on: bool) -> None:
+        """Show or hide both bodies, with what belongs to them."""
+        self._on = on
+        for base, block in zip(self._bases, self._blocks, strict=True):
+            base.visible(on)
+            block.visible(on)
 
     def show(self, state: State, bodies: tuple[Shown, Shown]) -> None:
-        """Show both bodies."""
+        """Show both bodies, unless they are hidden."""
         centres, radius = sides_of(state)
         for k, (body, centre) in enumerate(zip(bodies, centres, strict=True)):
             self._bases[k].show(centre)
             self._blocks[k].show(pose_at(body.R, centre))
-            self._names[k].show(body.name, centre - np.array([0.0, 0.0, BELOW * radius]))
-            self._about[k].show(body.about, centre - NAME * radius * body.axis)
-            self._marks[k].draw(turn_marks(body, centre, radius))
+            self._names[k].show(body.name if self._on else "", centre - np.array([0.0, 0.0, BELOW * radius]))
+            self._about[k].show(body.about if self._on else "", centre - NAME * radius * body.axis)
+            self._marks[k].draw(turn_marks(body, centre, radius) if self._on else Marks())
 
 
 def turn_marks(body: Shown, centre: Floats, radius: float) -> Marks:

@@ -1,4 +1,4 @@
-"""Parts of the pages of films of three steps: the bar that plays them, and a named matrix."""
+"""Parts of the pages of films of a few steps: the bar that plays them, and a named matrix."""
 
 from __future__ import annotations
 
@@ -16,7 +16,9 @@ from armlab.ui.html import Inside, Markup, classes, tag
 from armlab.ui.playing import play_button
 
 
-def steps_bar(form: Form, state: State, clip: str, word: str, show: Callable[[int], Command]) -> Markup:
+def steps_bar(
+    form: Form, state: State, clip: str, word: str, show: Callable[[int], Command], ends: tuple[float, ...] = ENDS
+) -> Markup:
     """Return the button that plays a film, and one for its start and for the end of each step.
 
     Parameters
@@ -29,8 +31,10 @@ def steps_bar(form: Form, state: State, clip: str, word: str, show: Callable[[in
         What a step is called.
     show : callable
         Returns the command that shows the film where that many steps have been made.
+    ends : tuple of float
+        Ends of the steps, seconds.
     """
-    now = time_of(state, clip)
+    now = time_of(state, clip, ends[-1])
     chips = [
         form.chip(
             f"made {made}",
@@ -39,7 +43,7 @@ def steps_bar(form: Form, state: State, clip: str, word: str, show: Callable[[in
             f"After this {word}" if made else f"Before the first {word}",
             now == time,
         )
-        for made, time in enumerate((0.0, *ENDS))
+        for made, time in enumerate((0.0, *ends))
     ]
     return tag("div.bar", play_button(form, state, clip, clip), chips)
 

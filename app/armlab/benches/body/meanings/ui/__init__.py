@@ -1,1 +1,1 @@
-"""The panel of the page Three meanings, and its part of the scene."""
+"""The panel of the page Meanings, and its part of the scene."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import partial
 
 import numpy as np
@@ -12,7 +13,17 @@ from armlab.benches.body.forms.stage import around
 from armlab.benches.body.forms.state import Body
 from armlab.benches.body.forms.ui.numbers import angles_markup, places_markup
 from armlab.benches.body.forms.ui.page import HIDES
-from armlab.benches.body.meanings.state import MATRIX, SHOWN, Meanings, SetVector, image_of
+from armlab.benches.body.meanings.state import (
+    AXES,
+    MATRIX,
+    SHOWN,
+    Elementary,
+    Meanings,
+    SetVector,
+    TurnElementary,
+    elementary_of,
+    image_of,
+)
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.selection import Selection
@@ -20,7 +31,7 @@ from armlab.session.state import Command, Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, matrix, number, readable
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.markup import fold
+from armlab.ui.markup import fold, row
 from armlab.ui.matrices import MatrixView
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.tables import head_line, line
@@ -81,8 +92,45 @@ def _numbers(form: Form, state: State) -> Inside:
     letter = "p" if shown == "coordinates" else "v"
     table = tag("table.kit-points", head_line(None, *ROWS), rows)
     product = tag("div.bo-product", _column(image), "=", matrix(R, 3), _column(p))
+    more = _elementary(form, state) if shown == "operator" else None
     lengths = f"|{letter}| = {number(float(np.linalg.norm(p)), 4)} before and after: R keeps lengths and angles."
-    return joined(table, product, tag("p.dim", lengths))
+    return joined(table, product, tag("p.dim", lengths), more)
+
+
+def _elementary(form: Form, state: State) -> Markup:
+    """Return the choice of an elementary rotation, and what it does to the vector in the plane across its axis."""
+    found, units = elementary_of(state), units_of(state)
+    chosen = found.axis if found else ""
+    names = {axis: f"about {axis}" for axis in AXES}
+    chips = form.chips("elementary", names, chosen, "Turn about this axis by the present angle", TurnElementary)
+    head = row("Elementary", chips)
+    if found is None:
+        return joined(head, tag("p.dim", "Choose one to see what it does in the plane across its axis."))
+    one, other = found.plane[0], found.plane[1]
+    alpha, theta = units.angle(found.alpha), units.angle(found.theta)
+    turned = units.angle(found.alpha + found.theta)
+    said = (
+        f"In the plane of {one} and {other} the vector has the length {number(found.radius, 4)} and the angle "
+        f"α = {alpha}, afterwards α + θ = {alpha} + {theta} = {turned}; {found.axis} stays."
+    )
+    return joined(head, tag("p", said), tag("div.eq.small", mathml(_in_plane(one, other))), _of_the_notes(found))
+
+
+def _in_plane(one: str, other: str) -> str:
+    """Return the two components of the rotated vector in LaTeX."""
+    first = rf"{one}'={one}\cos\theta-{other}\sin\theta"
+    return rf"{first},\quad {other}'={one}\sin\theta+{other}\cos\theta"
+
+
+def _of_the_notes(found: Elementary) -> Markup:
+    """Return by how much the line of the notes would miss, in which sine and cosine of y are those of alpha."""
+    y = found.radius * math.sin(found.alpha)
+    first = y * (math.sin(found.theta) - math.sin(found.alpha))
+    second = y * (math.cos(found.alpha) - math.cos(found.theta))
+    off = number(math.hypot(first, second), 4)
+    return tag(
+        "p.dim", f"⟦The line before 3.16 prints sin α and cos α with the second component: it would miss by {off}.⟧"
+    )
 
 
 def _fields(form: Form, values: NDArray[np.float64], in_base: bool) -> list[Markup]:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from armlab.benches.body.forms.rotation import forms_of
 from armlab.benches.body.forms.state import Body
 from armlab.benches.body.forms.ui.pair import Pair, Shown
-from armlab.benches.body.quaternion.film import angle_at, film_time, present, products, second
+from armlab.benches.body.quaternion.film import present, present_turn, products, second
 from armlab.benches.body.quaternion.state import Quaternions
+from armlab.benches.body.quaternion.state_view import QuaternionView
 from armlab.kin.rotations import rotation_from_quaternion
 from armlab.session.parts.display import Display
 from armlab.session.parts.notation import Notation
@@ -26,6 +26,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
     pair = Pair(canvas, "quaternion", state)
 
     def show(state: State) -> None:
+        pair.visible(state[QuaternionView].shown != "way")
         pair.show(state, shown(state, units_of(state)))
 
     return show
@@ -33,7 +34,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 def shown(state: State, units: Units) -> tuple[Shown, Shown]:
     """Return the body of q with its axis, and that of p q, whose axis p has turned along."""
-    axis, angle = state.derived(forms_of).axis, angle_at(film_time(state))
+    axis, angle = present_turn(state)
     one, other = (
         np.asarray(rotation_from_quaternion(q), dtype=np.float64) for q in (present(state), products(state)[0])
     )
@@ -45,7 +46,7 @@ def shown(state: State, units: Units) -> tuple[Shown, Shown]:
 LAYER = Layer(
     "quaternion",
     order=72,
-    watches=(Body, Quaternions, Timeline, Notation, Display, RobotPart),
+    watches=(Body, Quaternions, QuaternionView, Timeline, Notation, Display, RobotPart),
     build=build,
     panel="quaternion",
 )

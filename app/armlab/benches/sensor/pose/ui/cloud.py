@@ -63,10 +63,12 @@ def cloud_of(state: State) -> Cloud:
     figures, size = state.derived(found).figures, state[Joints].arm.reach
     commanded = figures.commanded[:3, 3]
     away = figures.poses[:, :3, 3] - commanded
-    farthest = max(float(np.linalg.norm(away, axis=1).max()), figures.accuracy + figures.repeatability)
+    farthest = max(
+        float(np.linalg.norm(away, axis=1).max()), figures.position.accuracy + figures.position.repeatability
+    )
     times = magnification(farthest, size)
-    mean = commanded + times * (figures.mean - commanded)
-    return Cloud(times, commanded, mean, commanded + times * away, times * figures.repeatability)
+    mean = commanded + times * (figures.position.middle - commanded)
+    return Cloud(times, commanded, mean, commanded + times * away, times * figures.position.repeatability)
 
 
 def around(state: State) -> Floats:

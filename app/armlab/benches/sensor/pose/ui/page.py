@@ -105,7 +105,7 @@ def _angle(value: float, units: Units) -> str:
 def _figures(attained: Attained, units: Units) -> Markup:
     """Return AP and RP of position and orientation."""
     figures = attained.figures
-    rows = [("position", _length(figures.accuracy, units), _length(figures.repeatability, units))]
+    rows = [("position", _length(figures.position.accuracy, units), _length(figures.position.repeatability, units))]
     for name, axis, accuracy, repeatability in zip(
         ANGLES, "xyz", figures.turn_accuracy.tolist(), figures.turn_repeatability.tolist(), strict=True
     ):
@@ -117,7 +117,7 @@ def _figures(attained: Attained, units: Units) -> Markup:
 def _verdict(attained: Attained) -> Markup:
     """Return which of the two figures is larger, and what stands in the scene."""
     scene = "In the scene: the attained positions, magnified as the label says; arrow: AP; ball: RP."
-    ap, rp = attained.figures.accuracy, attained.figures.repeatability
+    ap, rp = attained.figures.position.accuracy, attained.figures.position.repeatability
     if ap == rp == 0.0:
         return verdict_box("ok", "No error", scene)
     if ap > rp:
@@ -131,8 +131,8 @@ def _verdict(attained: Attained) -> Markup:
 def _formulas(attained: Attained, units: Units) -> Inside:
     """Return the formulas of the standard for the position, with their numbers."""
     figures = attained.figures
-    away = [_small(each, units, False) for each in (figures.mean - figures.commanded[:3, 3]).tolist()]
-    mean, deviation = _length(figures.mean_distance, units), _length(figures.deviation, units)
+    away = [_small(each, units, False) for each in (figures.position.middle - figures.commanded[:3, 3]).tolist()]
+    mean, deviation = _length(figures.position.mean_distance, units), _length(figures.position.deviation, units)
     return (
         tag("div.eq.small", mathml(r"AP=\sqrt{(\bar x-x_c)^2+(\bar y-y_c)^2+(\bar z-z_c)^2}")),
         tag("p", f"Barycentre less commanded position: ({', '.join(away)}) {units.length_unit}."),
@@ -140,7 +140,7 @@ def _formulas(attained: Attained, units: Units) -> Inside:
         tag(
             "p",
             f"Distances l from the barycentre: mean {mean}, S = {deviation}, so that RP = {mean} + 3 · {deviation} = "
-            f"{_length(figures.repeatability, units)}, with n = {len(figures.poses)}.",
+            f"{_length(figures.position.repeatability, units)}, with n = {len(figures.poses)}.",
         ),
         tag("div.eq.small", mathml(r"AP_a=\bar a-a_c,\;\;RP_a=\pm 3\,S_a")),
         tag(
@@ -169,7 +169,7 @@ def _shares(state: State, attained: Attained, units: Units) -> Inside:
             tag("tr", tag("th", name), tag("td", deviation), tag("td", _length(share, units)), tag("td.pa-bar", bar))
         )
     whole = _length(expected_spread(arm, joints.q, errors, part.approach), units)
-    rms = _length(float(np.sqrt((attained.figures.distances**2).mean())), units)
+    rms = _length(float(np.sqrt((attained.figures.position.distances**2).mean())), units)
     return (
         tag("table.kit-points.pa-shares", head_line(None, "σ of the joint", "at the tool", ""), rows),
         tag(

@@ -46,7 +46,7 @@ REST = 0.4
 
 ASKED = {"task": "Whole task", "position": "Position alone"}
 
-FOLDS = {"spaces": "Four subspaces", "svd": "U, Σ, V", "penrose": "Penrose conditions"}
+FOLDS = {"subspaces": "Four subspaces", "svd": "U, Σ, V", "penrose": "Penrose conditions"}
 
 
 class SolvePage:
@@ -155,7 +155,7 @@ def _scrolled(values: NDArray[np.float64]) -> Markup:
     return tag("div.scroll.so-wide" if wide else "div.scroll", matrix(values, 2 if wide else 3))
 
 
-MADE = {"spaces": spaces_markup, "svd": svd_markup, "penrose": penrose_markup}
+MADE = {"subspaces": spaces_markup, "svd": svd_markup, "penrose": penrose_markup}
 
 
 class _SelfMotion:

@@ -181,7 +181,7 @@ def laws_markup(state: State) -> Markup:
     same = bool(np.allclose(law_integral(end, 0), law_integral(end, 1))) and apart > SEEN
     why = (
         "The integral of ω is no orientation: the order of the turns counts⟦ (notes 5.19–5.21)⟧. "
-        "The sum of two translations does not depend on their order."
+        "The sum of two translations does not depend on their order. Laws of your own: tab Rotation, page Integral."
     )
     verdict = verdict_box("warn", "Same integral, other orientation", why) if same else None
     title = tag("h3", f"Orientations after {number(end, 2)} s ", tag("small", "starting from I"))

@@ -1,0 +1,1 @@
+"""The panel of the page Order of rotations, and its part of the scene."""

@@ -1,0 +1,1 @@
+"""The panel of the page Products in symbols, and its part of the scene."""

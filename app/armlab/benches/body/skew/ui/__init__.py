@@ -1,0 +1,1 @@
+"""The panel of the page Skew & dyads, and its part of the scene."""

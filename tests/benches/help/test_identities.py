@@ -1,0 +1,167 @@
+"""The page of identities: those of the appendix, wrong ones, sides, kinds, seeds, plots, facts, and bad input."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+
+from armlab.benches.help.identities.examples import EXAMPLES, RIGHT, WRONG, ChooseIdentity, example_of, groups
+from armlab.benches.help.identities.facts import FACTS
+from armlab.benches.help.identities.state import (
+    Identities,
+    OtherPoints,
+    SetIdentity,
+    SetKind,
+    SetSide,
+    comparison_of,
+    kinds_of,
+)
+from armlab.benches.help.identities.sweep import sweep_of
+from armlab.benches.help.identities.ui.verdict import value_text, verdict_markup
+from armlab.content.expressions import FUNCTIONS, MORE_FUNCTIONS, parse
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.session.fields import Set
+from armlab.session.state import State, apply
+from armlab.ui.html import joined
+
+
+def opened(*commands):
+    state = State.initial(catalogue()["planar_2r"])
+    for command in commands:
+        state = apply(state, command)
+    return state
+
+
+def said(state):
+    return str(joined(verdict_markup(state)))
+
+
+def value(state):
+    return {key: fact.now(state).value for key, fact in FACTS.facts.items()}
+
+
+@pytest.mark.parametrize("key", EXAMPLES)
+def test_each_identity_is_what_it_is_said_to_be_at_points_of_several_seeds(key):
+    example = EXAMPLES[key]
+    state = opened(ChooseIdentity(key))
+    assert example_of(state) == key
+    assert example_of(apply(state, SetSide("right", "17"))) == ""
+    for seed in (1, 2, 5):
+        assert comparison_of(apply(state, Set(Identities, "seed", seed))).agrees == example.holds
+
+
+def test_all_identities_of_the_appendix_are_there():
+    """The notes have 27 lines of them, several with more than one equation."""
+    assert len(RIGHT) == 62
+    assert {each.holds for each in RIGHT} == {True}
+    assert all(each.says for each in WRONG)
+    assert sum(map(len, groups().values())) == len(EXAMPLES)
+
+
+def test_the_appendix_at_the_numbers_of_the_clearing():
+    """CLR-A2: x = 0.7 and y = -1.3, with real numbers, by the parser of lessons."""
+    names = {"x": 0.7, "y": -1.3, "k": 2.0}
+    real = [each for each in RIGHT if not re.search(r"\bi\b|[zn]|e\^", f"{each.left} {each.right}".replace("sin", "s"))]
+    assert len(real) >= 27
+    for each in real:
+        one, other = (
+            parse(side, names, (*FUNCTIONS, *MORE_FUNCTIONS)).value(names) for side in (each.left, each.right)
+        )
+        assert one == pytest.approx(other, abs=1e-13), each.title
+
+
+def test_a_wrong_argument_of_a_complex_number_is_half_a_turn_off(truth):
+    state = opened(ChooseIdentity("argument"))
+    found = comparison_of(state)
+    assert found.difference.max() == pytest.approx(
+        truth["ERR-A.arg"]["printed_value_if_wrong"]["printed_residual"], abs=1e-5
+    )
+    right = found.points[:, found.names.index("x")].real > 0.0
+    np.testing.assert_array_equal(found.close, right)
+    assert "They differ by up to 3.1416" in said(state)
+    assert "They agree at 28 of 50 points" in said(state)
+
+
+def test_the_verdict_says_what_was_found():
+    assert "They agree at 50 points to 10⁻⁹" in said(opened())
+    assert "One is the other with the opposite sign" in said(opened(SetIdentity("x", "-x")))
+    assert "They agree at none of 50 points" in said(opened(SetIdentity("x", "x + 1")))
+    assert "Nothing to compare" in said(opened(SetIdentity("1/0", "1")))
+    assert "more points a part of them has no value" in said(opened(SetIdentity("1/n", "n/n^2")))
+    few = said(opened(SetIdentity("asin(x)/re(n)^0 + 1/(n - n + im(e^(i k)))", "x")))
+    assert "They differ" in few
+    assert [value_text(each) for each in (1.5 + 0j, -1 - 2j, 2j, -2j, 3 + 1e-16j)] == [
+        "1.5",
+        "−1 − 2 i",
+        "2 i",
+        "−2 i",
+        "3",
+    ]
+
+
+def test_sides_are_typed_one_by_one_and_kinds_follow_the_variables():
+    state = opened(SetSide("left", "z + n"), SetSide("right", "n + z"))
+    assert kinds_of(state) == {"n": "whole", "z": "complex"}
+    state = apply(state, SetKind("n", "positive"))
+    assert state[Identities].kinds == (("n", "positive"),)
+    assert kinds_of(state) == {"n": "positive", "z": "complex"}
+    assert apply(state, SetKind("n", "whole"))[Identities].kinds == ()
+    assert apply(state, SetIdentity("x", "x"))[Identities].kinds == ()
+    before = comparison_of(state).points
+    assert np.abs(comparison_of(apply(state, OtherPoints())).points - before).max() > 0.01
+    assert apply(apply(state, Set(Identities, "seed", 9999)), OtherPoints())[Identities].seed == 1
+
+
+def test_both_sides_are_drawn_over_the_first_variable_that_is_a_line():
+    found = sweep_of(opened(SetIdentity("sin(x) + n", "cos(x)")))
+    assert (found.name, found.complex) == ("x", False)
+    n = comparison_of(opened(SetIdentity("sin(x) + n", "cos(x)")))
+    place = n.points[n.worst]
+    np.testing.assert_allclose(found.left.real, np.sin(found.x) + place[0].real, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.right.real, np.cos(found.x), rtol=0, atol=1e-12)
+    assert found.at == pytest.approx(place[1].real)
+    assert sweep_of(opened(SetIdentity("e^(i x)", "1"))).complex
+    poles = sweep_of(opened(SetIdentity("tan(x)", "1")))
+    assert np.nanmax(np.abs(poles.left.real)) <= 20.0
+    assert np.isnan(poles.left.real).any()
+    assert sweep_of(opened(SetIdentity("z", "conj(z)"))) is None
+    assert sweep_of(opened(SetIdentity("1", "1"))) is None
+
+
+def test_facts_tell_an_identity_from_the_same_text_on_both_sides():
+    assert value(opened(SetIdentity("sin(2x)", "2 sin(x) cos(x)")))["holds"]
+    same = value(opened(SetIdentity("sin(2x)", "sin( 2x )")))
+    assert (same["agrees"], same["holds"]) == (True, False)
+    wrong = value(opened(ChooseIdentity("linear")))
+    assert (wrong["agrees"], wrong["holds"], wrong["points"]) == (False, False, 50)
+    assert wrong["largest"] > 0.5
+    assert wrong["left"] == "sin(x + y)"
+    assert value(opened(SetIdentity("1/0", "1")))["largest"] is None
+
+
+def test_it_is_written_down_and_read_back():
+    part = opened(SetIdentity("a", "b"), SetKind("a", "complex"), OtherPoints())[Identities]
+    assert Identities.from_json(json.loads(json.dumps(part.to_json())), catalogue()["puma560"]) == part
+
+
+@pytest.mark.parametrize(
+    ("command", "told"),
+    [
+        (SetSide("left", "sin x"), "left side: expected a bracket after sin"),
+        (SetSide("right", "9**9**9"), "right side: a power of"),
+        (SetSide("right", "(" * 500), "right side: .*nested too deep|right side: .*breaks off"),
+        (SetSide("left", "x" * 10**6), "left side: expected a formula of at most 600 characters, got 1000000"),
+        (SetSide("right", "a+b+c+d+f+g"), "right side: expected at most 6 variables"),
+        (SetSide("middle", "x"), "middle"),
+        (SetKind("q", "real"), "q"),
+        (SetKind("x", "imaginary"), "imaginary"),
+        (Set(Identities, "seed", 0), "seed"),
+        (Set(Identities, "left", 5), "left: not usable"),
+        (Set(Identities, "kinds", "ab"), "kinds: not usable"),
+    ],
+)
+def test_what_cannot_be_is_refused_in_words_and_the_old_sides_stay(command, told):
+    with pytest.raises(InputError, match=told):
+        command.apply(opened())
