@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from armlab.errors import InputError
 from armlab.kin.sensors.quadrature import (
@@ -111,6 +113,23 @@ def test_counts_are_right_after_any_sequence_of_reversals(key, rng):
         # By its angle: the count is that of the way, to within a count at either end.
         way = (motion.angles[-1] - motion.angles[0]) / angular_resolution(pulses, decoder.per_period)
         assert abs(decoder.count(signals.levels)[-1] - way) <= 1.0 + decoder.unevenness + 1e-6
+
+
+@settings(derandomize=True, database=None, deadline=None, max_examples=300)
+@given(
+    start=st.integers(-200, 200),
+    moves=st.lists(st.integers(-500, 500), max_size=40),
+    finer=st.sampled_from([1, 4, 7]),
+    pulses=st.integers(1, 64),
+)
+def test_what_goes_and_comes_back_counts_what_is_left(start, moves, finer, pulses):
+    """Moves are whole parts of a quarter, so that many reversals lie on an edge; the edges passed are known exactly."""
+    part = 2.0 * math.pi / (4 * pulses * finer)
+    motion = Motion((start + 0.5) * part, tuple(move * part for move in moves), 1.0)
+    first, last = (math.floor((each + 0.5) / finer) for each in (start, start + sum(moves)))
+    counted = DECODERS["x4"].count(motion.signals(pulses).levels)
+    assert counted[-1] == last - first
+    assert lost(motion.signals(pulses).levels) == 0
 
 
 def test_edges_come_in_time_and_where_the_disk_is(rng):
