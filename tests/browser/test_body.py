@@ -31,7 +31,7 @@ def test_a_dragged_ring_turns_the_body_an_undo_brings_it_back_and_every_form_fol
     node, (_, radius) = lab.node("/body/handle"), stage_of(State.initial(catalogue()["puma560"]))
     angles = np.radians(np.linspace(20.0, 50.0, 13))
     way = 0.65 * HANDLE * radius * np.stack([0.0 * angles, np.cos(angles), np.sin(angles)], axis=1)
-    pixels = [lab.on_screen(node, point) for point in way.tolist()]
+    pixels = lab.on_screen_at_rest(node, way)
     lab.page.mouse.move(*pixels[0])
     lab.frames(3)
     lab.page.mouse.down()

@@ -174,6 +174,18 @@ class LabPage:
         )
         return np.array(point)
 
+    def on_screen_at_rest(self, node: str, points: np.ndarray) -> np.ndarray:
+        """Return the pixels of points, (n, 3), given in the axes of a node, once the camera has stopped moving."""
+        seen: list[np.ndarray] = []
+
+        def stays() -> bool:
+            self.frames(3)
+            seen.append(np.array([self.on_screen(node, point) for point in points.tolist()]))
+            return len(seen) > 1 and bool(np.abs(seen[-1] - seen[-2]).max() < 0.5)
+
+        self.until(stays)
+        return seen[-1]
+
     def target(self) -> np.ndarray:
         """Return where the page has the handle, in the world."""
         return np.array(self.page.evaluate("() => window.__viserMutable.nodePoseData['/target'].position"))
