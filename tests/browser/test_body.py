@@ -96,6 +96,23 @@ def test_axis_and_angle_lead_to_a_matrix_in_three_steps_and_back(visit):
     lab.until(lambda: "zero has no direction" in lab.page.content())
 
 
+def test_a_matrix_tells_where_axes_lie_and_turns_a_vector(visit):
+    lab = visit(size=(1100, 800))
+    lab.open_tab("meanings")
+    lab.until(lambda: "Angles between the axes" in lab.page.content())
+    lab.press("shown operator")
+    lab.press("elementary z")
+    lab.until(lambda: "In the plane of x and y the vector has the length" in lab.page.content())
+    vector, image = (numbers(lab, [f"{name} {k}" for k in range(3)]) for name in ("p", "image"))
+    assert np.linalg.norm(image) == pytest.approx(np.linalg.norm(vector), abs=1e-3)
+    assert (image[2], abs(image[0] - vector[0]) > 0.01) == (vector[2], True)
+    lab.type_into("image 2", "0.25")
+    lab.until(lambda: numbers(lab, ["p 2"])[0] == 0.25)
+    lab.type_into("p 1", "much")
+    lab.until(lambda: "vector y: expected a number" in lab.page.content())
+    assert numbers(lab, ["p 2"])[0] == 0.25
+
+
 def test_a_quaternion_is_back_after_two_whole_turns(visit):
     lab = visit(size=(1100, 800))
     lab.open_tab("quaternion")

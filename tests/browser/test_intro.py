@@ -65,3 +65,23 @@ def test_the_end_of_the_stick_is_dragged_off_its_circle_and_the_arm_goes_to_the_
     before = lab.page.locator("table.sp-arms").inner_text()
     lab.press("twin")
     lab.until(lambda: lab.page.locator("table.sp-arms").inner_text() != before)
+
+
+def test_an_arm_misses_a_computed_goal_and_hits_a_taught_one_and_a_hand_that_yields_finds_every_hole(visit):
+    lab = visit(size=(1024, 850))
+    lab.open_tab("taught_goal")
+    figures = lab.page.locator("table.ac-numbers")
+    lab.until(lambda: "of 30 pegs" in lab.page.content())
+    computed = figures.inner_text()
+    assert "0 of 30 pegs" in lab.page.content()
+    assert "to another place than the one it was sent to" in lab.page.content()
+    lab.press("goal taught")
+    lab.until(lambda: figures.inner_text() != computed)
+    assert "to another place than the one it was sent to" not in lab.page.content()
+    lab.press("goal table")
+    lab.until(lambda: figures.inner_text() == computed)
+    lab.type_into("yields", "50")
+    lab.until(lambda: "30 of 30 pegs" in lab.page.content())
+    lab.type_into("yields", "soft")
+    lab.until(lambda: "compliance of the hand: expected a number" in lab.page.content())
+    assert "30 of 30 pegs" in lab.page.content()
