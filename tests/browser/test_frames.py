@@ -21,10 +21,6 @@ def numbers(lab, *cells):
     return np.array([float(value.replace("−", "-")) for value in values])
 
 
-def shows(lab, text):
-    lab.until(lambda: text in lab.page.content())
-
-
 def choose(lab, cell, key):
     lab.page.locator(f'select[data-cell="{cell}"]').first.select_option(key)
 
@@ -53,7 +49,7 @@ def a_frame_is_dragged_along_its_parent_and_an_undo_brings_it_back(lab):
 
 def frames_are_added_named_hung_elsewhere_and_removed(lab):
     lab.press("remove")
-    shows(lab, "B: C is given in it")
+    lab.waits_for("B: C is given in it")
     lab.press("add")
     lab.until(lambda: lab.page.locator('button[data-cell="frame D"]').count() == 1)
     lab.type_into("name", "tool")
@@ -63,7 +59,7 @@ def frames_are_added_named_hung_elsewhere_and_removed(lab):
     lab.until(lambda: lab.page.locator(".fr-product s").count() == 6)
     lab.press("written matrix")
     lab.type_into("R 00", "2")
-    shows(lab, "Not a rotation: the nearest one is")
+    lab.waits_for("Not a rotation: the nearest one is")
     lab.press("remove")
     lab.until(lambda: lab.page.locator('button[data-cell="frame tool"]').count() == 0)
 
@@ -80,45 +76,45 @@ def a_point_is_typed_in_any_coordinates(lab):
     lab.type_into("cylindrical theta", "90")
     lab.until(lambda: np.array_equal(numbers(lab, "cartesian x", "cartesian y"), [0.0, 500.0]))
     lab.type_into("spherical phi", "200")
-    shows(lab, "φ: expected 0° to 180°")
+    lab.waits_for("φ: expected 0° to 180°")
     lab.type_into("cylindrical r", "0")
-    shows(lab, "On the z axis θ is not defined")
+    lab.waits_for("On the z axis θ is not defined")
 
 
 def a_screw_is_typed_and_played(lab):
     lab.open_tab("screw")
-    shows(lab, "It turns about one line and slides along it")
+    lab.waits_for("It turns about one line and slides along it")
     choose(lab, "example", "door")
-    shows(lab, "nothing slides along the axis")
+    lab.waits_for("nothing slides along the axis")
     lab.type_into("screw distance", "200")
     lab.until(lambda: numbers(lab, "position second 2")[0] == 400.0)
     lab.type_into("time", "1")
-    shows(lab, "at 1.00 s")
+    lab.waits_for("at 1.00 s")
     lab.press("play-screw")
-    shows(lab, "at 4.00 s")
+    lab.waits_for("at 4.00 s")
     lab.type_into("screw direction 0", "0 0 0")
-    shows(lab, "zero has no direction")
+    lab.waits_for("zero has no direction")
 
 
 def test_an_arm_is_sent_above_a_table_and_two_robots_meet(visit):
     lab = visit("robot/puma560", size=(1100, 800))
     lab.open_tab("table_task")
-    shows(lab, "The tool is elsewhere")
+    lab.waits_for("The tool is elsewhere")
     lab.press("go")
-    shows(lab, "The tool is above the object")
+    lab.waits_for("The tool is above the object")
     assert "reached" in lab.hint()
     lab.press("follow")
     node = next(name for name in lab.nodes() if name.endswith("/table/handle_object"))
     before = numbers(lab, "object 0")[0]
     lab.drag_handle(0, 1.27, (40.0, 0.0), node=node)
     lab.until(lambda: abs(numbers(lab, "object 0")[0] - before) > 5.0)
-    shows(lab, "The tool is above the object")
+    lab.waits_for("The tool is above the object")
     lab.open_tab("two_robots")
     both_robots_meet_in_two_ways_until_the_second_is_too_far_away(lab)
 
 
 def both_robots_meet_in_two_ways_until_the_second_is_too_far_away(lab):
-    shows(lab, "Two solutions")
+    lab.waits_for("Two solutions")
     lab.press("elbow down")
     lab.until(lambda: lab.page.locator('button[data-cell="elbow down"]').get_attribute("aria-pressed") == "true")
     node = next(name for name in lab.nodes() if name.endswith("/two/handle"))
@@ -126,4 +122,4 @@ def both_robots_meet_in_two_ways_until_the_second_is_too_far_away(lab):
     lab.drag_handle(0, BASE_HANDLE / OF_THE_ARM, (30.0, 0.0), node=node)
     lab.until(lambda: numbers(lab, "base B 0")[0] > before + 20.0)
     choose(lab, "example", "two")
-    shows(lab, "226.2 mm too far")
+    lab.waits_for("226.2 mm too far")

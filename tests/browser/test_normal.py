@@ -66,4 +66,4 @@ def test_a_line_is_dragged_and_brought_back_and_cases_and_axes_of_the_arm_take_i
     lab.rest()
     row = catalogue()["puma560"].arm.rows[1]
     assert measured(lab)[0] == pytest.approx(1000.0 * row.a, abs=0.06)
-    assert "They agree with those of the normal" in lab.page.content()
+    assert lab.says("They agree with those of the normal")

@@ -12,9 +12,10 @@ from PIL import Image
 from playwright.sync_api import ConsoleMessage, Locator, Page, Request, WebSocket
 
 from armlab.session.pages import pages
-from support.at_rest import Traffic, told
+from support.at_rest import Traffic
 from support.folds import revealed, unfold
 from support.patience import WAIT, Patience
+from support.quiet import wait_for_answer
 
 OF_VISER = (
     "THREE.Clock: This module has been deprecated",
@@ -30,22 +31,6 @@ SMALL = (900, 600)
 COARSE = "fixedDpr=0.5"
 """Draws the scene with half the pixels each way, which a software renderer can keep up with."""
 
-SEEN = """async () => {
-  for (let k = 0; k < 2; k++) await new Promise(drawn => requestAnimationFrame(drawn));
-  const mutable = window.__viserMutable;
-  const still = mutable.messageQueue.length === 0 && mutable.getRenderRequestState === 'ready'
-    && window.__passed.timers.size === 0
-    && [...document.images].every(image => image.complete)
-    && document.getAnimations().every(one => one.effect.getComputedTiming().endTime === Infinity);
-  return [still, JSON.stringify([
-    Object.values(mutable.nodePoseData).map(pose => pose && [pose.position, pose.wxyz]),
-    Object.keys(mutable.nodeRefFromName).length,
-    [...document.querySelectorAll('[role=slider]')].map(thumb => thumb.getAttribute('aria-valuenow')),
-    document.body.innerText,
-  ])];
-}"""
-"""Whether the page has nothing left to do, and what it shows, once that is drawn."""
-
 OPEN: WeakSet[LabPage] = WeakSet()
 """The pages that were opened."""
 
@@ -57,21 +42,11 @@ FITTED = """() => {
 }"""
 """Whether picture and panels have followed the window."""
 
-LEAST = QUIET = 0.4
-"""Seconds: after the first a page that has been the same for the second has probably had its answer."""
-
 SETTLING = 10.0
 """Seconds for which a page may still lay itself out anew."""
 
 HANDLE = 0.14
 """Length of the handle's arrows, in sizes of the arm."""
-
-
-def traffic() -> Traffic:
-    """Return what all open pages and their labs have said to each other, as the pages count."""
-    pages = [lab.page for lab in OPEN if not lab.page.is_closed()]
-    counts = [page.evaluate("() => [window.__passed.up, window.__passed.down]") for page in pages]
-    return Traffic(sum(up for up, _ in counts), sum(down for _, down in counts))
 
 
 class LabPage:
@@ -306,28 +281,23 @@ class LabPage:
         )
 
     def rest(self, most: float = 15.0) -> None:
-        """Wait for the lab's answer.
+        """Wait for the lab's answer; see `support.quiet`."""
+        wait_for_answer(self.page, self._others, most)
 
-        It has come when nothing is left to do in page and lab, nothing is on its way between them, and the page has
-        drawn it. Where that cannot be told, since other programs or processes take part, or where a film plays or long
-        work goes on, it is enough that nothing in scene and panel has changed for a while after all commands are done.
-        """
-        patience = Patience(most)
-        since, before = time.monotonic() + LEAST, ""
-        quiet: tuple[object, ...] | None = None
-        while patience.left():
-            (still, seen), lab, pages = self.page.evaluate(SEEN), told(), traffic()
-            if seen != before:
-                before, since, quiet = seen, max(since, time.monotonic()), None
-            now = (pages, seen) if still and lab is not None and lab.idle and lab.traffic == pages else None
-            if now is not None and now == quiet:
-                return
-            quiet = now
-            if lab is not None and not (lab.answered and lab.traffic.received >= pages.received):
-                # What was seen was seen before this answer was told.
-                since = max(since, time.monotonic())
-            if time.monotonic() > since + QUIET:
-                return
+    def _others(self) -> Traffic:
+        """Return what the other open pages have said to their labs and heard of them, as the pages count."""
+        pages = [lab.page for lab in OPEN if lab is not self and not lab.page.is_closed()]
+        counts = [page.evaluate("() => [window.__passed.up, window.__passed.down]") for page in pages]
+        return Traffic(sum(up for up, _ in counts), sum(down for _, down in counts))
+
+    def says(self, text: str) -> bool:
+        """Return whether scene or panel show a text, folded parts included."""
+        found: bool = self.page.evaluate("text => document.body.textContent.includes(text)", text)
+        return found
+
+    def waits_for(self, text: str) -> None:
+        """Wait until scene or panel show a text."""
+        self.until(lambda: self.says(text))
 
     def still(self, seconds: float) -> None:
         """Give what must not come the time to come."""
