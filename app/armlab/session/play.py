@@ -21,12 +21,12 @@ from armlab.content.observation import Observation
 from armlab.errors import ContentError, InputError
 from armlab.kin.checks import finite_floats, whole_number
 from armlab.session.deeds import commands_of
-from armlab.session.facts import benches_of, seen_facts
+from armlab.session.facts import benches_of
+from armlab.session.facts_at import FactsAt
 from armlab.session.hand_in import plain
 from armlab.session.job import Deliver
 from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson
 from armlab.session.panel_commands import OpenPanel
-from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart, check_line, observed
 from armlab.session.parts.timeline import OpenClip, Seek, duration
 from armlab.session.session import Session
@@ -186,7 +186,7 @@ def check_at(key: str, q: ArrayLike, step: int = 1, variant: int = 0) -> tuple[b
         raise InputError(f"q: outside the joint limits of {lesson.robot_used.name}: {outside(arm, values)}")
     seen = _seen_at(_at_start(lesson), values)
     if check.facts:
-        seen = _with_facts(seen, check.facts, Player(lesson, planning=False).session.state)
+        seen = replace(seen, facts=FactsAt(Player(lesson, planning=False).session.state, check.facts)(values))
     met, says = check.judge(seen)
     return met, plain(says)
 
@@ -245,7 +245,8 @@ def _wrong_states(lesson: Lesson, i: int, begun: State) -> Iterator[str]:
             if _of_configuration(wrong.check):
                 yield f"check.wrong[{number}] needs q_deg, q_m or q_deg_m: a configuration that gets its verdict"
             continue
-        met, says = check.judge(_with_facts(_seen_at(_at_start(lesson), wrong.q), check.facts, begun))
+        seen = _seen_at(_at_start(lesson), wrong.q)
+        met, says = check.judge(replace(seen, facts=FactsAt(begun, check.facts)(wrong.q)))
         if met or says != wrong.says:
             yield f"check.wrong[{number}] gets another verdict at its own configuration: {plain(says)}"
 
@@ -262,7 +263,8 @@ def _by_chance(lesson: Lesson, i: int, begun: State) -> Iterator[str]:
     check = lesson.steps[i].check
     if check is None:
         return
-    count = sum(check.check.is_met(_with_facts(seen, check.facts, begun)) for seen in random_states(lesson))
+    facts_at = FactsAt(begun, check.facts)
+    count = sum(check.check.is_met(replace(seen, facts=facts_at(seen.q))) for seen in random_states(lesson))
     if count > MOST_BY_CHANCE:
         yield f"{count} of {RANDOM_STATES} random states meet its check: make its tolerances smaller"
 
@@ -277,11 +279,3 @@ def random_states(lesson: Lesson, count: int = RANDOM_STATES) -> Iterator[Observ
 
 def _seen_at(start: Observation, q: NDArray[np.float64]) -> Observation:
     return Observation.of(start.arm, q, target=start.target, switches=start.switches, panel=start.panel)
-
-
-def _with_facts(seen: Observation, words: tuple[str, ...], begun: State) -> Observation:
-    """Return the observation with facts of benches, as they are when the step begins."""
-    if not words:
-        return seen
-    state = begun.replace(begun[Joints].moved_to(seen.q))
-    return replace(seen, facts=seen_facts(state, words))
