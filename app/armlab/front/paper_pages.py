@@ -56,7 +56,15 @@ def _guide(folders: Folders) -> _Kind:
     return _Kind(Guidebooks(folders).look, guide_page)
 
 
-KINDS: Mapping[str, Callable[[Folders], _Kind]] = {"course": _course, "guide": _guide}
+def _formulas(folders: Folders) -> _Kind:
+    del folders  # there is one sheet, whatever the lessons
+    from armlab.content.formulas import sheet
+    from armlab.ui.formulas_page import formulas_page
+
+    return _Kind(sheet, formulas_page)
+
+
+KINDS: Mapping[str, Callable[[Folders], _Kind]] = {"course": _course, "guide": _guide, "formulas": _formulas}
 """The kinds by the first word of their addresses."""
 
 

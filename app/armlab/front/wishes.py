@@ -18,7 +18,7 @@ ROUTES = (
     "/state/{state}",
 )
 
-PAPERS = ("/course", "/course/{name}", "/guide", "/guide/{name}")
+PAPERS = ("/course", "/course/{name}", "/guide", "/guide/{name}", "/formulas")
 """Addresses of the pages to print, which wish nothing of the lab; the first word is their kind."""
 
 NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}\Z")
