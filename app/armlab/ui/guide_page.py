@@ -157,6 +157,7 @@ def _others(book: Guidebook, course: Course) -> Markup:
     """Return links to what else there is on paper."""
     others = [each for each in book.outline.courses if each is not course]
     links = [("The course, for students", f"/course/{course.key}" if course.key else "/course")]
+    links += [("Formulas on two pages", "/formulas")]
     links += [(f"Guide to {each.title}", f"/guide/{each.key}") for each in others]
     return tag(
         "nav", tag("p", "More on paper:"), tag("ul", [tag("li", tag("a", title, href=to)) for title, to in links])

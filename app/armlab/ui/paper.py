@@ -1,4 +1,4 @@
-"""Pages to print: documents of their own, dark on paper and, on a screen, as its owner likes it."""
+"""Pages to print: documents of their own, light whatever look the lab has."""
 
 from __future__ import annotations
 
@@ -8,14 +8,9 @@ from armlab.content.notes import for_reader
 from armlab.ui.html import Inside, Markup, joined, styles, tag
 
 LOOK = """
-:root { color-scheme: light dark; }
-body { --ink: #1f2733; --dim: #5f6a78; --line: #e1e6ec; --rule: #858f9c; --mark: #0072b2; --paper: #fff; }
-@media screen and (prefers-color-scheme: dark) {
-  body { --ink: #e4e9f0; --dim: #a3aebc; --line: #333d4a; --rule: #6b7684; --mark: #56b4e9; --paper: #161b22; }
-}
-html { background: #fff; }
-@media screen and (prefers-color-scheme: dark) { html { background: #161b22; } }
-body { font: 11pt/1.4 system-ui, sans-serif; color: var(--ink); background: var(--paper); }
+:root { color-scheme: light; }
+body { --ink: #1f2733; --dim: #5f6a78; --line: #e1e6ec; --rule: #858f9c; --mark: #0072b2; }
+body { font: 11pt/1.4 system-ui, sans-serif; color: var(--ink); background: #fff; }
 body { max-width: 46em; margin: 2em auto; padding: 0 1.2em; }
 h1 { font-size: 1.7em; line-height: 1.2; margin: 0 0 .3em; }
 h2 { font-size: 1.15em; margin: 0; }
@@ -27,7 +22,6 @@ nav { margin-top: 2em; }
 math { font-family: "Cambria Math", "STIX Two Math", "Latin Modern Math", "DejaVu Math TeX Gyre", serif; }
 @page { size: A4; margin: 16mm 15mm; }
 @media print {
-  :root { color-scheme: light; }
   body { max-width: none; margin: 0; padding: 0; font-size: 10pt; }
   nav, .hint { display: none; }
   a { text-decoration: none; }

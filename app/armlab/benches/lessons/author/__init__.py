@@ -11,7 +11,7 @@ PAGE = Page(
     tab="lessons",
     about=(
         *("write a lesson", "teacher", "save as lesson", "write an exercise", "own lesson"),
-        *("guide to the course", "teacher's guide", "homework", "questions for discussion", "what students get wrong"),
+        *("guide to the course", "teacher's guide", "questions for discussion", "what students get wrong"),
     ),
     always=True,
     exports=(Export("save-lesson", "This arm as a lesson file", ("Markdown", "new lesson")),),

@@ -98,7 +98,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 def _paper(course: Course) -> Inside:
     """Return the links to what helps to teach a course, on pages of their own."""
-    return tag("p", TO_TEACH), tag("div.bar", on_paper("Guide to the course", "guide", course.key, GUIDE_HINT))
+    sheet = on_paper("Formulas on two pages", "formulas", hint="Also in LaTeX: armlab formulas")
+    return tag("p", TO_TEACH), tag("div.bar", on_paper("Guide to the course", "guide", course.key, GUIDE_HINT), sheet)
 
 
 def _step(says: str, command: str) -> Inside:

@@ -24,6 +24,7 @@ from armlab.ui.widgets import Gui
 NOTES = (
     "“The notes” are those of the course Robotics 1. No lesson needs them; the page Errata has what they print wrongly"
 )
+FORMULAS = "The formulas of the course on two pages A4, to print; opens a page of its own"
 PRINTED = "The whole course on paper, with boxes to tick; opens a page of its own"
 
 
@@ -40,7 +41,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         course_map = Map(entries, way, found.lessons).markup(way.course.chapters, found.others)
         entries.show(course_map, broken_files("lesson", found.problems))
         errata = saved.chip("errata", "Errata of the notes", partial(gui.open_panel, "errata"), NOTES)
-        saved.show(tag("div.chips", load_work(saved), on_paper("To print", "course", way.course.key, PRINTED), errata))
+        paper = on_paper("To print", "course", way.course.key, PRINTED), on_paper("Formulas", "formulas", hint=FORMULAS)
+        saved.show(tag("div.chips", load_work(saved), paper, errata))
 
     return show
 
