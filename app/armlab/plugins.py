@@ -119,7 +119,8 @@ def _collected(names: Iterable[str], constant: str, kind: type[K], word: str = "
     names = list(names)
     word = word or constant.lower()
     found = Registry(word, [constant_of(name, constant, kind) for name in names], names)
-    return Registry(word, sorted(found.values(), key=lambda plugin: (getattr(plugin, "order", 0), plugin.key)))
+    ordered = sorted(found.values(), key=lambda plugin: (getattr(plugin, "order", 0), plugin.key))
+    return Registry(word, ordered, [found.origin[plugin.key] for plugin in ordered])
 
 
 def constant_of(module_name: str, constant: str, kind: type[T]) -> T:

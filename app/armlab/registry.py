@@ -32,6 +32,11 @@ class Registry(dict[str, K]):
     origins : iterable of str, optional
         Where each of them comes from, for the sentence about a key that comes twice.
 
+    Attributes
+    ----------
+    origin : dict of str to str
+        Where each comes from, by key.
+
     Raises
     ------
     PluginError
@@ -48,13 +53,13 @@ class Registry(dict[str, K]):
     def __init__(self, word: str, things: Iterable[K], origins: Iterable[str] = ()) -> None:
         super().__init__()
         self.word: str = word
-        origin: dict[str, str] = {}
+        self.origin: dict[str, str] = {}
         wheres = iter(origins)
         for thing in things:
             where = next(wheres, word)
             if thing.key in self:
-                raise PluginError(f"{where}: the key {thing.key!r} is already used by {origin[thing.key]}")
-            self[thing.key], origin[thing.key] = thing, where
+                raise PluginError(f"{where}: the key {thing.key!r} is already used by {self.origin[thing.key]}")
+            self[thing.key], self.origin[thing.key] = thing, where
 
     def __getitem__(self, key: object) -> K:
         """Return a thing by its key; `UnknownName` when there is none."""

@@ -1,5 +1,7 @@
 """The course, by hand: a newcomer begins, goes on to the next lesson, sees the way on the map, and prints it."""
 
+import re
+
 import pytest
 
 from armlab.content.lessons import lessons
@@ -98,4 +100,17 @@ def the_course_is_printed(lab):
     assert paper.pdf(format="A4").count(b"/Type /Page\n") in PAGES
     paper.locator("a", has_text=lessons()["statics"].title).click()
     paper.wait_for_url("**/lesson/statics")
+    paper.close()
+
+
+def test_the_formulas_fill_exactly_two_pages_and_paper_is_read_on_a_phone(browser, url):
+    paper = browser.new_page()
+    paper.goto(f"{url}formulas")
+    printed = paper.pdf(prefer_css_page_size=True)
+    sizes = [(float(wide), float(high)) for wide, high in re.findall(rb"/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]", printed)]
+    assert sizes == [pytest.approx((595.3, 841.9), abs=1.0)] * 2, "two pages A4, in points"
+    paper.set_viewport_size(PHONE)
+    for address in ("formulas", "guide"):
+        paper.goto(f"{url}{address}")
+        assert not paper.evaluate(WIDER), address
     paper.close()

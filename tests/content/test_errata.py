@@ -2,7 +2,7 @@
 
 import pytest
 
-from armlab.commands._references import of_text
+from armlab.commands._links import leading_nowhere
 from armlab.content.errata import errata, erratum, find, linked, parse_errata
 from armlab.content.errata_task import SO_PRINTED, read_task, task_of, with_tasks
 from armlab.content.markdown import to_html
@@ -163,5 +163,5 @@ def test_a_lesson_cannot_ask_for_one_without_a_task():
 def test_a_link_of_a_lesson_to_an_erratum_that_is_not_there_is_told():
     html = to_html("See [1.58](/erratum/1.58) and [1.59](/erratum/1.59).", "f.md")
     assert linked(html) == ("1.58", "1.59")
-    (problem,) = of_text(html)
+    (problem,) = leading_nowhere(html)
     assert problem.startswith("link: unknown erratum '1.59'")

@@ -6,6 +6,7 @@ import string
 
 import pytest
 
+from armlab.content.absent import absent
 from armlab.content.citations import citations, functions
 from armlab.content.index import Taught, Thing, search
 from armlab.content.lessons import lessons
@@ -177,11 +178,19 @@ def test_a_row_leads_to_lessons_benches_and_functions():
     assert row.detail == "Section 4.1; equations 4.10-4.14"
 
 
-def test_a_row_without_cited_equations_takes_the_functions_of_its_section():
+def test_a_row_without_cited_equations_has_the_functions_that_it_names_and_none_of_its_section():
     (row,) = find("S4.1-dh-caveats", 1)
-    assert "armlab.kin.relations.axis_relations" in row.functions
-    (row,) = find("S4.1-dh", 1)
-    assert "armlab.kin.assignment" not in row.functions
+    assert row.functions == ("armlab.kin.relations.axis_relations",)
+    (row,) = find("S1.7-history", 1)
+    assert row.functions == ()
+    assert "armlab.kin.assignment" in keys("section 4.1", "function"), "found by its section, which is no claim"
+
+
+def test_a_topic_that_the_lab_does_not_have_says_so():
+    (row,) = find("force sensors")
+    assert (row.key, row.absent) == ("S2.3.3-force", rows()["S2.3.3-force"].absent)
+    assert row.absent.startswith("The lab has nothing on force sensors")
+    assert all(not entry.absent or entry.kind == "row" for entry in find("sensors", 1000))
 
 
 def test_lessons_are_found_by_what_they_teach_and_by_their_title():
@@ -288,6 +297,30 @@ def test_every_synonym_stands_in_one_form_and_leads_to_the_others():
                 assert set(synonyms([word])) >= {other for other in group if other != word}
 
 
+@pytest.mark.parametrize(
+    ("query", "says"),
+    [
+        ("collision", "The lab has no obstacles"),
+        ("how do I avoid obstacles?", "The lab has no obstacles"),
+        ("PID", "The lab has no PID controller"),
+        ("Newton-Euler", "The lab has no dynamics of arms"),
+        ("Mobile robots", "The lab has no mobile robots"),
+        ("error dynamics", ""),
+        ("rapid", ""),
+        ("forward kinematics", ""),
+        ("", ""),
+    ],
+)
+def test_what_robotics_has_and_the_lab_has_not_is_said(query, says):
+    assert absent(query).startswith(says)
+    assert bool(absent(query)) == bool(says)
+
+
+def test_nothing_that_the_lab_has_is_said_to_be_absent():
+    titles = [row.title for row in rows().values()] + [lesson.title for lesson in lessons().lessons.values()]
+    assert [title for title in titles if absent(title)] == []
+
+
 # --- The list
 
 
@@ -332,7 +365,7 @@ def test_any_text_can_be_asked():
 def test_what_is_named_exists_and_cites():
     assert len(functions()) > 30
     for one in functions():
-        assert one.cites.references or one.cites.sections
+        assert one.cites.references or one.cites.sections or any(one.name in row.core for row in rows().values())
         assert one.says
         assert one.says in pkgutil.resolve_name(one.name).__doc__
 
@@ -346,6 +379,10 @@ def test_what_is_named_exists_and_cites():
         ("Notes 4.13-4.14 (standard); Craig, *Introduction to Robotics*, 3.6 (modified).", ["4.13-14"], []),
         ("Pieper 1968; notes, section 4.3.2; Siciliano et al., *Robotics*, 2.12.", [], ["4.3.2"]),
         ("Horn and Johnson, *Topics*, 1991, theorem 3.3.16.", [], []),
+        ("Named in the notes before section 6.1; Biagiotti and Melchiorri 2008, section 2.2.2.", [], ["6"]),
+        ("Notes, section 1.7; ISO 9283:1998, sections 7.2.1 and 7.2.2, for positions.", [], ["1.7"]),
+        ("Chiaverini, Siciliano and Egeland, 1994, section 3.2 and (4.5). Notes 5.107.", ["5.107"], []),
+        ("Sugihara 2011 (section 5.1.4), as in section 4.1 of the notes.", [], ["4.1"]),
         ("Lengths of 1.5 m and 3.5 rad, notes say; a tolerance of 1.2 mm.", [], []),
         ("Return 2.0 times 3.5.", [], []),
         ("Notes, definitions 6 and 7 and equations 4.8-4.9.", ["4.8-9", "definition 6-7"], []),

@@ -1,7 +1,7 @@
 """Each row of the course's inventory has something that computes it, a page that shows it, and a step that teaches it.
 
-``OPEN`` and ``UNSEEN`` are what is still missing. Where a row of them has come to have what it lacked, the test asks
-for its line to be taken out.
+``OPEN`` is what is still missing. Where a row of it has come to have what it lacked, the test asks for its line to be
+taken out.
 """
 
 import re
@@ -10,7 +10,7 @@ import pytest
 
 from armlab.content.citations import functions
 from armlab.content.lessons import lessons
-from armlab.content.rows import rows
+from armlab.content.rows import SECTION, reference, rows
 from armlab.session.pages import pages
 from support.rows_taught import exists, named, seen, table
 
@@ -21,28 +21,6 @@ OPEN = {
     "S2.3.4-vision": "core page lesson",
 }
 """Rows without all of core, page and step of a lesson, and what they lack."""
-
-UNSEEN = (
-    "S2.1-brushed-brushless",
-    "S2.1.1-kt-kv",
-    "S3.1-atan2",
-    "S3.1-sphere",
-    "S4.2-side-view",
-    "S4.3-multiplicity",
-    "S4.3-ur10",
-    "S4.3-ik16",
-    "S4.4.1-newton-ik",
-    "S4.4.1-newton-redundant",
-    "S4.4.1-newton-singular",
-    "S5.2-sim-170",
-    "S5.2-sim-178",
-    "S5.2.1-dls-sim",
-    "S5.2.2-penrose",
-    "S5.4.1-force-ellipsoid",
-    "S6.3-cartesian",
-    "S6.3.2-optimality",
-)
-"""Rows that a page claims while nobody has yet named what is seen of them there."""
 
 
 def test_the_table_has_each_row_of_the_notes_once():
@@ -58,12 +36,15 @@ def test_what_is_open_is_in_the_list_and_nothing_else():
     assert list(OPEN) == [row for row in rows() if row in OPEN]
 
 
-def test_what_is_not_seen_yet_is_in_the_list_and_nothing_else():
+def test_of_each_row_that_a_page_claims_something_is_seen_on_it():
     unseen = [row for row, each in table().items() if each.pages and not each.shown]
-    seen_now = [f"{row}: it is seen now; strike it out of UNSEEN" for row in UNSEEN if row not in unseen]
-    not_named = [f"{row}: name what is seen of it, in [shown]" for row in unseen if row not in UNSEEN]
-    assert not seen_now + not_named, "\n" + "\n".join(seen_now + not_named)
-    assert tuple(unseen) == UNSEEN
+    assert not unseen, f"name what is seen of {', '.join(unseen)}, in [shown]"
+
+
+def test_a_row_without_anything_says_so_and_no_other_does():
+    nothing = [row for row, each in table().items() if not (each.core or each.pages or each.lessons)]
+    assert [row.id for row in rows().values() if row.absent] == nothing == list(OPEN)
+    assert all(rows()[row].absent.startswith("The lab has no") for row in nothing)
 
 
 def test_a_row_that_is_no_longer_open_is_to_be_struck_out_of_the_list():
@@ -122,11 +103,31 @@ def test_a_page_claims_rows_that_there_are(key):
     assert set(claimed) <= set(rows())
 
 
+@pytest.mark.parametrize("key", pages())
+def test_a_section_or_an_equation_of_a_page_is_one_of_the_rows_that_it_claims(key):
+    """So that whoever looks for a number comes to a page on which something of it is."""
+    about = pages()[key].about
+    claimed = [rows()[row] for row in about if row in rows()]
+    for place in filter(SECTION.fullmatch, about):
+        assert any(f"{row.section}.".startswith(f"{place}.") for row in claimed), f"{key}: section {place}"
+    for place in (each for each in about if each.startswith("(")):
+        cited = reference("equation", place[1:-1])
+        assert cited is not None, f"{key}: {place}"
+        assert any(row.cites(cited) for row in claimed), f"{key}: equation {place}"
+
+
+@pytest.mark.parametrize("row", [row.id for row in rows().values() if row.core])
+def test_a_row_names_what_computes_it_only_where_nothing_cites_its_numbers(row):
+    there = {one.name: one.cites.references for one in functions()}
+    assert set(rows()[row].core) <= set(there)
+    assert not [name for name, cited in there.items() if any(map(rows()[row].cites, cited))]
+
+
 @pytest.mark.parametrize("row", named()["shown"])
 def test_what_is_said_to_be_seen_of_a_row_is_seen_on_a_page_that_claims_it(row):
-    page, example, text = named()["shown"][row]
+    page, example, text, *steps = named()["shown"][row]
     assert row in pages()[page].about
-    assert text in seen(page, example)
+    assert text in seen(page, example, *steps)
 
 
 def test_what_is_not_on_a_page_is_not_seen_there():

@@ -7,10 +7,16 @@ from urllib.parse import urlsplit
 import pytest
 
 from armlab.content.robots import catalogue
+from armlab.errors import UnknownName
+from armlab.session.bench import benches, page_of, robot_of
 from armlab.session.errata_links import LookUp
+from armlab.session.example_links import LookAt
 from armlab.session.lesson_commands import OpenLesson
+from armlab.session.pages import pages
+from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.joints import MoveJoint
-from armlab.session.parts.robot import ChooseRobot
+from armlab.session.parts.panels import Panels
+from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import BackToLesson, OpenShared, ToSandbox
 from armlab.session.share import from_short, short
 from armlab.session.state import State, apply
@@ -69,8 +75,19 @@ def test_a_wish_becomes_a_command():
     assert wished(fresh, "lesson/first_arm") == OpenLesson("first_arm")
     assert wished(fresh, "lesson/first_arm/0012") == OpenLesson("first_arm", variant=12)
     assert wished(fresh, "erratum/5.58") == LookUp("5.58")
+    assert wished(fresh, "page/section") == OpenPanel("section")
+    assert wished(fresh, "example/laws/triangle") == LookAt("laws/triangle")
     assert wished(fresh, f"state/{SHARED}") == OpenShared(SHARED)
     assert wished(fresh, "nothing/of/ours") is None
+
+
+def test_a_link_to_an_example_puts_it_in_place_and_opens_its_page():
+    state = done(State.initial(PUMA), LookAt("iterations/stretched"))
+    assert state[RobotPart].robot.key == robot_of("iterations/stretched") == "planar_2r"
+    assert state[Panels].last == "iterations"
+    with pytest.raises(UnknownName, match="triangle"):
+        done(state, LookAt("laws/triangel"))
+    assert {page_of(f"{bench.key}/{next(iter(bench.examples))}") for bench in benches().values()} <= set(pages())
 
 
 def test_the_link_of_a_lesson_that_waits_leads_back_to_it():

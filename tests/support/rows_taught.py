@@ -19,6 +19,7 @@ from armlab.content.lessons import lessons
 from armlab.content.robots import catalogue
 from armlab.content.rows import rows
 from armlab.session.bench import PutInPlace, robot_of
+from armlab.session.job import Deliver, jobs
 from armlab.session.pages import pages
 from support.bare_gui import BareGui, BarePage, content
 from support.student import run
@@ -39,11 +40,12 @@ class Taught:
     ----------
     row : str
     core : tuple of str
-        Functions of `armlab.kin` that cite it by number, or else what the file names.
+        Functions of `armlab.kin` that cite it by number, or else those that the row itself or the file names.
     pages : tuple of str
         Keys of the pages that claim it.
     shown : tuple of str
-        Page, example (or only an arm) and text that is seen there; empty where the file names none.
+        Page, example (or only an arm), text that is seen there, and what is done before, as in `seen`; empty where the
+        file names none.
     lessons : tuple of str
         Keys of the lessons that claim it.
     step : tuple of str
@@ -77,7 +79,7 @@ def table() -> dict[str, Taught]:
     found = {}
     for row in rows().values():
         cited = tuple(one.name for one in functions() if any(map(row.cites, one.cites.references)))
-        core = cited or ((file["core"][row.id],) if row.id in file["core"] else ())
+        core = cited or row.core or ((file["core"][row.id],) if row.id in file["core"] else ())
         found[row.id] = Taught(
             row.id,
             core,
@@ -147,21 +149,47 @@ def _filled(markup: str) -> str:
 
 
 @cache
-def seen(page: str, example: str) -> str:
+def seen(page: str, example: str, *steps: str) -> str:
     """Return the text of a page with an example in place, or else with the arm that is named instead of one.
 
     What may be chosen from a list does not count: the names of all examples are there, whichever is in place.
+
+    Parameters
+    ----------
+    page, example : str
+    *steps : str
+        What is done then: ``press CELL``, a button of the page, or ``job KEY``, which is carried through.
     """
-    return run(_seen(page, example))
+    return run(_seen(page, example, steps))
 
 
-async def _seen(page: str, example: str) -> str:
+async def _seen(page: str, example: str, steps: tuple[str, ...]) -> str:
     robot = (robot_of(example) if "/" in example else example) or ARM
     opened = SpokenPage(page, catalogue()[robot])
     if "/" in example:
         opened.session.apply(PutInPlace(example), 1.0)
         opened.show()
+    for step in steps:
+        what, _, name = step.partition(" ")
+        (_press if what == "press" else _carry_through)(opened, name)
     return opened.text
+
+
+def _press(opened: SpokenPage, wanted: str) -> None:
+    """Press the button of a page that has this cell."""
+    (fields,) = (fields for fields, cell, _ in opened.controls("button") if cell == wanted)
+    opened.send(fields, wanted)
+
+
+def _carry_through(opened: SpokenPage, key: str) -> None:
+    """Do the whole work of a job, as it is wanted while the page is open."""
+    job = jobs()[key]
+    wanted = job.wanted(opened.session.state, frozenset({opened._gui.page}))
+    assert wanted is not None, f"{key} has nothing to do"
+    for found in job.run(wanted.inputs):
+        if found is not None:
+            opened.session.apply(Deliver(job, wanted.inputs, found), 2.0)
+    opened.show()
 
 
 def main() -> None:

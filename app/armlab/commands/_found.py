@@ -12,7 +12,7 @@ from pathlib import Path
 from armlab import resources
 from armlab.content.courses import mistakes_in
 from armlab.content.lesson_file import digest_of
-from armlab.content.lesson_folder import COURSE, ENDING, LESSON, Source, sources_of
+from armlab.content.lesson_folder import COURSE, ENDING, GUIDE, LESSON, Source, sources_of
 from armlab.content.lessons import Lesson, add_folder, lessons
 from armlab.content.robots import KEY
 from armlab.errors import ContentError, InputError
@@ -118,6 +118,8 @@ class Place:
 
     def problems(self) -> list[str]:
         """Return a line for each entry of the folders looked into that cannot be a lesson, and mistake in a course."""
+        from armlab.commands._guides import mistakes_in_guide  # needs the benches, as no other command here does
+
         found = lessons()
         known = {*found.lessons, *found.broken}
         of_courses = [
@@ -125,7 +127,12 @@ class Place:
             for folder in self._looked_into.values()
             for error in mistakes_in(folder, known, found.needs)
         ]
-        return [*dict.fromkeys(self._problems), *of_courses]
+        of_guides = [
+            f"{shown(folder.joinpath(GUIDE))}:{getattr(error, 'line', 1)}: {in_words(error)}"
+            for folder in self._looked_into.values()
+            for error in mistakes_in_guide(folder)
+        ]
+        return [*dict.fromkeys(self._problems), *of_courses, *of_guides]
 
     def _at(self, typed: str, path: Path) -> list[Found]:
         """Return the lessons of a file or folder, and add its folder to those of the lab."""

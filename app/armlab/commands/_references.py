@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
-from urllib.parse import unquote
 
 import numpy as np
 
 from armlab.benches.motion.api import TURNINGS
+from armlab.commands._links import leading_nowhere
 from armlab.content import rows
 from armlab.content.actions import Action, PlayFilm, SetSwitch
 from armlab.content.bench_words import BenchWord, is_word
@@ -16,30 +15,26 @@ from armlab.content.check import Check
 from armlab.content.checks.all_of import AllOf
 from armlab.content.checks.fact import FactIs
 from armlab.content.checks.looked_at import LookedAt
-from armlab.content.errata import errata
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lesson_lines import LessonError
-from armlab.content.lessons import lessons
 from armlab.content.motion_actions import SetMoveKind, TakeExample
-from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName, suggestion
 from armlab.session.bench import refuse_other_arm, robot_of, with_example
 from armlab.session.facts import fact_of, unfit
+from armlab.session.pages import pages
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import clips
 from armlab.session.state import State
 from armlab.session.words import command_of
 
-_LINK = re.compile(r'href="/(?P<kind>lesson|robot|erratum)/(?P<key>[^/"?#]*)')
-
 
 def of_front(lesson: Lesson) -> Iterator[tuple[str, str]]:
     """Yield what is wrong with the names at the top of a lesson: the key, and the words for it."""
-    panels, switches = _panels(), _switches()
+    panels, switches = pages(), _switches()
     yield from (("teaches", rows.unknown(row)) for row in lesson.teaches if not rows.known(row))
     yield from (("panel", text) for text in _unknown("panel", [lesson.panel], panels))
     yield from (("hidden", text) for text in _unknown("panel", lesson.hidden, panels))
-    yield from (("introduction", text) for text in of_text(lesson.intro_html))
+    yield from (("introduction", text) for text in leading_nowhere(lesson.intro_html))
     yield from (("overlays", text) for text in _unknown("switch", lesson.overlays, switches))
     wrong = list(_of_example(lesson, lesson.example))
     yield from (("example", text) for text in wrong or _moved_by_example(lesson))
@@ -49,14 +44,14 @@ def of_front(lesson: Lesson) -> Iterator[tuple[str, str]]:
 
 def of_step(lesson: Lesson, step: Step) -> Iterator[str]:
     """Yield what is wrong with the names in a step."""
-    panels, switches = _panels(), _switches()
+    panels, switches = pages(), _switches()
     yield from (f"start: {text}" for text in _of_example(lesson, step.example))
     yield from (f"start: {text}" for text in _unknown("panel", [step.panel], panels))
     if step.panel and step.panel in lesson.hidden:
         yield f"start: the panel {step.panel!r} is to be opened, and the lesson hides it"
     for action in step.solution:
         yield from (f"solution: {text}" for text in _of_action(lesson, action))
-    yield from of_text(step.texts)
+    yield from leading_nowhere(step.texts)
     yield from _of_facts(lesson, step)
     checks = [] if step.check is None else [step.check.check, *(wrong.check for wrong in step.check.wrong)]
     for looked in (found for check in checks for found in _looked_at(check)):
@@ -134,13 +129,6 @@ def _moved_by_example(lesson: Lesson) -> Iterator[str]:
         yield f"the example {lesson.example!r} puts the arm elsewhere than the lesson; leave out pose or joint values"
 
 
-def of_text(html: str) -> Iterator[str]:
-    """Yield the links of a text to lessons, arms and errata that are not there."""
-    known: dict[str, Iterable[str]] = {"lesson": lessons().lessons, "robot": catalogue().robots, "erratum": errata()}
-    for link in _LINK.finditer(html):
-        yield from (f"link: {text}" for text in _unknown(link["kind"], [unquote(link["key"])], known[link["kind"]]))
-
-
 def _looked_at(check: Check) -> Iterator[LookedAt]:
     if isinstance(check, LookedAt):
         yield check
@@ -152,12 +140,6 @@ def _looked_at(check: Check) -> Iterator[LookedAt]:
 def _unknown(kind: str, names: Iterable[str], known: Iterable[str]) -> Iterator[str]:
     there = list(known)
     return (f"unknown {kind} {name!r}{suggestion(name, there)}" for name in names if name and name not in there)
-
-
-def _panels() -> Iterable[str]:
-    from armlab.session.pages import pages
-
-    return pages()
 
 
 def _switches() -> Iterable[str]:

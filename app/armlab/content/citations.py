@@ -1,4 +1,4 @@
-"""Numbers of the notes that a text cites, and the functions of `armlab.kin` that cite them."""
+"""Numbers of the notes that a text cites, and the functions of `armlab.kin` that cite them or compute their topics."""
 
 from __future__ import annotations
 
@@ -21,8 +21,12 @@ _CITED = re.compile(
     rf"(?P<list>(?<![\w.]){_RANGE}(?:(?:, and |, | and ){_RANGE})*)(?!\w|\.\d|\s?(?:m|mm|rad|deg|s|%|°)\b)"
 )
 _COUNTED = re.compile(r"\b(definition|theorem)s? (\d+)(?:(?:-| and |, )(\d+))?(?!\d|\.\d)")
-_OTHERS = re.compile(r"(?:\bCraig\b|(?<!\w)\*(?=[A-Z])[^*]+\*)[^;]*?(?=;|\)|\. [A-Z]|$)")
-"""Pattern of another book together with what is cited of it."""
+_TO_THE_END = r"[^;]*?(?=;|\)|\. [A-Z]|$)"
+_OTHERS = re.compile(
+    r"(?:\bCraig\b|\bISO \d{4,5}\b|(?<!\w)\*(?=[A-Z])[^*]+\*"
+    rf"|\b[A-Z][a-z]+(?:,? (?:and [A-Z][a-z]+|et al\.))*,? (?:19|20)\d\d\b){_TO_THE_END}"
+)
+"""Pattern of another source, by its author, title, year or number, together with what is cited of it."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +38,7 @@ class Citations:
 
 
 class Function(NamedTuple):
-    """Something of `armlab.kin` that cites the notes: a function, class, method or module."""
+    """Something of `armlab.kin` that belongs to the notes: a function, class, method or module."""
 
     name: str
     says: str
@@ -64,7 +68,9 @@ def _numbers(line: str) -> Iterator[tuple[str, str]]:
         before = (found["kind"] or "").strip("., ").lower()
         for number in re.findall(_RANGE, found["list"]):
             if before.startswith(("section", "§")) or re.fullmatch(r"\d\.\d+\.\d+", number):
-                yield "section", number
+                # What stands before section 6.1 is the beginning of chapter 6.
+                is_before = line[: found.start()].endswith("before ") and number.endswith(".1")
+                yield "section", number.removesuffix(".1") if is_before else number
             elif before or of_notes or re.search("[-–]", number):
                 yield "figure" if before.startswith("figure") else "equation", number
     for kind, first, last in _COUNTED.findall(line):
@@ -73,12 +79,16 @@ def _numbers(line: str) -> Iterator[tuple[str, str]]:
 
 @cache
 def functions() -> tuple[Function, ...]:
-    """Return everything in `armlab.kin` that cites the notes, in the order of modules and their text; found once."""
+    """Return everything in `armlab.kin` that cites the notes, or that a row of the inventory names; found once.
+
+    It is in the order of modules and their text.
+    """
+    named = {name for row in rows().values() for name in row.core}
     found = []
     for name, thing in _things():
         says = inspect.getdoc(thing) if not isinstance(thing, ModuleType) else thing.__doc__
         cites = citations(says or "")
-        if says and (cites.references or cites.sections):
+        if says and (cites.references or cites.sections or name in named):
             found.append(Function(name, says.strip().splitlines()[0].strip(), cites))
     return tuple(found)
 

@@ -29,10 +29,16 @@ class CourseFiles:
     """The files of courses of some folders, of which the first is the lab's own.
 
     A file with a mistake changes nothing: the course stays as it was before.
+
+    Attributes
+    ----------
+    places : dict
+        By key of the course, its folder and the text before the names of its files in messages.
     """
 
     def __init__(self) -> None:
         self._files: dict[str, _File] = {}
+        self.places: dict[str, tuple[Traversable, str]] = {}
 
     def look(self, folders: Iterable[tuple[Traversable, str]]) -> bool:
         """Read the files that have changed; return whether any has.
@@ -43,11 +49,13 @@ class CourseFiles:
             Folders, and the text before the names of their files in messages.
         """
         found: dict[str, _File] = {}
+        self.places = {}
         for i, (folder, label) in enumerate(folders):
             source = course_of(folder, label)
             if source is None:
                 continue
             key = _free(source.key, {OF_THE_LAB, *found}) if i else OF_THE_LAB
+            self.places[key] = folder, label
             before = self._files.get(key)
             if before is not None and _same(before.source, source):
                 found[key] = before

@@ -63,6 +63,8 @@ class Entry:
         Ids of the rows it belongs to; of a row its own.
     lessons, benches, functions : tuple of str
         Only of rows: keys of what belongs to them.
+    absent : str
+        Only of rows: a sentence where the lab has nothing about it; empty otherwise.
     """
 
     kind: Kind
@@ -74,6 +76,7 @@ class Entry:
     benches: tuple[str, ...] = ()
     functions: tuple[str, ...] = ()
     within: str = ""
+    absent: str = ""
 
 
 class Taught(NamedTuple):
@@ -138,9 +141,9 @@ def _row_item(row: Row, belonging: Iterable[Item]) -> Item:
     title = chapters()[row.section] if row.section in ("A", "R") else f"Section {row.section}"
     equations = "equation" if len(row.equations) == 1 and "-" not in row.equations[0] else "equations"
     cited = ([f"{equations} {', '.join(row.equations)}"] if row.equations else []) + list(row.numbered)
-    entry = Entry(
-        "row", row.id, row.title, "; ".join([title, *cited]), (row.id,), of["lesson"], of["bench"], of["function"]
-    )
+    detail = "; ".join([title, *cited])
+    belong = of["lesson"], of["bench"], of["function"]
+    entry = Entry("row", row.id, row.title, detail, (row.id,), *belong, absent=row.absent)
     return Item(entry, words=row.words, references=row.references, sections=(row.section,))
 
 
@@ -166,16 +169,10 @@ def _thing_item(thing: Thing) -> Item:
 
 
 def _function_items() -> Iterator[Item]:
-    """Yield functions; each belongs to the rows whose equations it cites, or to those of its section without any."""
-    by_equation = {
-        row.id: [one.name for one in functions() if any(map(row.cites, one.cites.references))]
-        for row in rows().values()
-    }
+    """Yield functions; each belongs to the rows whose numbers it cites, and to those that name it."""
     for one in functions():
         belongs = tuple(
-            row.id
-            for row in rows().values()
-            if one.name in by_equation[row.id] or (not by_equation[row.id] and row.section in one.cites.sections)
+            row.id for row in rows().values() if one.name in row.core or any(map(row.cites, one.cites.references))
         )
         title = one.name.removeprefix(f"{kin.__name__}.").rpartition(".")[2]
         entry = Entry("function", one.name, title, one.says, belongs)

@@ -18,6 +18,7 @@ MOST_TEXT = 1_000_000
 
 LESSON = "lesson.md"
 COURSE = "course.toml"
+GUIDE = "guide.toml"
 ENDING = ".md"
 _README = "readme.md"
 
@@ -27,7 +28,7 @@ Stamp = tuple[tuple[str | int, ...], ...]
 
 @dataclass(frozen=True)
 class Source:
-    """The files of one lesson, or of a course.
+    """The files of one lesson, or the file of a course or of its guide.
 
     Attributes
     ----------
@@ -129,13 +130,22 @@ def lesson_of(folder: Traversable, key: str) -> Source | None:
 
 def course_of(folder: Traversable, label: str = "") -> Source | None:
     """Return the file of the course of a folder, or None; its key is that of the course, made of the folder's name."""
-    entry = folder.joinpath(COURSE)
+    return _toml_of(folder, label, COURSE)
+
+
+def guide_of(folder: Traversable, label: str = "") -> Source | None:
+    """Return the file of the guide of a folder, or None; its key is as of `course_of`."""
+    return _toml_of(folder, label, GUIDE)
+
+
+def _toml_of(folder: Traversable, label: str, name: str) -> Source | None:
+    entry = folder.joinpath(name)
     try:
         if not entry.is_file():
             return None
         key = re.sub(r"[^a-z0-9]+", "_", folder.name.lower())[:40].strip("_") or "course"
         root = folder if isinstance(folder, Path) else None
-        return Source(key, f"{label}{COURSE}", entry, None, root, _stamp([entry]))
+        return Source(key, f"{label}{name}", entry, None, root, _stamp([entry]))
     except OSError:
         return None  # it was taken away while we looked
 

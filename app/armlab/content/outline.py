@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib.resources.abc import Traversable
 
@@ -39,11 +39,14 @@ class Outline:
     heads : mapping of str to Head
     needs : mapping of str to tuple of str
         By lesson, the keys of those it needs, without mistakes.
+    places : mapping
+        By course, its folder and the text before the names of its files in messages.
     """
 
     courses: tuple[Course, ...]
     heads: Mapping[str, Head]
     needs: Mapping[str, tuple[str, ...]]
+    places: Mapping[str, tuple[Traversable, str]] = field(default_factory=dict)
 
     @cached_property
     def others(self) -> tuple[Chapter, ...]:
@@ -96,4 +99,6 @@ class Outlines:
         needs = sound({key: head.after for key, head in heads.items()}, heads)
         judged, _ = self._files.judged(self._heads, needs)
         courses = tuple(course for each in judged if (course := each.among(heads)).chapters)
-        return Outline(courses or (Course("", "All lessons", "", by_chapters(heads.values())),), heads, needs)
+        return Outline(
+            courses or (Course("", "All lessons", "", by_chapters(heads.values())),), heads, needs, self._files.places
+        )

@@ -74,6 +74,10 @@ class Row:
         Figures, definitions and theorems, such as ``figure 4.8``.
     words : tuple of str
         Other names of the topic.
+    core : tuple of str
+        Dotted names of what computes it in `armlab.kin`, where nothing there cites its numbers.
+    absent : str
+        A sentence where the lab has nothing about it; empty otherwise.
     """
 
     id: str
@@ -82,6 +86,8 @@ class Row:
     equations: tuple[str, ...]
     numbered: tuple[str, ...]
     words: tuple[str, ...]
+    core: tuple[str, ...] = ()
+    absent: str = ""
 
     @property
     def chapter(self) -> str:
@@ -144,6 +150,8 @@ def _row(table: Table, chapters: Mapping[str, str]) -> Row:
         equations=table.texts("equations"),
         numbered=table.texts("numbered"),
         words=table.texts("words"),
+        core=table.texts("core"),
+        absent=table.text("absent", ""),
     )
     table.done()
     if not ID.fullmatch(row.id):

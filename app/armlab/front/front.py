@@ -14,15 +14,15 @@ from collections.abc import AsyncIterator, Sequence
 import aiohttp
 from aiohttp import WSCloseCode, web
 
-from armlab.front.course_pages import POLICY as OF_PAPER
-from armlab.front.course_pages import CoursePages, Printed
 from armlab.front.doors import Doors
 from armlab.front.limits import Addresses, Limits, Meter
 from armlab.front.page import Page
+from armlab.front.paper_pages import POLICY as OF_PAPER
+from armlab.front.paper_pages import PaperPages, Printed
 from armlab.front.relay import relay
 from armlab.front.room import FORM, POLICY, Room
 from armlab.front.tokens import Tokens
-from armlab.front.wishes import COURSES, ROUTES, Wishes, refused
+from armlab.front.wishes import PAPERS, ROUTES, Wishes, refused
 
 HEADERS = {
     "Cache-Control": "no-store",  # a cached page of another viser version cannot talk to this one
@@ -59,8 +59,8 @@ class Front:
     limits : Limits
     room : Room, optional
         The code that visitors need; everybody is let in when it is left out.
-    courses : CoursePages, optional
-        The courses as pages to print; those of the lab alone when left out.
+    papers : PaperPages, optional
+        The pages to print; those of the lab alone when left out.
     """
 
     def __init__(
@@ -72,12 +72,12 @@ class Front:
         hosts: frozenset[str] | None,
         limits: Limits | None = None,
         room: Room | None = None,
-        courses: CoursePages | None = None,
+        papers: PaperPages | None = None,
     ) -> None:
         self._page, self._tokens, self._secret = page, tokens, secret
         self._labs, self._hosts = labs, hosts
         self._limits, self._room = limits or Limits(), room
-        self._courses = courses or CoursePages()
+        self._papers = papers or PaperPages()
         self.doors = Doors(self._limits)
         self._lapsed = Addresses(self._limits.lapse_rate, self._limits.lapses)
         self._there = asyncio.Event()
@@ -92,8 +92,8 @@ class Front:
         self.app.router.add_get("/", self._visit)
         for path in ROUTES:
             self.app.router.add_get(path, self._visit)
-        for path in COURSES:
-            self.app.router.add_get(path, self._visit_course)
+        for path in PAPERS:
+            self.app.router.add_get(path, self._visit_paper)
 
     def open_labs(self, labs: Sequence[int]) -> None:
         """Let the sockets of pages through to labs, also those that wait; to be called on the front's loop."""
@@ -118,12 +118,13 @@ class Front:
             return refusal
         return await (self._serve_socket(request) if is_socket else self._serve_page(request))
 
-    async def _visit_course(self, request: web.Request) -> web.StreamResponse:
-        """Answer with a course as a page to print, which belongs to no browser."""
+    async def _visit_paper(self, request: web.Request) -> web.StreamResponse:
+        """Answer with a page to print, which belongs to no browser."""
         refusal = self._turned_away(request, False)
         if refusal is not None:
             return refusal
-        page = await asyncio.to_thread(self._courses.page, request.match_info.get("name", ""))
+        kind = request.path.split("/")[1]
+        page = await asyncio.to_thread(self._papers.page, kind, request.match_info.get("name", ""))
         if page is None:
             return _text(404, "There is no such course.")
         return _html(request, page, OF_PAPER)

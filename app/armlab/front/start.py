@@ -20,11 +20,11 @@ from aiohttp import web
 from armlab import resources
 from armlab.errors import ArmlabError, InputError
 from armlab.front.addresses import served_names
-from armlab.front.course_pages import CoursePages
 from armlab.front.doors import Site, let_open_many_files
 from armlab.front.front import Front
 from armlab.front.lock import FolderLock
 from armlab.front.page import make_page
+from armlab.front.paper_pages import PaperPages
 from armlab.front.processes import LabProcesses
 from armlab.front.room import Room
 from armlab.front.tokens import Tokens, kept_secret
@@ -141,8 +141,8 @@ def start(settings: Settings, on_served: Callable[[int], None] = lambda port: No
         secret = secrets.token_urlsafe(24)
         room = Room(settings.code, kept) if settings.code else None
         names = served_names(settings.host) | {name.lower() for name in settings.names}
-        courses = CoursePages(settings.lessons)
-        front = Front(make_page(), Tokens(kept), secret, [], names, room=room, courses=courses)
+        papers = PaperPages(settings.lessons)
+        front = Front(make_page(), Tokens(kept), secret, [], names, room=room, papers=papers)
         port, loop = _open_front(front, settings, opened)
         on_served(port)
         lab, labs = _open_labs(settings, secret, behind)

@@ -8,10 +8,18 @@ from collections.abc import Callable, Mapping
 
 from armlab.session.share_text import LONGEST, TEXT
 
-ROUTES = ("/robot/{name}", "/lesson/{name}", "/lesson/{name}/{variant}", "/erratum/{erratum}", "/state/{state}")
+ROUTES = (
+    "/robot/{name}",
+    "/lesson/{name}",
+    "/lesson/{name}/{variant}",
+    "/page/{name}",
+    "/example/{name}/{example}",
+    "/erratum/{erratum}",
+    "/state/{state}",
+)
 
-COURSES = ("/course", "/course/{name}")
-"""Addresses of courses as pages to print, which wish nothing of the lab."""
+PAPERS = ("/course", "/course/{name}", "/guide", "/guide/{name}", "/formulas")
+"""Addresses of the pages to print, which wish nothing of the lab; the first word is their kind."""
 
 NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}\Z")
 VARIANT = re.compile(r"[0-9]{1,4}\Z")
@@ -20,7 +28,7 @@ ERRATUM = re.compile(r"[0-9A-Z]\.[0-9A-Za-z]{1,8}\Z")
 
 def refused(parts: Mapping[str, str]) -> tuple[int, str] | None:
     """Return status and sentence for a link with invalid parts; None when all are valid."""
-    if not NAME.match(parts.get("name", "x")):
+    if not NAME.match(parts.get("name", "x")) or not NAME.match(parts.get("example", "x")):
         return 404, "There is no such page."
     if not VARIANT.match(parts.get("variant", "0")):
         return 404, "There is no such page: the variant of a lesson is a number from 0 to 9999."

@@ -10,6 +10,7 @@ from typing import Any, ClassVar
 from armlab.errors import InputError
 from armlab.plugins import discover_in_benches
 from armlab.registry import Registry, known_name
+from armlab.session.pages import pages
 from armlab.session.state import Command, State
 
 
@@ -45,6 +46,13 @@ def _found(name: str) -> tuple[Bench, str]:
     bench, _, key = name.partition("/")
     found = benches()[bench]
     return found, known_name(f"example of the bench {bench!r}", key, found.examples)
+
+
+def page_of(name: str) -> str:
+    """Return the key of the page to which an example belongs; `UnknownName` as of `choosing`."""
+    bench, _ = _found(name)
+    module = benches().origin[bench.key]
+    return next(key for key, page in pages().items() if module.startswith(f"{page.package}."))
 
 
 def choosing(name: str) -> Command:

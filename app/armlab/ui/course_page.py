@@ -1,4 +1,4 @@
-"""The course as a page to print: light, with a box to tick for each lesson."""
+"""The course as a page to print, with a box to tick for each lesson."""
 
 from __future__ import annotations
 
@@ -6,40 +6,25 @@ from collections.abc import Sequence
 
 from armlab.content.course import Chapter, Course
 from armlab.content.lesson_head import Head, time_said
-from armlab.content.notes import for_reader
 from armlab.content.outline import Outline
-from armlab.ui.html import Inside, Markup, joined, styles, tag
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.paper import document
 
 LOOK = """
-body { font: 11pt/1.4 system-ui, sans-serif; color: #1f2733; background: #fff; }
-body { max-width: 46em; margin: 2em auto; padding: 0 1.2em; }
-h1 { font-size: 1.7em; line-height: 1.2; margin: 0 0 .3em; }
-h2 { font-size: 1.15em; margin: 0; }
-p { margin: .2em 0; }
-a { color: inherit; text-decoration-color: #b3bcc7; text-underline-offset: 2px; }
-.small, small { color: #5f6a78; font-size: .85em; font-weight: 400; }
-header { border-bottom: 2px solid #0072b2; padding-bottom: .8em; }
-header div { display: flex; gap: 2em; margin-top: 1.2em; }
-header div span { flex: 1; border-bottom: 1px solid #858f9c; color: #5f6a78; }
+header > div { display: flex; gap: 2em; margin-top: 1.2em; }
+header > div span { flex: 1; border-bottom: 1px solid var(--rule); color: var(--dim); }
 section { margin-top: 1.6em; }
 section > div { display: flex; justify-content: space-between; gap: 1em; align-items: baseline; break-after: avoid; }
 section > p { break-after: avoid; }
 ol { list-style: none; margin: .4em 0 0; padding: 0; }
-ol > li { display: grid; grid-template-columns: 1.7em 1fr 4.2em; padding: .35em 0; border-top: 1px solid #e1e6ec; }
+ol > li { display: grid; grid-template-columns: 1.7em 1fr 4.2em; padding: .35em 0; border-top: 1px solid var(--line); }
 ol > li { break-inside: avoid; }
 ol > li > i { box-sizing: border-box; width: 1em; height: 1em; margin-top: .2em; }
-ol > li > i { border: 1.3px solid #1f2733; border-radius: 2px; }
+ol > li > i { border: 1.3px solid var(--ink); border-radius: 2px; }
 ol > li > span { text-align: right; white-space: nowrap; }
-ul { margin: .1em 0 0; padding: 0 0 0 1.1em; color: #414c59; font-size: .88em; }
-nav { margin-top: 2em; }
-@page { margin: 16mm 15mm; }
-@media print {
-  body { max-width: none; margin: 0; padding: 0; font-size: 10pt; }
-  nav, .hint { display: none; }
-  a { text-decoration: none; }
-}
+ul { margin: .1em 0 0; padding: 0 0 0 1.1em; opacity: .85; font-size: .88em; }
 """
-"""Rules of style, which are made for paper whatever look the lab has."""
+"""Rules of style besides those of all pages on paper."""
 
 
 def course_page(outline: Outline, key: str = "") -> str | None:
@@ -57,15 +42,7 @@ def course_page(outline: Outline, key: str = "") -> str | None:
     chapters = [_chapter(each, outline, course) for each in course.chapters]
     others = [_chapter(each, outline, course) for each in outline.others]
     more = (tag("section", tag("div", tag("h2", "More lessons"))), others) if others else None
-    body = tag("body", _head(course, outline), chapters, more, _others(course, outline))
-    meta = joined(
-        tag("meta", charset="utf-8"),
-        tag("meta", name="viewport", content="width=device-width"),
-        tag("title", f"{course.title} – Armlab"),
-        styles(LOOK),
-    )
-    page = tag("html", tag("head", meta), body, lang="en")
-    return for_reader(f"<!doctype html>\n{page}\n")
+    return document(course.title, LOOK, _head(course, outline), chapters, more, _others(course, outline))
 
 
 def _head(course: Course, outline: Outline) -> Markup:

@@ -70,6 +70,21 @@ def copy_button(name: str, text: str, kind: str = "copy") -> Markup:
     return tag("button", name, class_=kind, data_copy=text, title=f"Copy as {name}")
 
 
+def on_paper(text: str, kind: str, key: str = "", hint: str = "") -> Markup:
+    """Return a link to a page to print, which opens beside the lab.
+
+    Parameters
+    ----------
+    text, hint : str
+    kind : str
+        First word of its address, such as ``course``.
+    key : str
+        The course; empty for the first.
+    """
+    to = f"/{kind}/{key}" if key else f"/{kind}"
+    return tag("a.chip", text, href=to, target="_blank", rel="noopener", title=hint)
+
+
 def select(channel: str, cell: str, label: str, inside: Inside, hint: str = "") -> Markup:
     """Return a choice among `options`."""
     return tag("select", inside, data_chan=channel, data_cell=cell, **_said(title=hint, aria_label=label))

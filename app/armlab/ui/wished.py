@@ -1,14 +1,17 @@
 """The request of a link to a session.
 
 ``robot/puma560`` wants that arm on the table, ``lesson/first_arm`` that lesson, ``lesson/first_arm/7`` a variant of it,
-``erratum/5.58`` the page Errata at that one, ``state/1eN...`` a shared state.
+``page/section`` a page, ``example/laws/triangle`` an example on its page, ``erratum/5.58`` the page Errata at that one,
+``state/1eN...`` a shared state.
 """
 
 from __future__ import annotations
 
 from armlab.errors import InputError
 from armlab.session.errata_links import LookUp
+from armlab.session.example_links import LookAt
 from armlab.session.lesson_commands import OpenLesson
+from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import BackToLesson, OpenShared, Shelf
@@ -23,6 +26,10 @@ def wished(state: State, wish: str) -> Command | None:
         return ChooseRobot(what)
     if kind == "lesson":
         return _lesson(state, *what.partition("/")[::2])
+    if kind == "page":
+        return OpenPanel(what)
+    if kind == "example":
+        return LookAt(what)
     if kind == "erratum":
         return LookUp(what)
     if kind == "state" and what not in (state[Shelf].shared, _shared(state)):

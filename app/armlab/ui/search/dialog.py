@@ -12,9 +12,10 @@ import secrets
 from collections.abc import Collection
 from functools import partial
 
+from armlab.content.absent import absent
 from armlab.content.index import Entry, Place
 from armlab.content.lessons import lessons_read
-from armlab.content.rows import known
+from armlab.content.rows import known, rows
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.pages import tab_of
 from armlab.session.parts.display import Display
@@ -169,13 +170,15 @@ def _topic(query: str) -> str:
 
 
 def _said(query: str, count: int, is_topic: bool) -> str:
-    """Return a sentence on the number of finds."""
+    """Return a sentence on the number of finds, or on what the lab does not have."""
+    if lacking := absent(query):
+        return f"{lacking} Found all the same: {count}." if count else lacking
     if count > SHOWN:
         return f"The first {SHOWN} of {count}"
     if count:
         return f"{count} found"
     if is_topic:
-        return "No lesson, page or function of the lab is about it."
+        return rows()[query.strip()].absent or "No lesson, page or function that you can open now is about it."
     shown = query.strip()[:40]
     return f"Nothing was found for “{shown}”. Try another word, an arm (UR5), a section (4.1) or an equation (3.66)."
 

@@ -154,9 +154,11 @@ def _inside(title: str, kind: str, detail: str, within: str = "", key: str = "")
 
 
 def _leads(entry: Entry) -> str:
-    """Return the details of a topic, with how many lessons and pages belong to it."""
+    """Return the details of a topic, with how many lessons and pages belong to it, or that the lab has none."""
     if entry.kind == "chapter":
         return entry.detail
+    if entry.absent:
+        return f"{entry.detail} · {entry.absent}"
     counts = ((len(entry.lessons), "lesson"), (len(entry.benches), "page"))
     told = ", ".join(f"{count} {word}{'s' if count > 1 else ''}" for count, word in counts if count)
     return f"{entry.detail} · {told}" if told else entry.detail

@@ -13,7 +13,7 @@ PAGE = Page(
         "S3.1-atan2",
         "SA-atan2",
         "3.1",
-        "3.15",
+        "(3.15)",
         "arctangent",
         "atan and atan2",
         "quadrants",

@@ -12,7 +12,7 @@ PAGE = Page(
     about=(
         "S2.2.1-harmonic",
         "2.2.1",
-        "2.29",
+        "(2.29)",
         "strain wave gear",
         "strain wave gearing",
         "wave generator",

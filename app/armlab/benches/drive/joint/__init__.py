@@ -10,8 +10,6 @@ PAGE = Page(
     59,
     tab="drive",
     about=(
-        "2.2",
-        "2.3",
         "resolution of a joint",
         "encoder of a joint",
         "counts per turn",

@@ -14,7 +14,7 @@ PAGE = Page(
         "S2.0-power",
         "S2.1-motor-pros-cons",
         "S2.1-brushed-brushless",
-        "2.0",
+        "2",
         "2.1",
         "actuator",
         "actuators",

@@ -9,7 +9,10 @@ PAGE = Page(
     "PENCIL",
     8,
     tab="lessons",
-    about=("write a lesson", "teacher", "save as lesson", "write an exercise", "own lesson"),
+    about=(
+        *("write a lesson", "teacher", "save as lesson", "write an exercise", "own lesson"),
+        *("guide to the course", "teacher's guide", "questions for discussion", "what students get wrong"),
+    ),
     always=True,
     exports=(Export("save-lesson", "This arm as a lesson file", ("Markdown", "new lesson")),),
 )

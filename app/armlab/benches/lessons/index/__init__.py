@@ -11,6 +11,7 @@ PAGE = Page(
     about=(
         *("exercises", "course", "chapters", "index of the notes", "assignments", "homework", "tutorial"),
         *("map", "next lesson", "syllabus", "curriculum", "print the course"),
+        *("formula sheet", "formulary", "cheat sheet"),
     ),
     always=True,
     exports=(

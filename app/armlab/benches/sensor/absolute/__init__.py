@@ -12,7 +12,7 @@ PAGE = Page(
     about=(
         "S2.3.1-abs-encoder",
         "2.3.1",
-        "2.40",
+        "(2.40)",
         "sensors",
         "absolute encoder",
         "gray code",

@@ -12,8 +12,7 @@ PAGE = Page(
     about=(
         "S2.3.1-encoder-speed",
         "2.3.1",
-        "2.42",
-        "2.43",
+        "(2.42-2.43)",
         "speed from an encoder",
         "angular velocity from counts",
         "counts per window",

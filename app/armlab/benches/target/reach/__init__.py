@@ -10,7 +10,6 @@ PAGE = Page(
     30,
     about=(
         "S1.1-inverse-kinematics",
-        "4.4",
         "S5.2.1-dls",
         "inverse kinematics",
         "reach a point",

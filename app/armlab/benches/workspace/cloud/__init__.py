@@ -12,9 +12,7 @@ PAGE = Page(
     about=(
         "S4.2-ws1",
         "4.2",
-        "4.17",
-        "4.18",
-        "4.19",
+        "(4.17-4.19)",
         "workspace",
         "reachable workspace",
         "primary workspace",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from armlab.content.course import Course
 from armlab.content.lessons import lessons
 from armlab.content.write_lesson import lesson_text
 from armlab.errors import ArmlabError, InputError
@@ -17,11 +18,17 @@ from armlab.session.state import Post, State
 from armlab.ui.form import Form, Pressed, Typed
 from armlab.ui.format import pairs
 from armlab.ui.html import Inside, tag
-from armlab.ui.markup import fold
+from armlab.ui.markup import fold, on_paper
 from armlab.ui.picks import broken_files
 from armlab.ui.plugin import Panel, Show, layers
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
+
+TO_TEACH = (
+    "The guide goes through the course chapter by chapter: goals and minutes, what to show on the projector, what "
+    "students get wrong, homework, and questions for discussion."
+)
+GUIDE_HINT = "To read or to print, each chapter on sheets of its own; opens a page of its own"
 
 GOAL = (
     "Bring the arm to where the students are to bring it, and save. The lesson begins in another pose, asks for this "
@@ -66,6 +73,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         except ArmlabError as refusal:
             raise InputError(str(refusal)) from None
 
+    paper = gui.html()
     gui.heading("1. Save as lesson")
     form = gui.form(post)
     file = gui.html()
@@ -80,11 +88,18 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         nonlocal present
         present = state
+        paper.show(_paper(lessons().course(state[LessonPart].course)))
         form.show(_form(form, title, state, named, save))
         file.show(None if made is None else fold(f"What {made[0]} says", tag("pre.al-file", made[1]), key="file"))
         problems.show(broken_files("lesson", lessons().problems))
 
     return show
+
+
+def _paper(course: Course) -> Inside:
+    """Return the links to what helps to teach a course, on pages of their own."""
+    sheet = on_paper("Formulas on two pages", "formulas", hint="Also in LaTeX: armlab formulas")
+    return tag("p", TO_TEACH), tag("div.bar", on_paper("Guide to the course", "guide", course.key, GUIDE_HINT), sheet)
 
 
 def _step(says: str, command: str) -> Inside:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import partial
 
 from armlab.benches.lessons.index.ui.map import Map
-from armlab.content.course import Course
 from armlab.content.lesson_head import time_said
 from armlab.content.lessons import Lessons, lessons
 from armlab.session.hand_in import MOST
@@ -14,9 +13,9 @@ from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Post, State
 from armlab.session.way import Way
 from armlab.ui.form import Form
-from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.html import Inside, tag
 from armlab.ui.lesson.load import load_work
-from armlab.ui.markup import row
+from armlab.ui.markup import on_paper, row
 from armlab.ui.picks import broken_files
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.search.markup import search_button
@@ -25,8 +24,8 @@ from armlab.ui.widgets import Gui
 NOTES = (
     "“The notes” are those of the course Robotics 1. No lesson needs them; the page Errata has what they print wrongly"
 )
-PRINTED = "course"
-"""Address of the course as a page to print."""
+FORMULAS = "The formulas of the course on two pages A4, to print; opens a page of its own"
+PRINTED = "The whole course on paper, with boxes to tick; opens a page of its own"
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
@@ -42,7 +41,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         course_map = Map(entries, way, found.lessons).markup(way.course.chapters, found.others)
         entries.show(course_map, broken_files("lesson", found.problems))
         errata = saved.chip("errata", "Errata of the notes", partial(gui.open_panel, "errata"), NOTES)
-        saved.show(tag("div.chips", load_work(saved), _printed(way.course), errata))
+        paper = on_paper("To print", "course", way.course.key, PRINTED), on_paper("Formulas", "formulas", hint=FORMULAS)
+        saved.show(tag("div.chips", load_work(saved), paper, errata))
 
     return show
 
@@ -66,12 +66,6 @@ def _told(way: Way, found: Lessons) -> str:
         return ", ".join(filter(None, (f"{count} lesson{'s' if count > 1 else ''}", minutes)))
     done = f"{count - len(left)} of {count} lessons done"
     return f"{done}, {minutes} left" if minutes else done
-
-
-def _printed(course: Course) -> Markup:
-    to = f"{PRINTED}/{course.key}" if course.key else PRINTED
-    hint = "The whole course on paper, with boxes to tick; opens a page of its own"
-    return tag("a.chip", "To print", href=f"/{to}", target="_blank", rel="noopener", title=hint)
 
 
 PANEL = Panel((LessonPart,), build, rebuilds=(), outside=lessons)

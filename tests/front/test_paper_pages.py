@@ -1,4 +1,4 @@
-"""Courses as pages to print: what stands on them, who gets them, and that they need no lab behind the front."""
+"""Courses and guides as pages to print: what stands on them, who gets them, and that no lab behind is needed."""
 
 import gzip
 import html
@@ -8,7 +8,7 @@ import re
 import pytest
 
 from armlab.content.lessons import lessons
-from armlab.front.course_pages import CoursePages
+from armlab.front.paper_pages import PaperPages
 from armlab.front.start import Settings, start
 from support.command import command
 from support.lab import running_lab
@@ -47,8 +47,8 @@ def words(body):
     return html.unescape(re.sub(r"<style>.*?</style>|<[^>]*>", " ", body.decode(), flags=re.DOTALL))
 
 
-def html_of(pages, key=""):
-    return pages.page(key).html.decode()
+def html_of(pages, key="", kind="course"):
+    return pages.page(kind, key).html.decode()
 
 
 def test_the_course_is_a_page_with_a_box_for_each_lesson(url):
@@ -80,7 +80,8 @@ def test_the_page_holds_no_script_is_not_kept_and_gives_no_cookie(url):
 
 
 @pytest.mark.parametrize(
-    ("path", "status"), [("course/none", 404), ("course/%3Cb%3E", 404), ("course/lab/x", 404), ("course/", 404)]
+    ("path", "status"),
+    [(f"course{rest}", 404) for rest in ("/none", "/%3Cb%3E", "/lab/x", "/")] + [("guide/none", 404), ("guide/", 404)],
 )
 def test_another_address_is_no_course(url, path, status):
     found, _, body = get(url + path)
@@ -112,7 +113,7 @@ def test_an_own_course_comes_first_and_follows_its_file(tmp_path):
     write(tmp_path, own=lesson(front=front, title=f"Own {PWN}".replace('"', "'")))
     file = tmp_path / "course.toml"
     file.write_text(COURSE.format(title="course"), encoding="utf-8")
-    pages = CoursePages([tmp_path], interval=0.0)
+    pages = PaperPages([tmp_path], interval=0.0)
     page = html_of(pages)
     text = words(page.encode())
     assert "My course" in text
@@ -120,11 +121,11 @@ def test_an_own_course_comes_first_and_follows_its_file(tmp_path):
     assert "Two elbows for one point" in text
     assert "<script" not in page
     assert "Do  this." in text
-    assert pages.page() is pages.page()
-    assert gzip.decompress(pages.page().compressed) == pages.page().html
+    assert pages.page("course") is pages.page("course")
+    assert gzip.decompress(pages.page("course").compressed) == pages.page("course").html
     assert 'href="/course/lab"' in page
     assert "Robot arms" in html_of(pages, "lab")
-    assert pages.page("gone") is None
+    assert pages.page("course", "gone") is None
     file.write_text(COURSE.format(title="other course").replace("ik_2r", "gone"), encoding="utf-8")
     assert "My course" in html_of(pages), "a course with a mistake changes nothing"
     file.write_text(COURSE.format(title="other course"), encoding="utf-8")
@@ -135,15 +136,80 @@ def test_an_own_course_comes_first_and_follows_its_file(tmp_path):
 
 
 def test_whoever_asks_often_gets_the_page_that_was_made(tmp_path, monkeypatch):
-    pages = CoursePages([write(tmp_path, own=lesson(title="Own one"))], interval=WAIT)
-    page = pages.page()
+    pages = PaperPages([write(tmp_path, own=lesson(title="Own one"))], interval=WAIT)
+    page = pages.page("course")
     write(tmp_path, own=lesson(title="Another"))
-    assert pages.page() is page
-    monkeypatch.setattr(pages, "_until", 0.0)
-    assert b"Another" in pages.page().html
+    assert pages.page("course") is page
+    monkeypatch.setattr(pages._pages["course"], "_until", 0.0)
+    assert b"Another" in pages.page("course").html
 
 
 def test_the_page_is_there_before_the_lab_and_reads_no_lesson():
     out, err = command(code=SERVED).communicate(timeout=WAIT)
     assert err == ""
     assert json.loads(out) == [200, False, False]
+
+
+# --- The guide
+
+WRITTEN = """about = "Begin with **this**."
+
+[[chapters]]
+title = "Mine"
+show = ['Open [the arm](/robot/planar_2r) with $q_1$.']
+homework = ["Do it at home."]
+discuss = ["Why <b>so</b>?"]
+"""
+
+
+def test_the_guide_is_served_beside_the_course(url):
+    status, headers, body = get(f"{url}guide/lab")
+    assert status == 200
+    assert headers["Content-Security-Policy"].startswith("default-src 'none'")
+    text = words(body)
+    for said in ("Goals", "On the projector", "What students get wrong", "Homework", "For discussion"):
+        assert text.count(said) == len(lessons().course().chapters), said
+
+
+def test_the_guide_of_an_own_course_is_made_of_its_lessons_and_of_its_file(tmp_path):
+    front = 'minutes = 65\nrobot = "planar_2r"\ncan = ["Do this."]\n[variants]\nn = { choose = [3, 4] }\n'
+    asked = """
+## One
+
+```question
+kind = "number"
+text = "How many?"
+answer = 2
+tolerance = 0.1
+
+[[wrong]]
+answer = 5
+says = "One of {{=n}} is missing, at {{q1}}."
+```
+"""
+    write(tmp_path, own=lesson(front=front, title="Own one", body=asked))
+    (tmp_path / "course.toml").write_text(COURSE.format(title="course"), encoding="utf-8")
+    file = tmp_path / "guide.toml"
+    pages = PaperPages([tmp_path], interval=0.0)
+    text = words(html_of(pages, kind="guide").encode())
+    assert "One of 3 is missing, at …." in text
+    assert "Do this." in text
+    assert "1 h 5 min" in text
+    assert "On the projector" not in text
+    assert 'href="/lesson/own/1"' in html_of(pages, kind="guide")
+
+    file.write_text(WRITTEN, encoding="utf-8")
+    page = html_of(pages, kind="guide")
+    assert "Begin with <strong>this</strong>." in page
+    assert 'href="/robot/planar_2r"' in page
+    assert "<math" in page
+    assert "Why &lt;b&gt;so&lt;/b&gt;?" in page
+    assert pages.page("guide") is pages.page("guide")
+    assert 'href="/guide/lab"' in page
+
+    file.write_text(WRITTEN.replace('"Mine"', '"Mime"') + "# longer", encoding="utf-8")
+    page = html_of(pages, kind="guide")
+    assert "guide.toml, line 4: chapters[1].title: the course has no chapter &#39;Mime&#39;; did you mean" in page
+    assert "Do it at home." in page, "a guide with a mistake stays as it was"
+    file.unlink()
+    assert "Do it at home." not in html_of(pages, kind="guide")

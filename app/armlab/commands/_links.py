@@ -1,0 +1,52 @@
+"""Links of texts into the lab, and whether they lead anywhere."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from urllib.parse import unquote
+
+from armlab.content.errata import errata
+from armlab.content.lessons import lessons
+from armlab.content.robots import catalogue
+from armlab.errors import suggestion
+from armlab.session.bench import benches
+from armlab.session.pages import pages
+
+_LINK = re.compile(r'href="/(?P<kind>[^"/?#]*)/?(?P<key>[^"?#]*)')
+"""Pattern of a link into the lab."""
+
+
+def _examples() -> Iterable[str]:
+    return [f"{bench.key}/{name}" for bench in benches().values() for name in bench.examples]
+
+
+def _courses() -> Iterable[str]:
+    return ["", *(course.key for course in lessons().courses)]
+
+
+PLACES: Mapping[str, Callable[[], Iterable[str]]] = {
+    "lesson": lambda: lessons().lessons,
+    "robot": lambda: catalogue().robots,
+    "page": pages,
+    "example": _examples,
+    "erratum": errata,
+    "course": _courses,
+    "guide": _courses,
+    "formulas": lambda: [""],
+}
+"""First words of links, and what may follow each; that of a shared state, which holds it all, is not looked at."""
+
+
+def leading_nowhere(html: str) -> Iterator[str]:
+    """Yield what is wrong with the links of a text into the lab."""
+    for link in _LINK.finditer(html):
+        kind, key = link["kind"], unquote(link["key"])
+        if kind == "state":
+            continue
+        if kind not in PLACES:
+            yield f"link: unknown place {kind!r} of the lab{suggestion(kind, PLACES)}"
+            continue
+        name, there = key.partition("/")[0] if kind == "lesson" else key, list(PLACES[kind]())
+        if name not in there:
+            yield f"link: unknown {kind} {name!r}{suggestion(name, there)}"
