@@ -75,7 +75,7 @@ class Player:
         self.lesson = lesson
         self.session = Session.fresh("solution", lesson.robot_used)
         self.time, self._planning = 0.0, planning
-        self.refused = self.do(OpenLesson(lesson.key, variant=lesson.variant if lesson.varies else None))
+        self.refused = self.do(OpenLesson(lesson.key, variant=lesson.variant if lesson.varies else None, within=True))
 
     def go_to(self, i: int) -> str:
         """Go to a step, from 0; return the reason of a refusal, or ""."""
