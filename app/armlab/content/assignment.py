@@ -6,6 +6,7 @@ import datetime
 import hashlib
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from types import MappingProxyType
 
 from armlab.content.lesson import Lesson
@@ -241,7 +242,7 @@ def _refuse_contradictions(top: Table, found: Assignment) -> None:
     if found.exam and found.hints:
         raise top.fail("hints", "an exam gives no hints: leave hints away, or exam = true")
     order = [(name, moment) for name in ("opens", "due", "closes") if (moment := getattr(found, name)) is not None]
-    for (first, earlier), (name, later) in zip(order, order[1:], strict=False):
+    for (first, earlier), (name, later) in pairwise(order):
         # An exam closes when it is due unless it says otherwise.
         if later < earlier or (later == earlier and first == "opens"):
             at_fault = name if top.has(name) else "due"

@@ -89,6 +89,13 @@ class AssignmentFiles:
         return {key: file.good for key, file in judged.items() if file.good is not None}, problems
 
 
+def mistakes_in(folder: Traversable, lessons: Mapping[str, Lesson], known: Collection[str]) -> list[ContentError]:
+    """Return what is wrong with the assignments of a folder; see `AssignmentFiles.judged`."""
+    files = AssignmentFiles()
+    files.look([(folder, "")])
+    return files.judged(lessons, known)[1]
+
+
 def _read(source: Source, good: Assignment | None) -> _File:
     text = ""
     try:

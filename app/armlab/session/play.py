@@ -22,13 +22,13 @@ from armlab.errors import ContentError, InputError
 from armlab.kin.checks import finite_floats, whole_number
 from armlab.session.deeds import commands_of
 from armlab.session.facts import benches_of, seen_facts
-from armlab.session.hand_in import plain
 from armlab.session.job import Deliver
 from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson
 from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart, check_line, observed
 from armlab.session.parts.timeline import OpenClip, Seek, duration
+from armlab.session.plain_text import plain
 from armlab.session.session import Session
 from armlab.session.state import Command, State
 from armlab.session.taught import taught

@@ -240,7 +240,7 @@ class LessonPart(Part):
     def to_json(self) -> Json:
         """Return place, progress and number as JSON."""
         progress = {place: written(each) for place, each in self.progress_of.items()}
-        shown = {"course": self.course} if self.course else {}
+        shown: dict[str, Json] = {"course": self.course} if self.course else {}
         if self.works:
             shown |= {"assignment": self.assignment, "works": {key: each.to_json() for key, each in self.works.items()}}
         return {"open": self.open, "progress": progress, "number": self.number, "student": self.student, **shown}
