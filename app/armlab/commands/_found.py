@@ -145,7 +145,7 @@ class Place:
         return known
 
     def problems(self) -> list[str]:
-        """Return a line for each entry of the folders looked into that cannot be a lesson, and mistake in courses and assignments."""
+        """Return a line for each mistake in the folders looked into: no lesson, or in a course or an assignment."""
         found = lessons()
         known = {*found.lessons, *found.broken}
         of_files = []

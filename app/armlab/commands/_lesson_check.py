@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     from armlab.commands._found import add_lessons_option
 
     parser.add_argument(
-        "lesson", nargs="*", metavar="LESSON", help="names, files or folders, or assignments; all when left out"
+        "lesson", nargs="*", metavar="LESSON", help="names, files, folders or assignments; all when left out"
     )
     parser.add_argument(
         "--variants", type=int, default=VARIANTS, metavar="N", help=f"how many variants to try ({VARIANTS})"

@@ -246,7 +246,7 @@ def _refuse_contradictions(top: Table, found: Assignment) -> None:
         # An exam closes when it is due unless it says otherwise.
         if later < earlier or (later == earlier and first == "opens"):
             at_fault = name if top.has(name) else "due"
-            problem = f"{name} is {said_date(later)}, and {first} is {said_date(earlier)}: expected it to come later"
+            problem = f"expected a moment after {first}, {said_date(earlier)}, got {said_date(later)}"
             raise top.fail(at_fault, problem)
     if found.late_percent and found.due is None:
         raise top.fail("late_percent", "without a date that it is due nothing is late: add due, or leave this away")

@@ -8,7 +8,15 @@ from collections.abc import Callable, Mapping
 
 from armlab.session.share_text import LONGEST, TEXT
 
-ROUTES = ("/robot/{name}", "/lesson/{name}", "/lesson/{name}/{variant}", "/erratum/{erratum}", "/state/{state}")
+ROUTES = (
+    "/robot/{name}",
+    "/lesson/{name}",
+    "/lesson/{name}/{variant}",
+    "/assignment/{name}",
+    "/assignment/{name}/{variant}",
+    "/erratum/{erratum}",
+    "/state/{state}",
+)
 
 COURSES = ("/course", "/course/{name}")
 """Addresses of courses as pages to print, which wish nothing of the lab."""
@@ -23,7 +31,7 @@ def refused(parts: Mapping[str, str]) -> tuple[int, str] | None:
     if not NAME.match(parts.get("name", "x")):
         return 404, "There is no such page."
     if not VARIANT.match(parts.get("variant", "0")):
-        return 404, "There is no such page: the variant of a lesson is a number from 0 to 9999."
+        return 404, "There is no such page: a variant is a number from 0 to 9999."
     if not ERRATUM.match(parts.get("erratum", "1.1")):
         return 404, "There is no such page: an erratum has an id such as 5.58."
     state = parts.get("state")

@@ -394,6 +394,7 @@ class View:
         self._pace.spread.drop(self)
         self.camera.gaze.stop()
         self._overlay.close()
+        self._lesson.close()
         if self._refresh is not None:
             self._refresh.cancel()
         if self._canvas is not None:

@@ -1,12 +1,14 @@
 """The request of a link to a session.
 
 ``robot/puma560`` wants that arm on the table, ``lesson/first_arm`` that lesson, ``lesson/first_arm/7`` a variant of it,
-``erratum/5.58`` the page Errata at that one, ``state/1eN...`` a shared state.
+``assignment/arm_positions`` an assignment, ``assignment/arm_positions/7`` that in a variant, ``erratum/5.58`` the page
+Errata at that one, ``state/1eN...`` a shared state.
 """
 
 from __future__ import annotations
 
 from armlab.errors import InputError
+from armlab.session.assignment_commands import OpenAssignment
 from armlab.session.errata_links import LookUp
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.lesson import LessonPart
@@ -23,6 +25,9 @@ def wished(state: State, wish: str) -> Command | None:
         return ChooseRobot(what)
     if kind == "lesson":
         return _lesson(state, *what.partition("/")[::2])
+    if kind == "assignment":
+        key, _, number = what.partition("/")
+        return OpenAssignment(key, int(number) if number else None)
     if kind == "erratum":
         return LookUp(what)
     if kind == "state" and what not in (state[Shelf].shared, _shared(state)):

@@ -59,6 +59,8 @@ def step_text(state: State, lesson: Lesson, i: int) -> Markup:
 def revealed(part: LessonPart, lesson: Lesson, i: int) -> bool:
     """Return whether the hidden part of a step may be seen: its question is settled and its check, if any, is met."""
     step = lesson.steps[i]
+    if part.silent:
+        return False
     if step.question is not None:
         return part.progress.answered(lesson, i)
     return step.check is None or part.name in part.progress.met
