@@ -137,6 +137,9 @@ class Place:
         found = parse_assignment(path.stem, text, shown(path))
         add_folder(path.parent)
         there = lessons()
+        for key in found.lessons:
+            if key in there.broken:
+                raise there.broken[key]
         for problem in amiss(found, text, there.lessons, {*there.lessons, *there.broken}):
             raise problem
         refuse_unknown_pages(found)

@@ -81,17 +81,18 @@ class Lessons(Folder[Lesson]):
 
     @cached_property
     def _first(self) -> Course:
-        chapters = by_chapters(self._listed)
+        chapters = by_chapters(self.listed)
         return self.courses[0] if self.courses else Course("", "All lessons", "", chapters)
 
     @cached_property
     def others(self) -> tuple[Chapter, ...]:
         """The lessons that no course names, by the chapters that they name themselves."""
         named = {key for course in self.courses or (self._first,) for key in course.lessons}
-        return by_chapters(lesson for lesson in self._listed if lesson.key not in named)
+        return by_chapters(lesson for lesson in self.listed if lesson.key not in named)
 
     @property
-    def _listed(self) -> list[Lesson]:
+    def listed(self) -> list[Lesson]:
+        """The lessons that can be opened by themselves, in the order of their chapters."""
         return [lesson for lesson in self.found.values() if lesson.listed]
 
     def assignment(self, key: str) -> Assignment:
@@ -112,7 +113,7 @@ class Lessons(Folder[Lesson]):
         if key not in self.found and key in self.broken:
             raise self.broken[key]
         if key not in self.found:
-            raise UnknownName(self.kind, key, [lesson.key for lesson in self._listed])
+            raise UnknownName(self.kind, key, [lesson.key for lesson in self.listed])
         return super().__getitem__(key)
 
 
