@@ -96,4 +96,8 @@ class Outlines:
         needs = sound({key: head.after for key, head in heads.items()}, heads)
         judged, _ = self._files.judged(self._heads, needs)
         courses = tuple(course for each in judged if (course := each.among(heads)).chapters)
-        return Outline(courses or (Course("", "All lessons", "", by_chapters(head for head in there if head.listed)),), heads, needs)
+        return Outline(
+            courses or (Course("", "All lessons", "", by_chapters(head for head in there if head.listed)),),
+            heads,
+            needs,
+        )

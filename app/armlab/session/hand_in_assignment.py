@@ -99,4 +99,6 @@ def _judged(assigned: Assignment, task: Task, i: int, number: int, work: Json) -
     _, steps = judged_anew(found, claimed)
     points = task.points_of(found)
     for step, worth in zip(labelled(steps, i), points, strict=True):
-        yield replace(step, points=worth)
+        # Of a prediction any answer counts in a lesson; in an exam it has to be right.
+        passed = step.passed and not (assigned.exam and step.right is False)
+        yield replace(step, points=worth, passed=passed)

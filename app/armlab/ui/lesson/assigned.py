@@ -71,7 +71,9 @@ class Sheet:
         got = most = 0.0
         for i, task in enumerate(self.of.tasks):
             lesson, progress = self.lesson(i), self.progress(i)
-            points, passed = task.points_of(lesson), progress.passed(lesson)
+            points, names, passed = task.points_of(lesson), step_names(lesson), progress.passed(lesson)
+            if self.of.exam:  # of a prediction any answer counts in a lesson; in an exam it has to be right
+                passed = {k for k in passed if lesson.steps[k].question is None or names[k] in progress.right}
             got, most = got + sum(points[k] for k in passed), most + sum(points)
         return got, most
 
@@ -91,8 +93,8 @@ def head(form: Form, sheet: Sheet) -> Inside:
         return form.chip(f"{TASK}{i}", str(i + 1), OpenTask(i), said, i == here)
 
     tasks = [entry(i) for i in range(len(sheet.of.tasks))]
-    name = tag("span.as-task", sheet.lesson(here).title)
-    return title, tag("div.as-tasks", tag("span", "Task"), tasks), name
+    name = tag("b", sheet.lesson(here).title)
+    return title, tag("div.as-tasks", tag("span", "Task"), tasks, name)
 
 
 class Clock:
@@ -133,8 +135,8 @@ def strips(form: Form, sheet: Sheet, lesson: Lesson) -> Markup:
 def check_box(part: LessonPart) -> Markup:
     """Return what is said of a check whose verdict has to wait."""
     tried = part.progress.tried or part.name in part.progress.met
-    says = "What counts is how you leave the arm at this step."
-    return verdict_box("todo", "In your hands" if tried else "To do", says)
+    says = "What counts is how the arm stands when you leave this step."
+    return verdict_box("todo", "Noted" if tried else "To do", says)
 
 
 def noted(typed: str) -> Markup | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from armlab.benches.lessons.index.ui.assignments import listed
 from armlab.benches.lessons.index.ui.map import Map
 from armlab.content.course import Course
 from armlab.content.lesson_head import time_said
@@ -40,7 +41,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         way = Way.of(part, found)
         now.show(_head(now, found, way), Map(now, way, found.lessons).now())
         course_map = Map(entries, way, found.lessons).markup(way.course.chapters, found.others)
-        entries.show(course_map, broken_files("lesson", found.problems))
+        assigned = listed(entries, gui, post, found.assignments.values(), part)
+        entries.show(course_map, assigned, broken_files("lesson", found.problems))
         errata = saved.chip("errata", "Errata of the notes", partial(gui.open_panel, "errata"), NOTES)
         saved.show(tag("div.chips", load_work(saved), _printed(way.course), errata))
 
