@@ -139,5 +139,5 @@ def test_a_lesson_that_is_not_listed_is_in_no_list(own):
     found = library_module.lessons()
     assert "hidden" in found.lessons
     assert [key for chapter in (*found.course().chapters, *found.others) for key in chapter.lessons] == ["t"]
-    with pytest.raises(UnknownName, match="unknown name 'hiden'. Available: t$"):
+    with pytest.raises(UnknownName, match=r"unknown name 'hiden'\. Available: t$"):
         found["hiden"]

@@ -1,4 +1,4 @@
-"""What an open assignment does not allow."""
+"""The rules of an open assignment: nothing else is opened, and what was handed in stays."""
 
 from __future__ import annotations
 

@@ -72,7 +72,7 @@ class Judged:
 def table(judged: Sequence[Judged], details: bool = False) -> str:
     """Return one line for each student with a mark for each step, and what is missing if ``details``; plain text.
 
-    Of an assignment it holds the attempt, the hints that were shown, and the score in points.
+    The table of an assignment holds the attempt, the hints that were shown, and the score in points, too.
     """
     found = [(one, one.report) for one in judged if one.report is not None]
     if not found:

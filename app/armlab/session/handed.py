@@ -11,12 +11,12 @@ from armlab.session.assignment_work import Work
 from armlab.session.state import Json
 
 GRACE = 1.0
-"""Seconds by which the clock of a lab may lag behind itself: times in files are rounded."""
+"""Time by which a file may be beyond a date, seconds, since the times in it are rounded."""
 
 
 @dataclass(frozen=True)
 class Handed:
-    """What the file of an assignment says of its times; no file proves them.
+    """The times that the file of an assignment claims; no file proves them.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class Handed:
 
     @property
     def remark(self) -> str:
-        """What the teacher is to know of the times."""
+        """Remark for the teacher on the times."""
         late = f"Late by {_span(self.late)}." if self.late else ""
         times = f"{self.left} times" if self.left > 1 else "once"
         left = f"Left {times} before it was handed in." if self.left else ""

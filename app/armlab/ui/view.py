@@ -56,7 +56,6 @@ LINGER = 0.15
 """Time for which the bodies of an arm stay after it was edited, seconds: the page takes as long to unpack the new
 ones."""
 
-
 PROJECTED = 1.7
 """Size of the labels of the scene on a projector, relative to that on a screen."""
 

@@ -19,10 +19,10 @@ from armlab.content.question import Verdict
 from armlab.content.robots import OWN, Robot
 from armlab.errors import InputError
 from armlab.session.assignment_work import Work
+from armlab.session.closed_pages import closed_pages
 from armlab.session.facts import benches_of, evidence_of, facts_asked, seen_facts
 from armlab.session.lesson_locks import refuse_locked
 from armlab.session.lesson_progress import Progress, read, step_names, written
-from armlab.session.pages import pages
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.panels import Panels
@@ -145,8 +145,8 @@ class LessonPart(Part):
         found, assigned = self.lesson, self.assigned
         if found is None:
             return frozenset()
-        closed = frozenset() if assigned is None or assigned.pages is None else pages().keys() - assigned.pages
-        return frozenset(found.hidden) | (closed - _panels_of(found))
+        closed = frozenset() if assigned is None else closed_pages(found, assigned)
+        return frozenset(found.hidden) | closed
 
     @property
     def verdict(self) -> Verdict | None:
@@ -361,14 +361,6 @@ def check_line(state: State, words: Words = PLAIN) -> tuple[bool, str]:
     if step is None or step.check is None or met or not has_its_arm(state):
         return met, ""
     return met, step.check.judge(observed(state), words)[1]
-
-
-def _panels_of(found: Lesson) -> frozenset[str]:
-    """Return the keys of the panels that a lesson opens, or needs for its checks."""
-    checks = [step.check for step in found.steps if step.check is not None]
-    of_facts = (bench.panel for check in checks for bench in benches_of(check.facts))
-    of_checks = (panel for check in checks for panel in check.panels)
-    return frozenset({found.panel, *(step.panel for step in found.steps), *of_checks, *of_facts})
 
 
 def _judged(progress: Progress, name: str, step: Step, now: State) -> Progress:

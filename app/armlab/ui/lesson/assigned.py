@@ -1,4 +1,4 @@
-"""What the dock of the lesson shows of an assignment: its tasks, the clock, and how it is handed in."""
+"""An assignment in the dock of the lesson: its tasks, the clock, and the hand-in."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ class Sheet:
             lesson, progress = self.lesson(i), self.progress(i)
             points, names, passed = task.points_of(lesson), step_names(lesson), progress.passed(lesson)
             if self.of.exam:  # of a prediction any answer counts in a lesson; in an exam it has to be right
-                passed = {k for k in passed if lesson.steps[k].question is None or names[k] in progress.right}
+                passed = frozenset(k for k in passed if lesson.steps[k].question is None or names[k] in progress.right)
             got, most = got + sum(points[k] for k in passed), most + sum(points)
         return got, most
 

@@ -26,10 +26,10 @@ WIDTH = 280
 """Width of the dock, pixels, which leaves the scene 55 % of a window of 1400."""
 
 LONGEST_WAIT = 3600.0
-"""Seconds after which the clock is looked at again, since that of the computer may be set."""
+"""Time after which the clock is looked at again, seconds, since that of the computer may be set."""
 
 LAG = 0.05
-"""Seconds after the end at which the time is certainly over."""
+"""Time, seconds, after the end of an assignment at which it is certainly over."""
 
 
 class LessonDock:
