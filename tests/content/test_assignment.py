@@ -4,8 +4,9 @@ import datetime
 
 import pytest
 
+from armlab import resources
 from armlab.content import lessons as library_module
-from armlab.content.assignment import parse_assignment
+from armlab.content.assignment import amiss, parse_assignment
 from armlab.content.lessons import changed
 from armlab.errors import ContentError, UnknownName
 from support.small_lessons import library_fixture
@@ -141,3 +142,11 @@ def test_a_lesson_that_is_not_listed_is_in_no_list(own):
     assert [key for chapter in (*found.course().chapters, *found.others) for key in chapter.lessons] == ["t"]
     with pytest.raises(UnknownName, match=r"unknown name 'hiden'\. Available: t$"):
         found["hiden"]
+
+
+def test_the_example_of_the_readme_is_an_exam():
+    readme = (resources.folder("lessons") / "README.md").read_text(encoding="utf-8")
+    (example,) = (part.split("```")[0] for part in readme.split("```toml\n") if part.startswith('title = "Exam 1"'))
+    found = parse_assignment("exam_1", example, "exam_1.toml")
+    assert [*amiss(found, example, library_module.lessons().lessons, ())] == []
+    assert (found.exam, found.minutes, found.closes - found.due) == (True, 90, 30 * 60)
