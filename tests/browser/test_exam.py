@@ -21,7 +21,7 @@ def test_a_student_sits_an_exam(visit):
     page.locator(".as-clock").filter(has_text=":").wait_for()
     at_first = clock(student)
     assert 38 * 60 < at_first <= 40 * 60
-    assert page.get_by_role("tab").all_inner_texts() == ["Lesson", "Joints"]  # all others are closed
+    assert page.get_by_role("tab").all_inner_texts() == ["Joints"]  # all others are closed
     assert page.locator('[data-cell="lesson-hint"]').count() == 0
     for column, typed in enumerate(("0.5", "1.7")):
         student.type_into(f"lesson-entry-0-{column}", typed)

@@ -120,7 +120,8 @@ class LessonPage:
             self._draft = key, Draft(question.form, typed)
         choices = question.form if isinstance(question.form, Choices) else None
         order = choices.order(lesson.variant, part.name) if choices else ()
-        fields = asked(self._question, question, typed, self._draft[1], settled or part.rests, order)
+        word, fixed = "Keep" if part.silent else "Check", settled or part.rests
+        fields = asked(self._question, question, typed, self._draft[1], fixed, order, word)
         right = part.progress.right.get(part.name)
         verdict = part.verdict
         if part.silent and (verdict is None or verdict.name != "unreadable"):
