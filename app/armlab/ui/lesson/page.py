@@ -212,7 +212,7 @@ def _task(form: Form, state: State, lesson: Lesson) -> Markup | None:
     return verdict_box("todo", "Not there yet", without_links(says))
 
 
-def _foot(form: Form, lesson: Lesson, part: LessonPart, sheet: Sheet | None) -> Markup:
+def _foot(form: Form, lesson: Lesson, part: LessonPart, sheet: Sheet | None = None) -> Markup:
     """Return the buttons back and on, with the next hint between them; at the last step also the next lesson."""
     i, last, progress = part.index, len(lesson.steps) - 1, part.progress
     if sheet is not None:

@@ -34,15 +34,15 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the map, the button of the search, and what is needed seldom."""
     now = gui.form(post)
     gui.html(search_button("Find: 3.66, section 4.1, quaternion …", "field"))
-    entries, saved = gui.form(post), gui.form(post, MOST)
+    entries, sheets, saved = gui.form(post), gui.form(post), gui.form(post, MOST)
 
     def show(state: State) -> None:
         found, part = lessons(), state[LessonPart]
         way = Way.of(part, found)
         now.show(_head(now, found, way), Map(now, way, found.lessons).now())
         course_map = Map(entries, way, found.lessons).markup(way.course.chapters, found.others)
-        assigned = listed(entries, gui, post, found.assignments.values(), part)
-        entries.show(course_map, assigned, broken_files("lesson", found.problems))
+        entries.show(course_map, broken_files("lesson", found.problems))
+        sheets.show(listed(sheets, gui, post, found.assignments.values(), part))
         errata = saved.chip("errata", "Errata of the notes", partial(gui.open_panel, "errata"), NOTES)
         saved.show(tag("div.chips", load_work(saved), _printed(way.course), errata))
 
