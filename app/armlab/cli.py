@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from urllib.parse import quote
 
 from armlab import __version__
-from armlab.errors import ArmlabError, PluginError
+from armlab.errors import ArmlabError, InputError, PluginError
 from armlab.front.addresses import addresses
 from armlab.front.room import LONGEST
 
@@ -49,6 +49,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
     ended: Ended = queue.SimpleQueue()
+    try:
+        path = _assigned(options)
+    except (ArmlabError, OSError) as error:
+        print(f"armlab: {error}", file=sys.stderr)
+        return 1
     settings = Settings(
         host=options.host,
         ports=[options.port] if options.port is not None else list(DEFAULT_PORTS),
@@ -60,7 +65,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         names=tuple(options.name),
     )
     try:
-        running = start(settings, lambda port: _tell(port, options, ended))
+        running = start(settings, lambda port: _tell(port, options, ended, path))
     except ArmlabError as error:
         gc.enable()
         print(f"armlab: {error}", file=sys.stderr)
@@ -68,11 +73,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return _run(running, ended)
 
 
-def _tell(port: int, options: argparse.Namespace, ended: Ended) -> None:
+def _assigned(options: argparse.Namespace) -> str:
+    """Return the path of the assignment that is given to the class; empty for none. Its folder is one of lessons."""
+    if options.assignment is None:
+        return ""
+    from armlab.commands._found import Place
+
+    found = Place(options.lessons).assignment(str(options.assignment))
+    if found is None:
+        raise InputError(f"--assignment: expected a file NAME.toml, got {str(options.assignment)!r}")
+    options.lessons.append(options.assignment.parent)
+    return f"assignment/{found.key}"
+
+
+def _tell(port: int, options: argparse.Namespace, ended: Ended, path: str) -> None:
     """Say where the lab is and open a browser there; from now on Ctrl-C ends the lab in order."""
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: ended.put(""))
     own, others = addresses(options.host, port)
+    own, others = own + path, [other + path for other in others]
     own += f"?code={quote(options.code)}" if options.code else ""
     print(f"Armlab is open at {own}")
     for other in others:
@@ -155,6 +174,7 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--lessons", type=Path, action="append", default=[], metavar="DIR", help="a folder of lessons; may be repeated"
     )
+    p.add_argument("--assignment", type=Path, metavar="FILE", help="an assignment; the addresses that are told open it")
     p.add_argument("--state", type=Path, metavar="DIR", help="where students' work is kept")
     p.add_argument("--version", action="version", version=f"armlab {__version__}")
     return p

@@ -360,12 +360,12 @@ def test_the_course_of_the_lab_holds_every_lesson_once_and_without_a_mistake():
     missing = [key for chapter in found.others for key in chapter.lessons]
     assert missing == [], "a new lesson is one line in lessons/course.toml"
     assert [str(problem) for problem in found.problems] == []
-    assert sorted(found.course(OF_THE_LAB).lessons) == sorted(found.lessons)
+    assert sorted(found.course(OF_THE_LAB).lessons) == sorted(lesson.key for lesson in found.listed)
 
 
 def test_every_lesson_of_the_lab_says_what_it_needs_what_one_can_do_and_how_long_it_takes():
-    for key, lesson in lessons().lessons.items():
-        steps = len(lesson.steps)
+    for lesson in lessons().listed:
+        key, steps = lesson.key, len(lesson.steps)
         assert 1.5 * steps <= lesson.minutes <= 4.5 * steps, f"{key}: {lesson.minutes} min for {steps} steps"
         assert lesson.can, key
         assert all(sentence[0].isupper() and sentence.endswith(".") for sentence in lesson.can), key

@@ -231,9 +231,9 @@ def test_the_lessons_and_benches_of_one_query_are_not_in_the_next():
 
 
 def test_the_lessons_of_the_lab_are_in_the_index():
-    for key, lesson in lessons().lessons.items():
+    for lesson in lessons().listed:
         row = next(row for row in lesson.teaches if known(row))
-        assert key in [entry.key for entry in search(row, 1000) if entry.kind == "lesson"]
+        assert lesson.key in [entry.key for entry in search(row, 1000) if entry.kind == "lesson"]
 
 
 # --- Other things of the lab

@@ -15,7 +15,7 @@ from armlab.content.lessons import lessons, parse_lesson
 from armlab.content.observation import Observation
 from armlab.content.robots import catalogue
 from armlab.errors import ContentError
-from armlab.session.hand_in import plain
+from armlab.session.plain_text import plain
 
 FRONT = """+++
 title = "A lesson"

@@ -12,11 +12,12 @@ from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, ContentError, InputError, UnknownName
 from armlab.session.edits import SetCell
-from armlab.session.hand_in import FORMAT, MOST, hand_in, hand_in_name, judge, plain, printable
+from armlab.session.hand_in import FORMAT, MOST, hand_in, hand_in_name, judge
 from armlab.session.hand_in_reports import COLUMNS, Judged, gradescope, rows, table
 from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson, SignAs, UnlockHint
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.lesson import LessonPart, at_place
+from armlab.session.plain_text import plain, printable
 from armlab.session.play import Player
 from armlab.session.state import State, apply
 from support.small_lessons import TWO_STEPS, VARIED, library_fixture

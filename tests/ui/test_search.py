@@ -89,8 +89,8 @@ def test_every_page_arm_command_setting_file_and_lesson_is_found_by_its_own_titl
     for (kind, key), offer in offers().items():
         title = f"{offer.thing.within} {offer.thing.title}"
         assert f"{kind}:{key}" in places(title, start)[:SHOWN], title
-    for key, found in lessons().lessons.items():
-        assert f"lesson:{key}" in places(found.title, start)[:3], found.title
+    for found in lessons().listed:
+        assert f"lesson:{found.key}" in places(found.title, start)[:3], found.title
 
 
 def test_every_page_is_first_for_the_names_of_its_tab_and_its_own(start):

@@ -9,13 +9,15 @@ from dataclasses import dataclass
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
-from armlab import resources
+from armlab.content.assignment import Assignment, amiss, parse_assignment
+from armlab.content.assignments import mistakes_in as unusable_in
 from armlab.content.courses import mistakes_in
 from armlab.content.lesson_file import digest_of
-from armlab.content.lesson_folder import COURSE, ENDING, GUIDE, LESSON, Source, sources_of
-from armlab.content.lessons import Lesson, add_folder, lessons
+from armlab.content.lesson_folder import ENDING, GUIDE, LESSON, OF_ASSIGNMENT, Source, sources_of
+from armlab.content.lessons import Lesson, add_folder, folders_of_the_lab, lessons
 from armlab.content.robots import KEY
 from armlab.errors import ContentError, InputError
+from armlab.session.assignment_commands import refuse_unknown_pages
 
 README = "readme.md"
 
@@ -75,7 +77,7 @@ class Place:
     """
 
     def __init__(self, folders: Iterable[Path] = ()) -> None:
-        self._folders: list[Traversable] = [resources.folder("lessons")]
+        self._folders: list[Traversable] = folders_of_the_lab()
         self._problems: list[str] = []
         self._looked_into: dict[str, Traversable] = {}
         for folder in folders:
@@ -116,23 +118,52 @@ class Place:
             lessons()[typed]  # says which names there are
         return self._at(typed, Path(os.path.abspath(typed)))
 
+    def assignment(self, typed: str) -> Assignment | None:
+        """Return the assignment that is meant; None where a lesson is.
+
+        Raises
+        ------
+        InputError
+            It is a file that is not there, or another assignment has its name.
+        ContentError
+            It cannot be used.
+        """
+        if not typed.endswith(OF_ASSIGNMENT):
+            return None if typed in lessons().lessons else lessons().assignments.get(typed)
+        path = Path(os.path.abspath(typed))
+        if not path.is_file():
+            raise InputError(f"{typed}: there is no such file")
+        text = Source(path.stem, shown(path), path, None, None, ()).read()[0]
+        found = parse_assignment(path.stem, text, shown(path))
+        add_folder(path.parent)
+        there = lessons()
+        for key in found.lessons:
+            if key in there.broken:
+                raise there.broken[key]
+        for problem in amiss(found, text, there.lessons, {*there.lessons, *there.broken}):
+            raise problem
+        refuse_unknown_pages(found)
+        if (known := there.assignments.get(found.key)) is None or known.digest != found.digest:
+            raise InputError(f"{typed}: there is another assignment {found.key!r}; rename this one")
+        return known
+
     def problems(self) -> list[str]:
-        """Return a line for each entry of the folders looked into that cannot be a lesson, and mistake in a course."""
+        """Return a line for each mistake in the folders looked into: no lesson, or in a course, its guide or an assignment."""
         from armlab.commands._guides import mistakes_in_guide  # needs the benches, as no other command here does
 
         found = lessons()
         known = {*found.lessons, *found.broken}
-        of_courses = [
-            f"{shown(folder.joinpath(COURSE))}:{getattr(error, 'line', 1)}: {in_words(error)}"
-            for folder in self._looked_into.values()
-            for error in mistakes_in(folder, known, found.needs)
-        ]
+        of_files = []
+        for folder in self._looked_into.values():
+            for error in (*mistakes_in(folder, known, found.needs), *unusable_in(folder, found.lessons, known)):
+                file = shown(folder.joinpath(error.file.partition(",")[0]))
+                of_files.append(f"{file}:{getattr(error, 'line', 1)}: {in_words(error)}")
         of_guides = [
             f"{shown(folder.joinpath(GUIDE))}:{getattr(error, 'line', 1)}: {in_words(error)}"
             for folder in self._looked_into.values()
             for error in mistakes_in_guide(folder)
         ]
-        return [*dict.fromkeys(self._problems), *of_courses, *of_guides]
+        return [*dict.fromkeys(self._problems), *of_files, *of_guides]
 
     def _at(self, typed: str, path: Path) -> list[Found]:
         """Return the lessons of a file or folder, and add its folder to those of the lab."""

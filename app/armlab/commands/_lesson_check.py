@@ -11,7 +11,7 @@ from armlab.commands import CommandType
 from armlab.errors import ContentError, InputError
 
 if TYPE_CHECKING:
-    from armlab.commands._found import Found
+    from armlab.commands._found import Found, Place
     from armlab.content.lesson import Lesson
 
 VARIANTS = 5
@@ -22,7 +22,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     from armlab.commands._found import add_lessons_option
 
-    parser.add_argument("lesson", nargs="*", metavar="LESSON", help="names, files or folders; all when left out")
+    parser.add_argument(
+        "lesson", nargs="*", metavar="LESSON", help="names, files, folders or assignments; all when left out"
+    )
     parser.add_argument(
         "--variants", type=int, default=VARIANTS, metavar="N", help=f"how many variants to try ({VARIANTS})"
     )
@@ -36,7 +38,7 @@ def run(options: argparse.Namespace) -> int:
     if not 0 <= options.variants <= MOST_VARIANTS:
         raise InputError(f"--variants: expected 0 to {MOST_VARIANTS}, got {options.variants}")
     place = Place(options.lessons)
-    chosen = [found for typed in options.lesson for found in place.some(typed)] if options.lesson else place.all()
+    chosen = [found for typed in options.lesson for found in _chosen(place, typed)] if options.lesson else place.all()
     for line in place.problems():
         print(line)
     count = len(place.problems())
@@ -49,6 +51,12 @@ def run(options: argparse.Namespace) -> int:
             steps = len(found.lesson().steps)
             print(f"{found.key}: {steps} step{'s' if steps > 1 else ''}, no problems", flush=True)
     return 1 if count else 0
+
+
+def _chosen(place: Place, typed: str) -> list[Found]:
+    """Return the lessons that are meant by a name, a file, a folder, or an assignment."""
+    assigned = place.assignment(typed)
+    return place.some(typed) if assigned is None else [place.one(key) for key in assigned.lessons]
 
 
 def problems_of(found: Found, variants: int = VARIANTS) -> Iterator[str]:

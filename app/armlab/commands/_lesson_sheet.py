@@ -5,10 +5,15 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from armlab.commands import CommandType
 from armlab.errors import ContentError, InputError
+
+if TYPE_CHECKING:
+    from armlab.content.lesson import Lesson
 
 VARIANTS = "0-30"
 MOST_VARIANTS = 1000
@@ -21,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     from armlab.commands._found import add_lessons_option
 
-    parser.add_argument("lesson", metavar="LESSON", help="its name, or its file or folder")
+    parser.add_argument("lesson", metavar="LESSON", help="its name, or its file or folder; or that of an assignment")
     which = parser.add_mutually_exclusive_group()
     which.add_argument("--variants", metavar="N-M", default=VARIANTS, help=f"such as 0-30 or 1,4,7-9 ({VARIANTS})")
     which.add_argument("--students", type=Path, metavar="FILE", help="names, one a line: line 1 has variant 1")
@@ -31,22 +36,41 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Print the sheet as Markdown; return 0 when every variant can be used."""
     from armlab.commands._found import Place
+    from armlab.commands._scheme import scheme
     from armlab.commands._sheet import sheet
-    from armlab.content.lessons import lesson
+    from armlab.content.lessons import lessons
 
-    found = Place(options.lessons).one(options.lesson)
-    first = found.lesson()
+    place = Place(options.lessons)
     students = names_of(options.students) if options.students else {}
     numbers = list(students) if options.students else numbers_of(options.variants)
-    variants, broken = [], 0
+    assigned = place.assignment(options.lesson)
+    if assigned is None:
+        first = place.one(options.lesson).lesson()
+        variants = _variants(first, numbers)
+        print(sheet(first, variants, students), end="")
+        return 1 if first.varies and len(variants) < len(numbers) else 0
+    print(scheme(assigned), end="")
+    complete = True
+    for task in assigned.tasks:
+        first, own = lessons()[task.lesson], task.variant is None
+        wanted = numbers if own else [task.number(0)]
+        variants = _variants(first, wanted)
+        complete = complete and (not first.varies or len(variants) == len(wanted))
+        print(f"\n{sheet(first, variants, students if own else {}, 2)}", end="")
+    return 0 if complete else 1
+
+
+def _variants(first: Lesson, numbers: Sequence[int]) -> list[tuple[int, Lesson]]:
+    """Return the variants of a lesson that can be used, 0 alone where it does not vary; say why others cannot."""
+    from armlab.content.lessons import lesson
+
+    found = []
     for number in numbers if first.varies else [0]:
         try:
-            variants.append((number, lesson(found.key, number)))
+            found.append((number, lesson(first.key, number)))
         except ContentError as error:
-            broken += 1
             print(f"armlab: variant {number}: {error}", file=sys.stderr)
-    print(sheet(first, variants, students), end="")
-    return 1 if broken else 0
+    return found
 
 
 def numbers_of(text: str) -> list[int]:
@@ -94,4 +118,6 @@ def names_of(path: Path) -> dict[int, str]:
     return dict(enumerate(names, start=1))
 
 
-PART = CommandType("sheet", 30, "Write the right answers of every variant of a lesson down.", add_arguments, run)
+PART = CommandType(
+    "sheet", 30, "Write down the right answers of a lesson or an assignment, by variant.", add_arguments, run
+)

@@ -18,12 +18,12 @@ from armlab.content.lesson_head import time_said
 from armlab.content.lesson_values import written
 from armlab.content.question import Choices, Question
 from armlab.content.questions.number import NumberQuestion
-from armlab.session.hand_in import plain, printable
+from armlab.session.plain_text import plain, printable
 
 _MEANS_SOMETHING = re.compile(r"([\\`*_{}\[\]<>#|~&$])")
 
 
-def sheet(first: Lesson, variants: Sequence[tuple[int, Lesson]], students: Mapping[int, str]) -> str:
+def sheet(first: Lesson, variants: Sequence[tuple[int, Lesson]], students: Mapping[int, str], level: int = 1) -> str:
     """Return the sheet.
 
     Parameters
@@ -34,10 +34,12 @@ def sheet(first: Lesson, variants: Sequence[tuple[int, Lesson]], students: Mappi
         In the order of the sheet.
     students : mapping of int to str
         Names by variant; empty for none.
+    level : int
+        Level of its heading.
     """
     told = ", ".join(filter(None, (f"Lesson `{first.key}`", escaped(first.chapter), time_said(first.minutes))))
-    lines = [f"# {escaped(first.title)}: solutions", "", f"{told}.", ""]
-    if first.varies:
+    lines = [f"{'#' * level} {escaped(first.title)}: solutions", "", f"{told}.", ""]
+    if first.varies and first.listed:
         lines += [f"The numbers of variants are those of the lab; `/lesson/{first.key}/7` opens variant 7.", ""]
     lines += [*_asked(first), ""]
     columns = _columns(first, students)

@@ -14,6 +14,8 @@ from armlab.commands import CommandType
 from armlab.errors import ArmlabError, InputError
 
 if TYPE_CHECKING:
+    from armlab.commands._found import Place
+    from armlab.session.hand_in import Report
     from armlab.session.hand_in_reports import Judged
 
 FORMATS = ("table", "csv", "gradescope")
@@ -24,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     from armlab.commands._found import add_lessons_option
 
-    parser.add_argument("lesson", metavar="LESSON", help="its name, or its file or folder")
+    parser.add_argument("lesson", metavar="LESSON", help="its name, or its file or folder; or that of an assignment")
     parser.add_argument(
         "--state",
         nargs="+",
@@ -52,12 +54,11 @@ def run(options: argparse.Namespace) -> int:
     from armlab.commands._lesson_sheet import names_of
     from armlab.session.hand_in_class import looked_at_together
 
-    found = Place(options.lessons).one(options.lesson)
-    found.lesson()
+    judged_as = _judge_of(Place(options.lessons), options.lesson)
     students = names_of(options.students) if options.students else None
     files = list(dict.fromkeys(files_of(options.state)))
     names = _names([path for path, _ in files])
-    judged = looked_at_together([judge_file(path, shown, found.key) for path, shown in files], students)
+    judged = looked_at_together([judge_file(path, shown, judged_as) for path, shown in files], students)
     for one in judged:
         if one.report is None:
             print(f"armlab: {one.file}: {one.problem}", file=sys.stderr)
@@ -89,14 +90,27 @@ def files_of(given: Sequence[str]) -> Iterator[tuple[Path, str]]:
         yield from ((entry, entry.relative_to(path).as_posix()) for entry in found)
 
 
-def judge_file(path: Path, shown: str, key: str) -> Judged:
+def _judge_of(place: Place, typed: str) -> Callable[[str], Report]:
+    """Return what gives the verdict on the text of a file: of the lesson or the assignment that was typed."""
+    from armlab.session.hand_in import judge
+    from armlab.session.hand_in_assignment import judge_assignment
+
+    assigned = place.assignment(typed)
+    if assigned is not None:
+        return lambda text: judge_assignment(text, assigned.key)
+    found = place.one(typed)
+    found.lesson()
+    return lambda text: judge(text, found.key)
+
+
+def judge_file(path: Path, shown: str, judge: Callable[[str], Report]) -> Judged:
     """Return the verdict on a file, or why there is none."""
-    from armlab.session.hand_in import judge, printable
     from armlab.session.hand_in_reports import Judged
+    from armlab.session.plain_text import printable
 
     file = printable(shown)
     try:
-        return Judged(file, judge(_read(path), key))
+        return Judged(file, judge(_read(path)))
     except ArmlabError as error:
         return Judged(file, None, printable(str(error)))
     except OSError as error:

@@ -31,7 +31,7 @@ class Named:
 
 def named_in(found: Lessons) -> Mapping[str, tuple[Named, ...]]:
     """Return by id where lessons name errata, in the order of the lessons; once for each lesson and erratum."""
-    return _named(tuple(found.lessons.values()))
+    return _named(tuple(found.listed))
 
 
 @lru_cache(maxsize=4)
@@ -50,6 +50,6 @@ def taught_in(each: Erratum, found: Lessons) -> tuple[tuple[str, str], ...]:
     rows = set(each.rows)
     return tuple(
         (lesson.key, lesson.title)
-        for lesson in found.lessons.values()
+        for lesson in found.listed
         if lesson.key not in named and rows.intersection(lesson.teaches)
     )

@@ -110,7 +110,7 @@ def taught_in(found: Lessons) -> tuple[Taught, ...]:
     chapters = {key: title for course in reversed(found.courses) for key, title in course.chapter_of.items()}
     return tuple(
         Taught(each.key, each.title, chapters.get(each.key, each.chapter), each.teaches, each.can, each.minutes)
-        for each in found.lessons.values()
+        for each in found.listed
     )
 
 

@@ -87,6 +87,8 @@ class Lesson:
         Sentences on what one can do afterwards.
     minutes : int
         Time that it takes; 0 where the file does not say.
+    listed : bool
+        Whether it is in lists and can be opened by itself; otherwise only assignments open it.
     teaches : tuple of str
         Rows of the inventory.
     robot : str
@@ -133,6 +135,7 @@ class Lesson:
     after: tuple[str, ...]
     can: tuple[str, ...]
     minutes: int
+    listed: bool
     teaches: tuple[str, ...]
     robot: str
     robot_used: Robot

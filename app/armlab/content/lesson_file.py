@@ -92,6 +92,7 @@ def parse_lesson(
         after=front.head.after,
         can=front.head.can,
         minutes=front.head.minutes,
+        listed=front.head.listed,
         teaches=front.teaches,
         robot=front.robot.key,
         robot_used=front.robot,

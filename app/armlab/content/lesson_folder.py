@@ -20,6 +20,9 @@ LESSON = "lesson.md"
 COURSE = "course.toml"
 GUIDE = "guide.toml"
 ENDING = ".md"
+OF_ASSIGNMENT = ".toml"
+"""Ending of an assignment; of the files with it only `COURSE` and `GUIDE` are none."""
+
 _README = "readme.md"
 
 Stamp = tuple[tuple[str | int, ...], ...]
@@ -28,7 +31,7 @@ Stamp = tuple[tuple[str | int, ...], ...]
 
 @dataclass(frozen=True)
 class Source:
-    """The files of one lesson, or the file of a course or of its guide.
+    """The files of one lesson, or that of a course, its guide or an assignment.
 
     Attributes
     ----------
@@ -148,6 +151,26 @@ def _toml_of(folder: Traversable, label: str, name: str) -> Source | None:
         return Source(key, f"{label}{name}", entry, None, root, _stamp([entry]))
     except OSError:
         return None  # it was taken away while we looked
+
+
+def assignments_of(folder: Traversable, label: str = "") -> list[Source]:
+    """Return the files of assignments of a folder, by name; see `sources_of`."""
+    root = folder if isinstance(folder, Path) else None
+    found: list[Source] = []
+    try:
+        for entry in sorted(folder.iterdir(), key=lambda entry: entry.name) if folder.is_dir() else []:
+            name = entry.name
+            if (
+                name.endswith(OF_ASSIGNMENT)
+                and name not in (COURSE, GUIDE)
+                and not name.startswith(".")
+                and entry.is_file()
+            ):
+                key = name.removesuffix(OF_ASSIGNMENT)
+                found.append(Source(key, f"{label}{name}", entry, None, root, _stamp([entry])))
+    except OSError:
+        return found  # a file was taken away while we looked
+    return found
 
 
 def _source(entry: Traversable, label: str, root: Path | None) -> Source | None:

@@ -58,6 +58,11 @@ class Headed(Protocol):
         """Time that it takes; 0 where the file does not say."""
         ...
 
+    @property
+    def listed(self) -> bool:
+        """Whether it is in lists and can be opened by itself; otherwise only assignments open it."""
+        ...
+
 
 @dataclass(frozen=True)
 class Head:
@@ -69,6 +74,7 @@ class Head:
     after: tuple[str, ...] = ()
     can: tuple[str, ...] = ()
     minutes: int = 0
+    listed: bool = True
 
 
 def head_of(key: str, text: str, file: str) -> Head:
@@ -99,6 +105,7 @@ def read_head(key: str, top: Fields) -> Head:
         after=_after(key, top),
         can=_can(top),
         minutes=top.whole("minutes", 1, MOST_MINUTES) if top.has("minutes") else 0,
+        listed=top.boolean("listed", True),
     )
 
 

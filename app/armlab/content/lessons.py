@@ -12,6 +12,8 @@ from pathlib import Path
 from threading import Lock, RLock
 
 from armlab import resources
+from armlab.content.assignment import Assignment
+from armlab.content.assignments import AssignmentFiles
 from armlab.content.course import Chapter, Course, amiss, by_chapters, ordered, sound
 from armlab.content.courses import CourseFiles
 from armlab.content.folder import Folder
@@ -22,7 +24,8 @@ from armlab.content.lesson_folder import Source, Stamp, sources_of
 from armlab.content.lesson_head import front_line
 from armlab.content.lesson_lines import LessonError
 from armlab.content.robots import Catalogue
-from armlab.errors import ContentError, InputError
+from armlab.errors import ContentError, InputError, UnknownName
+from armlab.registry import known_name
 
 log = logging.getLogger(__name__)
 
@@ -30,6 +33,9 @@ _READING = Lock()
 
 MOST_VARIANTS = 256
 """Number of variants of lessons that are kept: a class of this size reads none twice."""
+
+PROBLEM_SETS = "problem_sets"
+"""Folder of the lab's own assignments and their lessons, within that of its lessons."""
 
 
 @dataclass(frozen=True)
@@ -48,6 +54,9 @@ class Lessons(Folder[Lesson]):
         By lesson, the keys of those it needs, without mistakes.
     amiss : dict
         By lesson, problems of what it needs; it can be used all the same.
+    assignments : dict
+    assignments_gone : dict
+        Those whose files were taken away: those who are in one can go on.
     """
 
     kind = "lesson"
@@ -58,6 +67,8 @@ class Lessons(Folder[Lesson]):
     courses: tuple[Course, ...] = ()
     needs: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     amiss: Mapping[str, tuple[LessonError, ...]] = field(default_factory=dict)
+    assignments: Mapping[str, Assignment] = field(default_factory=dict)
+    assignments_gone: Mapping[str, Assignment] = field(default_factory=dict)
 
     @property
     def lessons(self) -> dict[str, Lesson]:
@@ -70,14 +81,26 @@ class Lessons(Folder[Lesson]):
 
     @cached_property
     def _first(self) -> Course:
-        chapters = by_chapters(self.found.values())
+        chapters = by_chapters(self.listed)
         return self.courses[0] if self.courses else Course("", "All lessons", "", chapters)
 
     @cached_property
     def others(self) -> tuple[Chapter, ...]:
         """The lessons that no course names, by the chapters that they name themselves."""
         named = {key for course in self.courses or (self._first,) for key in course.lessons}
-        return by_chapters(lesson for key, lesson in self.found.items() if key not in named)
+        return by_chapters(lesson for lesson in self.listed if lesson.key not in named)
+
+    @property
+    def listed(self) -> list[Lesson]:
+        """The lessons that can be opened by themselves, in the order of their chapters."""
+        return [lesson for lesson in self.found.values() if lesson.listed]
+
+    def assignment(self, key: str) -> Assignment:
+        """Return an assignment, even a deleted one; the error lists the available ones."""
+        if key not in self.assignments and key in self.assignments_gone:
+            return self.assignments_gone[key]
+        known_name("assignment", key, self.assignments)
+        return self.assignments[key]
 
     def chapters(self, key: str = "") -> tuple[Chapter, ...]:
         """Return the chapters of a course, and behind them those of `others`."""
@@ -89,6 +112,8 @@ class Lessons(Folder[Lesson]):
             return self.gone[key]
         if key not in self.found and key in self.broken:
             raise self.broken[key]
+        if key not in self.found:
+            raise UnknownName(self.kind, key, [lesson.key for lesson in self.listed])
         return super().__getitem__(key)
 
 
@@ -131,7 +156,7 @@ class Library:
         self._entries: dict[str, _Entry] = {}
         self._good: dict[str, _Good] = {}
         self._variants: OrderedDict[tuple[str, str, int], Lesson] = OrderedDict()
-        self._courses = CourseFiles()
+        self._courses, self._assignments = CourseFiles(), AssignmentFiles()
         self._said: list[str] = []  # problems of the folders themselves
         self._lessons = Lessons({}, ())
         for i, folder in enumerate(folders):
@@ -202,8 +227,8 @@ class Library:
                     changed.add(source.key)
             changed |= self._entries.keys() - found.keys()
             self._entries = found
-            another = self._courses.look(self._folders)
-            if changed or another or [str(each) for each in problems] != self._said:
+            others = self._courses.look(self._folders), self._assignments.look(self._folders)
+            if changed or any(others) or [str(each) for each in problems] != self._said:
                 self._said = [str(each) for each in problems]
                 self._lessons = self._listed(problems)
             return frozenset(changed)
@@ -252,7 +277,8 @@ class Library:
         needs = sound(needed, lessons)
         courses, misplaced = self._courses.judged(self._entries, needs)
         problems += [entry.problem for entry in self._entries.values() if entry.problem is not None]
-        problems += [*(error for errors in wrong.values() for error in errors), *misplaced]
+        assignments, unfit = self._assignments.judged(lessons, self._entries)
+        problems += [*(error for errors in wrong.values() for error in errors), *misplaced, *unfit]
         return Lessons(
             lessons,
             tuple(problems),
@@ -261,6 +287,8 @@ class Library:
             tuple(course for each in courses if (course := each.among(lessons)).chapters),
             needs,
             wrong,
+            assignments,
+            self._assignments.gone,
         )
 
     def _needs(self, key: str, said: Iterable[str]) -> Iterator[LessonError]:
@@ -283,7 +311,13 @@ def library() -> Library:
 
 @cache
 def _library() -> Library:
-    return Library([resources.folder("lessons")])
+    return Library(folders_of_the_lab())
+
+
+def folders_of_the_lab() -> list[Traversable]:
+    """Return the lab's own folders: that of its lessons, and in it that of its assignments."""
+    lessons = resources.folder("lessons")
+    return [lessons, lessons.joinpath(PROBLEM_SETS)]
 
 
 def lessons() -> Lessons:

@@ -52,7 +52,7 @@ class Outline:
     def others(self) -> tuple[Chapter, ...]:
         """The lessons that no course names, by the chapters that they name themselves."""
         named = {key for course in self.courses for key in course.lessons}
-        return by_chapters(head for key, head in self.heads.items() if key not in named)
+        return by_chapters(head for key, head in self.heads.items() if key not in named and head.listed)
 
 
 class Outlines:
@@ -100,5 +100,8 @@ class Outlines:
         judged, _ = self._files.judged(self._heads, needs)
         courses = tuple(course for each in judged if (course := each.among(heads)).chapters)
         return Outline(
-            courses or (Course("", "All lessons", "", by_chapters(heads.values())),), heads, needs, self._files.places
+            courses or (Course("", "All lessons", "", by_chapters(head for head in there if head.listed)),),
+            heads,
+            needs,
+            self._files.places,
         )

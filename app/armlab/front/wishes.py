@@ -14,6 +14,8 @@ ROUTES = (
     "/lesson/{name}/{variant}",
     "/page/{name}",
     "/example/{name}/{example}",
+    "/assignment/{name}",
+    "/assignment/{name}/{variant}",
     "/erratum/{erratum}",
     "/state/{state}",
 )
@@ -31,7 +33,7 @@ def refused(parts: Mapping[str, str]) -> tuple[int, str] | None:
     if not NAME.match(parts.get("name", "x")) or not NAME.match(parts.get("example", "x")):
         return 404, "There is no such page."
     if not VARIANT.match(parts.get("variant", "0")):
-        return 404, "There is no such page: the variant of a lesson is a number from 0 to 9999."
+        return 404, "There is no such page: a variant is a number from 0 to 9999."
     if not ERRATUM.match(parts.get("erratum", "1.1")):
         return 404, "There is no such page: an erratum has an id such as 5.58."
     state = parts.get("state")

@@ -9,19 +9,21 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from html import escape
-from html.parser import HTMLParser
 from types import MappingProxyType
 
+from armlab.content.assignment import Assignment
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lesson
 from armlab.content.observation import same_table
-from armlab.content.typed_formula import typed_formula
 from armlab.errors import ArmlabError, InputError
+from armlab.session.assignment_work import Work
 from armlab.session.hand_in_prints import prints_of
+from armlab.session.handed import Handed, of_assignment
 from armlab.session.lesson_progress import Progress, RightAnswer, read, step_names, written
-from armlab.session.parts.lesson import LessonPart, signed
+from armlab.session.parts.lesson import LessonPart, at_place, place_of, signed, where_in
+from armlab.session.plain_text import plain, printable
 from armlab.session.seen_again import seen_again
 from armlab.session.share import STAYS
 from armlab.session.state import Json, State
@@ -34,11 +36,9 @@ MOST = 1_000_000
 LONGEST_KEY = 64
 """Longest key of a lesson, in characters."""
 
-_MATH = re.compile("<math.*?</math>", re.DOTALL)
-
 
 def hand_in(state: State) -> str:
-    """Return the open lesson's work as the text of a file.
+    """Return the work on the open lesson, or on the assignment that it belongs to, as the text of a file.
 
     Raises
     ------
@@ -46,17 +46,16 @@ def hand_in(state: State) -> str:
         No lesson is open.
     """
     part = state[LessonPart]
-    found = part.lesson
+    found, assigned, work = part.lesson, part.assigned, part.work
     if found is None:
         raise InputError("lesson: no lesson is open")
+    signed_by = {"format": FORMAT, "armlab": VERSION, "student": part.student}
+    if assigned is not None and work is not None:
+        data = {**signed_by, **of_assignment(assigned, work), "works": [*_works(part, assigned, work)]}
+        return json.dumps(data, indent=1, ensure_ascii=False)
     data = {
-        "format": FORMAT,
-        "armlab": VERSION,
-        "student": part.student,
-        "lesson": found.key,
-        "variant": found.variant,
-        "digest": found.digest,
-        "progress": written(part.progress),
+        **signed_by,
+        **_of_lesson(found, part.progress),
         # Before a prediction the state would tell what is to be predicted; of progress it has that of its lesson only.
         "parts": {} if part.hides else {k: each for k, each in state.to_json().items() if k not in STAYS},
     }
@@ -64,10 +63,25 @@ def hand_in(state: State) -> str:
 
 
 def hand_in_name(state: State) -> str:
-    """Return a file name for the hand-in: the lesson and the student's name in plain letters."""
+    """Return a file name for the hand-in: lesson or assignment and the student's name in plain letters."""
     part = state[LessonPart]
     who = re.sub(r"[^a-z0-9]+", "_", part.student.lower()).strip("_")[:40]
-    return "_".join(filter(None, (part.open.replace("/", "_"), who))) + ".json"
+    attempt = str(part.work.attempts) if part.work is not None and part.work.attempts > 1 else ""
+    what = part.assignment or part.open.replace("/", "_")
+    return "_".join(filter(None, (what, who, attempt))) + ".json"
+
+
+def _of_lesson(found: Lesson, progress: Progress) -> dict[str, Json]:
+    written_down = written(progress)
+    return {"lesson": found.key, "variant": found.variant, "digest": found.digest, "progress": written_down}
+
+
+def _works(part: LessonPart, assigned: Assignment, work: Work) -> Iterator[Json]:
+    """Yield the work on each task of an assignment, also on those that were never opened."""
+    for task in assigned.tasks:
+        place = place_of(task.lesson, task.number(work.number))
+        progress = part.progress_of.get(where_in(assigned.key, place), Progress())
+        yield _of_lesson(at_place(place), progress)
 
 
 @dataclass(frozen=True)
@@ -89,6 +103,10 @@ class StepReport:
         Sentence on the step, as plain text.
     hints : int
         Number of hints that were shown.
+    points : float
+        What it gives when it is done: one point in a lesson, in an assignment by its marking scheme.
+    label : str
+        Its number in reports: ``2.1`` for the first step of the second task of an assignment.
     """
 
     title: str
@@ -98,6 +116,8 @@ class StepReport:
     noted: bool
     says: str
     hints: int
+    points: float = 1.0
+    label: str = ""
 
     @property
     def counts(self) -> bool:
@@ -121,6 +141,11 @@ class Report:
         All steps, also those with nothing to do.
     prints : frozenset of str
         Marks that two hand-ins share only if one was made from the other; see `prints_of`.
+    varies : bool
+        Whether students have variants of their own.
+    handed : Handed or None
+        When and how often work on an assignment was handed in; None of a lesson. ``lesson`` is then the assignment,
+        and ``steps`` are those of all its tasks.
 
     Notes
     -----
@@ -134,6 +159,24 @@ class Report:
     changed: bool
     steps: tuple[StepReport, ...]
     prints: frozenset[str] = frozenset()
+    varies: bool = False
+    handed: Handed | None = None
+
+    @property
+    def points(self) -> float:
+        """Points of the steps that are passed, without what late work loses."""
+        found = sum(step.points for step in self.steps if step.counts and step.passed)
+        return found * (1.0 if self.handed is None else self.handed.part_left)
+
+    @property
+    def most(self) -> float:
+        """Points of all steps with a task."""
+        return sum(step.points for step in self.steps if step.counts)
+
+    @property
+    def hints(self) -> int:
+        """Number of hints that were shown."""
+        return sum(step.hints for step in self.steps)
 
     @property
     def passed(self) -> int:
@@ -166,7 +209,13 @@ def judge(text: str, key: str | None = None) -> Report:
     _, steps = judged_anew(found, progress)
     student = printable(signed(data["student"]))
     changed, prints = data["digest"] != found.digest, prints_of(data["progress"], data.get("parts"))
-    return Report(student, found.key, found.title, found.variant, changed, steps, prints)
+    return Report(student, found.key, found.title, found.variant, changed, labelled(steps), prints, found.varies)
+
+
+def labelled(steps: Iterable[StepReport], task: int = 0) -> tuple[StepReport, ...]:
+    """Return the verdicts with their numbers in reports, behind that of their task if there is one."""
+    before = f"{task}." if task else ""
+    return tuple(replace(step, label=f"{before}{i}") for i, step in enumerate(steps, start=1))
 
 
 def opened(text: str, key: str | None = None) -> tuple[dict[str, Json], Lesson, Progress]:
@@ -177,31 +226,56 @@ def opened(text: str, key: str | None = None) -> tuple[dict[str, Json], Lesson, 
     InputError, UnknownName, ContentError
         As of `judge`.
     """
-    data = _loaded(text)
+    data = loaded(text)
+    if "assignment" in data and "lesson" not in data:
+        title = str(data["assignment"])[:LONGEST_KEY]
+        raise InputError(f"this is work on the assignment {title!r}, not on a lesson")
+    refuse_other_kinds(data, {"lesson": str, "variant": int, "digest": str, "progress": dict})
     if key is not None and data["lesson"] != key:
         raise InputError(f"this is work on the lesson {data['lesson'][:LONGEST_KEY]!r}, not {key!r}")
     found = lesson(data["lesson"][:LONGEST_KEY], data["variant"])
+    return data, found, progress_in(found, data)
+
+
+def progress_in(found: Lesson, data: Json) -> Progress:
+    """Return the progress in a lesson that a file claims.
+
+    Raises
+    ------
+    InputError
+        It is damaged.
+    """
     try:
-        progress = read(found, data["progress"])
+        return read(found, data["progress"])
     except (TypeError, KeyError, AttributeError, ValueError, OverflowError):
         raise InputError("the progress in this file is damaged") from None
-    return data, found, progress
 
 
-def _loaded(text: str) -> dict[str, Json]:
+def loaded(text: str) -> dict[str, Json]:
+    """Return what is in the text of a hand-in, of a lesson or of an assignment.
+
+    Raises
+    ------
+    InputError
+        It is no hand-in, or one of another format.
+    """
     if len(text) > MOST:
         raise InputError(f"expected at most {MOST} characters, got {len(text)}")
     try:
         data: dict[str, Json] = json.loads(text)
     except (ValueError, RecursionError):
         raise InputError("this is not work saved by the lab: it is not JSON") from None
-    kinds = {"format": int, "student": str, "lesson": str, "variant": int, "digest": str, "progress": dict}
-    for name, kind in kinds.items():
-        if not isinstance(data, dict) or type(data.get(name)) is not kind:
-            raise InputError(f"this is not work saved by the lab: {name} is missing or not usable")
+    refuse_other_kinds(data, {"format": int, "student": str})
     if data["format"] != FORMAT:
         raise InputError(f"this file has format {data['format']}; this lab reads format {FORMAT}")
     return data
+
+
+def refuse_other_kinds(data: Json, kinds: Mapping[str, type]) -> None:
+    """Raise `InputError` where an entry is missing or of another kind."""
+    for name, kind in kinds.items():
+        if not isinstance(data, dict) or type(data.get(name)) is not kind:
+            raise InputError(f"this is not work saved by the lab: {name} is missing or not usable")
 
 
 def judged_anew(found: Lesson, progress: Progress, plans: bool = True) -> tuple[Progress, tuple[StepReport, ...]]:
@@ -293,36 +367,3 @@ def _is_no_prediction(step: Step, typed: str | None) -> bool:
     if typed is None or step.question is None or not step.question.hide:
         return False
     return step.question.judge(typed).name == "unreadable"
-
-
-def printable(text: str) -> str:
-    """Return a text without what could steer a terminal or cannot be written to a file.
-
-    >>> printable("Ada\\x1b[2J \\ud800")
-    'Ada�[2J �'
-    """
-    return "".join(letter if letter.isprintable() else "\ufffd" for letter in text)
-
-
-def plain(html: str) -> str:
-    """Return the text of markup on one line; formulas as they would be typed.
-
-    >>> plain("<p>one &lt; <b>two</b></p>"), plain("<math><mfrac><mn>1</mn><msqrt><mn>3</mn></msqrt></mfrac></math>")
-    ('one < two', '1/√3')
-    """
-    parser = _Text()
-    parser.feed(_MATH.sub(lambda found: escape(typed_formula(found[0])), html))
-    parser.close()
-    return " ".join("".join(parser.found).split())
-
-
-class _Text(HTMLParser):
-    """A parser that collects the text between the tags."""
-
-    def __init__(self) -> None:
-        super().__init__(convert_charrefs=True)
-        self.found: list[str] = []
-
-    def handle_data(self, data: str) -> None:
-        """Keep a piece of text."""
-        self.found.append(data)

@@ -1,4 +1,4 @@
-"""Comparison of the hand-ins of a class: copied work, and variants that were not assigned."""
+"""Comparison of the hand-ins of a class: copied work, variants that were not assigned, and the attempt that counts."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from armlab.content.lessons import lessons
 from armlab.session.hand_in import Report
 from armlab.session.hand_in_reports import Judged
 
@@ -28,11 +27,43 @@ def looked_at_together(judged: Sequence[Judged], students: Mapping[int, str] | N
     marked = []
     for i, (one, each) in enumerate(zip(judged, prints, strict=True)):
         others = sorted({k for found in each for k in having[found]} - {i})
+        others = [k for k in others if not _attempts_of_one(one.report, judged[k].report)]
         problem = one.problem
-        if one.report is not None and students is not None:
-            problem = _not_assigned(one.report, students)
+        if one.report is not None:
+            problem = one.report.handed.problem if one.report.handed is not None else ""
+            problem = problem or (_not_assigned(one.report, students) if students is not None else "")
         marked.append(replace(one, problem=problem, same_as=tuple(judged[k].file for k in others)))
-    return marked
+    return _last_attempts(marked)
+
+
+def _attempts_of_one(one: Report | None, other: Report | None) -> bool:
+    """Return whether both are attempts of one student at an assignment, of which one goes on from the other."""
+    if one is None or other is None or one.handed is None or other.handed is None:
+        return False
+    return bool(one.student) and _plain(one.student) == _plain(other.student)
+
+
+def _last_attempts(judged: Sequence[Judged]) -> list[Judged]:
+    """Return the verdicts with all but the last attempt of each student marked as not counting."""
+    last: dict[str, Judged] = {}
+    for one in judged:
+        if one.report is not None and not one.problem and one.report.handed is not None and one.report.student:
+            who = _plain(one.report.student)
+            last[who] = max(last.get(who, one), one, key=_attempt)
+    return [replace(one, problem=_earlier(one, last)) for one in judged]
+
+
+def _attempt(one: Judged) -> tuple[int, float]:
+    handed = one.report.handed if one.report is not None else None
+    return (0, 0.0) if handed is None else (handed.attempt, handed.handed)
+
+
+def _earlier(one: Judged, last: Mapping[str, Judged]) -> str:
+    """Return the reason why the work does not count; that it is an earlier attempt where there was none."""
+    if one.problem or one.report is None or one.report.handed is None:
+        return one.problem
+    counts = last.get(_plain(one.report.student), one)
+    return "" if counts is one else f"Another attempt counts: {counts.file}."
 
 
 def _not_assigned(report: Report, students: Mapping[int, str]) -> str:
@@ -41,7 +72,7 @@ def _not_assigned(report: Report, students: Mapping[int, str]) -> str:
     given = [number for number, student in students.items() if _plain(student) == name]
     if not given:
         return "There is nobody of this name in the list." if name else "The work is not signed."
-    if not lessons()[report.lesson].varies or report.variant in given:
+    if not report.varies or report.variant in given:
         return ""
     return f"This is variant {report.variant}; the one given was {' or '.join(map(str, given))}."
 

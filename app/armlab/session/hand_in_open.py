@@ -8,6 +8,7 @@ from types import MappingProxyType
 from typing import ClassVar
 
 from armlab.errors import InputError
+from armlab.session.assignment_rules import refuse_in_assignment
 from armlab.session.hand_in import judged_anew, opened
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.lesson_progress import Progress
@@ -48,6 +49,7 @@ class OpenWork(Command):
         """
         if state[Shelf].place != HOME:
             raise InputError("saved work: go back to your own work first")
+        refuse_in_assignment(state[LessonPart])
         data, found, claimed = opened(self.text)
         holds, _ = judged_anew(found, claimed, plans=False)
         part, place = state[LessonPart], place_of(found.key, found.variant)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import csv
+import datetime
 import io
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -17,6 +19,7 @@ FORMULA = tuple("=+-@\t\r＝＋－＠")
 """First characters that make a spreadsheet take a text for a formula."""
 
 COLUMNS = ("file", "student", "lesson", "variant", "changed", "passed", "count", "score", "same as")
+OF_ASSIGNMENT = ("points", "of", "version", "attempt", "begun", "handed in", "late min", "left")
 OF_STEP = ("passed", "hints", "says")
 
 
@@ -52,23 +55,35 @@ class Judged:
         return 0 if self.report is None or self.problem else self.report.passed
 
     @property
+    def points(self) -> float:
+        """Points of the steps that are done; in a lesson one for each."""
+        return 0.0 if self.report is None or self.problem else self.report.points
+
+    @property
     def remark(self) -> str:
         """Remark for the teacher besides the verdicts."""
         same = f"Agrees to the last digit with {', '.join(self.same_as)}." if self.same_as else ""
-        changed = "The lesson has changed since." if self.report is not None and self.report.changed else ""
-        return " ".join(filter(None, (self.problem, same, changed)))
+        handed = self.report.handed if self.report is not None else None
+        what = "lesson" if handed is None else "assignment"
+        changed = f"The {what} has changed since." if self.report is not None and self.report.changed else ""
+        return " ".join(filter(None, (self.problem, handed.remark if handed else "", same, changed)))
 
 
 def table(judged: Sequence[Judged], details: bool = False) -> str:
-    """Return one line for each student with a mark for each step, and what is missing if ``details``; plain text."""
+    """Return one line for each student with a mark for each step, and what is missing if ``details``; plain text.
+
+    The table of an assignment holds the attempt, the hints that were shown, and the score in points, too.
+    """
     found = [(one, one.report) for one in judged if one.report is not None]
     if not found:
         return ""
-    width = max(len(report.steps) for _, report in found)
-    lines = [["student", "variant", *(str(i + 1) for i in range(width)), "score", ""]]
+    labels = max(([step.label for step in report.steps] for _, report in found), key=len)
+    whole = any(report.handed is not None for _, report in found)
+    lines = [["student", "variant", *labels, *(("attempt", "hints") if whole else ()), "score", ""]]
     for one, report in found:
-        marks = [_mark(step) for step in report.steps] + [""] * (width - len(report.steps))
-        lines.append([one.name, str(report.variant), *marks, _score(one, report), one.remark])
+        marks = [_mark(step) for step in report.steps] + [""] * (len(labels) - len(report.steps))
+        noted = [str(report.handed.attempt), str(report.hints)] if report.handed else [""] * 2 * whole
+        lines.append([one.name, str(report.variant), *marks, *noted, _score(one, report), one.remark])
     text = _aligned(lines)
     if details:
         text += "".join(f"\n{''.join(_details(one.name, report))}" for one, report in found)
@@ -78,40 +93,45 @@ def table(judged: Sequence[Judged], details: bool = False) -> str:
 def rows(judged: Sequence[Judged]) -> str:
     """Return comma-separated values, one row a file, that are safe to open in a spreadsheet.
 
-    Columns: `COLUMNS` with the score in whole percent, then for each step `OF_STEP` (``passed`` is empty where there
-    is nothing to do), then ``problem``, why a file cannot be judged or does not count.
+    Columns: `COLUMNS` with the score in whole percent, of an assignment `OF_ASSIGNMENT` with times in UTC, then for
+    each step `OF_STEP` (``passed`` is empty where there is nothing to do), of an assignment with its points, then
+    ``problem``, why a file cannot be judged or does not count.
     """
-    width = max((len(one.report.steps) for one in judged if one.report), default=0)
+    reports = [one.report for one in judged if one.report]
+    labels = max(([step.label for step in report.steps] for report in reports), key=len, default=[])
+    whole = any(report.handed is not None for report in reports)
+    columns, of_step = (*COLUMNS, *OF_ASSIGNMENT * whole), (*OF_STEP, *("points",) * whole)
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([*COLUMNS, *(f"{i + 1} {name}" for i in range(width) for name in OF_STEP), "problem"])
+    writer.writerow([*columns, *(f"{label} {name}" for label in labels for name in of_step), "problem"])
     for one in judged:
         cells = [one.file, *(_cells(one, one.report) if one.report else [])]
-        cells += [""] * (len(COLUMNS) + len(OF_STEP) * width - len(cells))
+        cells += [""] * (len(columns) + len(of_step) * len(labels) - len(cells))
         writer.writerow([_safe(cell) for cell in (*cells, one.problem)])
     return out.getvalue()
 
 
 def gradescope(judged: Judged) -> Json:
-    """Return the content of ``results.json`` for Gradescope: one point for each step with a task."""
+    """Return the content of ``results.json`` for Gradescope: the points of the steps, in a lesson one for each."""
     report = judged.report
     if report is None:
         return {"score": 0.0, "output": judged.problem, "output_format": "text", "tests": []}
-    words = [f"{report.title}, variant {report.variant}: {_score(judged, report)} steps.", judged.remark]
+    unit = "steps" if report.handed is None else "points"
+    words = [f"{report.title}, variant {report.variant}: {_score(judged, report)} {unit}.", judged.remark]
     return {
-        "score": float(judged.passed),
+        "score": judged.points,
         "output": " ".join(filter(None, words)),
         "output_format": "text",
         "tests": [
             {
-                "name": f"{i + 1} {step.title}",
-                "score": float(step.passed and not judged.problem),
-                "max_score": 1.0,
+                "name": f"{step.label} {step.title}",
+                "score": step.points * (step.passed and not judged.problem),
+                "max_score": step.points,
                 "output": step.says,
                 "output_format": "text",
                 "status": "passed" if step.passed and not judged.problem else "failed",
             }
-            for i, step in enumerate(report.steps)
+            for step in report.steps
             if step.counts
         ],
     }
@@ -126,17 +146,17 @@ def _mark(step: StepReport) -> str:
 
 
 def _score(one: Judged, report: Report) -> str:
-    return f"{one.passed} of {report.count}"
+    return f"{round(one.points, 2):g} of {round(report.most, 2):g}"
 
 
 def _details(name: str, report: Report) -> Iterator[str]:
     """Yield lines on what is not done, and on all answers."""
     yield f"{name}\n"
-    for i, step in enumerate(report.steps):
+    for step in report.steps:
         if not step.counts:
             continue
         hints = f", {step.hints} hint{'s' if step.hints > 1 else ''}" if step.hints else ""
-        yield f"  Step {i + 1}, {step.title}: {'done' if step.passed else 'not done'}{hints}\n"
+        yield f"  Step {step.label}, {step.title}: {'done' if step.passed else 'not done'}{hints}\n"
         if step.says:
             yield f"    {step.says}\n"
 
@@ -147,16 +167,25 @@ def _aligned(lines: Sequence[Sequence[str]]) -> str:
     return "".join(f"{line.rstrip()}\n" for line in padded)
 
 
-def _cells(one: Judged, report: Report) -> list[str | int]:
-    score: str | int = round(100 * one.passed / report.count) if report.count else ""
+def _cells(one: Judged, report: Report) -> list[str | int | float]:
+    score: str | int = round(100 * one.points / report.most) if report.most else ""
     changed = "yes" if report.changed else "no"
-    cells: list[str | int] = [report.student, report.lesson, report.variant, changed]
+    cells: list[str | int | float] = [report.student, report.lesson, report.variant, changed]
     cells += [one.passed, report.count, score, " ".join(one.same_as)]
+    handed = report.handed
+    if handed is not None:
+        cells += [round(one.points, 2), round(report.most, 2), handed.of.version, handed.attempt]
+        cells += [_utc(handed.begun), _utc(handed.handed), math.ceil(handed.late / 60.0), handed.left]
     for step in report.steps:
         cells += [("yes" if step.passed else "no") if step.counts else "", step.hints, step.says]
+        cells += [] if handed is None else [round(step.points * step.passed, 2) if step.counts else ""]
     return cells
 
 
-def _safe(cell: str | int) -> str | int:
+def _utc(moment: float) -> str:
+    return f"{datetime.datetime.fromtimestamp(moment, datetime.UTC):%Y-%m-%d %H:%M:%S}"
+
+
+def _safe(cell: str | int | float) -> str | int | float:
     """Return a cell that no spreadsheet takes for a formula: one that looks like it gets an apostrophe in front."""
     return f"'{cell}" if isinstance(cell, str) and cell.startswith(FORMULA) else cell

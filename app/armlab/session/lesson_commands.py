@@ -10,6 +10,7 @@ from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
 from armlab.errors import InputError
 from armlab.registry import known_name
+from armlab.session.assignment_rules import refuse_in_assignment, refuse_late
 from armlab.session.lesson_progress import MOST_TYPED, Progress, RightAnswer, step_names
 from armlab.session.lesson_start import gone_to, refuse_unknown, set_up, without_lesson
 from armlab.session.panel_commands import lesson_followed
@@ -32,16 +33,21 @@ class OpenLesson(Command):
         Whether to forget the progress in it, also when it is open already.
     variant : int, optional
         Variant of a lesson that has some; by default the one last worked on, or the student's own.
+    within : bool
+        Whether it is opened as a task of the open assignment, or by its author.
     """
 
     key: str
     anew: bool = False
     variant: int | None = None
+    within: bool = False
     label: ClassVar[str] = "arm of the lesson"
 
     def apply(self, state: State) -> State:
         """Return the state at the start of the lesson, or the same state if it is open already."""
         part = state[LessonPart]
+        if not self.within:
+            self._refuse_in_assignment(part)
         place = self._place(part)
         if part.open == place and not self.anew:
             return state
@@ -53,6 +59,11 @@ class OpenLesson(Command):
             opened.with_progress(kept), Former.of(own_work(state))
         )
         return lesson_followed(state, begun)
+
+    def _refuse_in_assignment(self, part: LessonPart) -> None:
+        refuse_in_assignment(part)
+        if not lessons()[self.key].listed:
+            raise InputError(f"The lesson {self.key!r} belongs to an assignment, and is opened with it.")
 
     def _place(self, part: LessonPart) -> str:
         if self.variant is not None and not 0 <= self.variant <= MOST_VARIANT:
@@ -77,14 +88,20 @@ class TakeLessonArm(Command):
 
 @dataclass(frozen=True)
 class CloseLesson(Command):
-    """Close the lesson; arm and progress stay, everything locked is free again, and the lesson's overlays go."""
+    """Close the lesson; arm and progress stay, everything locked is free again, and the lesson's overlays go.
+
+    With a lesson of an assignment this is left, which is counted until it is handed in; its clock goes on.
+    """
 
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
         """Return the state without a lesson."""
-        if state[LessonPart].lesson is None:
+        part = state[LessonPart]
+        if part.lesson is None:
             return state
+        if part.work is not None and not part.rests:
+            state = state.replace(part.with_work(replace(part.work, left=part.work.left + 1)))
         closed = without_lessons_switches(without_lesson(state))
         return closed if offered(closed) else closed.replace(Former())
 
@@ -178,7 +195,9 @@ class UnlockHint(Command):
         part = state[LessonPart]
         step, progress, name = part.step, part.progress, part.name
         shown = progress.hints.get(name, 0)
-        if step is None or shown >= len(step.hints):
+        if part.assigned is not None and not part.assigned.hints:
+            raise InputError("This assignment gives no hints.")
+        if step is None or part.rests or shown >= len(step.hints):
             return state
         hints = MappingProxyType({**progress.hints, name: shown + 1})
         return state.replace(part.with_progress(replace(progress, hints=hints)))
@@ -203,13 +222,15 @@ class Answer(Command):
         step, progress, name = part.step, part.progress, part.name
         if step is None or step.question is None:
             raise InputError("answer: there is no question here")
+        refuse_late(part, state.at)
         if step.question.hide and name in progress.answers:
             raise InputError("Your prediction is noted; only the first one counts.")
         verdict = step.question.judge(typed)
         if step.question.hide and verdict.name == "unreadable":
             raise InputError("This cannot be read as an answer; your prediction is still open.")
         answers = {other: text for other, text in progress.answers.items() if other != name}
-        right = dict(progress.right)
+        # In an exam what stands last counts: with no verdict in sight one could else try all options.
+        right = {other: each for other, each in progress.right.items() if other != name or not part.silent}
         if typed:
             answers[name] = typed
             if verdict.right:

@@ -91,7 +91,7 @@ def without_lesson(state: State) -> State:
     found = part.lesson
     if found is not None and found.locked_joints and joints.arm.n >= max(found.locked_joints):
         joints = held(joints, found, False)
-    return state.replace(joints, replace(part, open=""))
+    return state.replace(joints, replace(part, open="", assignment=""))
 
 
 def _begins(lesson: Lesson, k: int) -> bool:

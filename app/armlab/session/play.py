@@ -23,12 +23,12 @@ from armlab.kin.checks import finite_floats, whole_number
 from armlab.session.deeds import commands_of
 from armlab.session.facts import benches_of
 from armlab.session.facts_at import FactsAt
-from armlab.session.hand_in import plain
 from armlab.session.job import Deliver
 from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson
 from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.lesson import LessonPart, check_line, observed
 from armlab.session.parts.timeline import OpenClip, Seek, duration
+from armlab.session.plain_text import plain
 from armlab.session.session import Session
 from armlab.session.state import Command, State
 from armlab.session.taught import taught
@@ -75,7 +75,7 @@ class Player:
         self.lesson = lesson
         self.session = Session.fresh("solution", lesson.robot_used)
         self.time, self._planning = 0.0, planning
-        self.refused = self.do(OpenLesson(lesson.key, variant=lesson.variant if lesson.varies else None))
+        self.refused = self.do(OpenLesson(lesson.key, variant=lesson.variant if lesson.varies else None, within=True))
 
     def go_to(self, i: int) -> str:
         """Go to a step, from 0; return the reason of a refusal, or ""."""

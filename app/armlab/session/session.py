@@ -131,7 +131,7 @@ class Session:
         ----------
         command : Command
         at : float
-            Seconds of any steady clock; strokes with a pause between them are steps of their own.
+            Seconds since 1970; strokes with a pause between them are steps of their own.
         """
         before = self.state
         asked, refused = (command.commands, command.refused) if isinstance(command, Asked) else ((command,), _nowhere)

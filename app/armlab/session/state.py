@@ -110,7 +110,7 @@ class State:
     Attributes
     ----------
     at : float
-        Time of the state, in seconds of the session's clock; not saved.
+        Time of the state, or of the command that is applied to it, in seconds of the session's clock; not saved.
     """
 
     def __init__(self, parts: dict[type[Part], Part], at: float = 0.0) -> None:
@@ -204,7 +204,7 @@ class Command:
     reacts: ClassVar[bool] = True
 
     def apply(self, state: State) -> State:
-        """Return the new state. Pure: no clock, no randomness, no I/O. Raise `ArmlabError` to refuse."""
+        """Return the new state. Pure: no clock but `State.at`, no randomness, no I/O. Raise `ArmlabError` to refuse."""
         raise NotImplementedError
 
     @property
@@ -233,15 +233,16 @@ def apply(state: State, command: Command, at: float = 0.0) -> State:
     state : State
     command : Command
     at : float
-        Seconds of the session's clock.
+        Seconds of the session's clock, since 1970 where dates matter.
 
     Raises
     ------
     ArmlabError
         The command, or a part that guards the state, refuses.
     """
-    changed = command.apply(state)
-    if changed is state:
+    dated = state.dated(at)
+    changed = command.apply(dated)
+    if changed is dated:
         return state
     if not command.reacts:
         return changed.dated(at)

@@ -82,7 +82,7 @@ class Worker(threading.Thread):
     def _serve(self, session: Session) -> None:
         end = time.monotonic() + TURN
         while (command := session.mailbox.take()) is not None:
-            session.apply(command, time.monotonic())
+            session.apply(command, time.time())  # assignments have dates
             self.counts.applied += 1
             if time.monotonic() > end:
                 break

@@ -158,7 +158,7 @@ class Lab:
         # Reading all lessons takes longer than the start: only a page that shows some waits for them.
         session = await self.loop.run_in_executor(None, self.store.get, token)
         wish = found.get(adapter.WISH_HEADER.lower(), "")
-        if wish.startswith("lesson") or session.state[LessonPart].open or session.state[Panels].last:
+        if wish.startswith(("lesson", "assignment")) or session.state[LessonPart].open or session.state[Panels].last:
             await self.loop.run_in_executor(None, lessons)
         await self._grant(session, wish)
         async with self._building:

@@ -218,6 +218,8 @@ class Overlay:
         path = "/" if robot.own else f"/robot/{robot.robot.key}"
         if lesson := session.state[LessonPart].open:
             path = f"/lesson/{lesson}"
+        if (assigned := session.state[LessonPart].assigned) is not None:
+            path = f"/assignment/{assigned.key}"
         notes = {
             "path": path,
             "arm": name_of(robot),

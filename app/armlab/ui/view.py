@@ -56,7 +56,6 @@ LINGER = 0.15
 """Time for which the bodies of an arm stay after it was edited, seconds: the page takes as long to unpack the new
 ones."""
 
-
 PROJECTED = 1.7
 """Size of the labels of the scene on a projector, relative to that on a screen."""
 
@@ -394,6 +393,7 @@ class View:
         self._pace.spread.drop(self)
         self.camera.gaze.stop()
         self._overlay.close()
+        self._lesson.close()
         if self._refresh is not None:
             self._refresh.cancel()
         if self._canvas is not None:

@@ -1,13 +1,15 @@
 """The request of a link to a session.
 
 ``robot/puma560`` wants that arm on the table, ``lesson/first_arm`` that lesson, ``lesson/first_arm/7`` a variant of it,
-``page/section`` a page, ``example/laws/triangle`` an example on its page, ``erratum/5.58`` the page Errata at that one,
-``state/1eN...`` a shared state.
+``page/section`` a page, ``example/laws/triangle`` an example on its page, ``assignment/arm_positions`` an assignment,
+``assignment/arm_positions/7`` that in a variant, ``erratum/5.58`` the page Errata at that one, ``state/1eN...`` a shared
+state.
 """
 
 from __future__ import annotations
 
 from armlab.errors import InputError
+from armlab.session.assignment_commands import OpenAssignment
 from armlab.session.errata_links import LookUp
 from armlab.session.example_links import LookAt
 from armlab.session.lesson_commands import OpenLesson
@@ -30,6 +32,9 @@ def wished(state: State, wish: str) -> Command | None:
         return OpenPanel(what)
     if kind == "example":
         return LookAt(what)
+    if kind == "assignment":
+        key, _, number = what.partition("/")
+        return OpenAssignment(key, int(number) if number else None)
     if kind == "erratum":
         return LookUp(what)
     if kind == "state" and what not in (state[Shelf].shared, _shared(state)):

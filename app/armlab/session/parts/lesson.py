@@ -10,6 +10,7 @@ from typing import ClassVar, Self
 
 import numpy as np
 
+from armlab.content.assignment import Assignment
 from armlab.content.check import PLAIN, Words
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lesson, lessons
@@ -17,7 +18,10 @@ from armlab.content.observation import BEYOND, Observation, same_table
 from armlab.content.question import Verdict
 from armlab.content.robots import OWN, Robot
 from armlab.errors import InputError
+from armlab.session.assignment_work import Work
+from armlab.session.closed_pages import closed_pages
 from armlab.session.facts import benches_of, evidence_of, facts_asked, seen_facts
+from armlab.session.lesson_locks import refuse_locked
 from armlab.session.lesson_progress import Progress, read, step_names, written
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
@@ -43,7 +47,7 @@ class LessonPart(Part):
     open : str
         Key of the open lesson, with ``/VARIANT`` behind it when it has variants; empty when none is open.
     progress_of : mapping of str to Progress
-        Progress by such a key.
+        Progress by such a key, behind ``ASSIGNMENT:`` where it is work on an assignment.
     number : int
         Variant of lessons that a student gets who asks for none.
     student : str
@@ -54,6 +58,10 @@ class LessonPart(Part):
         Changes when the file of the open lesson has changed; not saved.
     course : str
         Key of the course that is shown; empty for the first.
+    assignment : str
+        Key of the open assignment, to which the open lesson then belongs; empty for none.
+    works : mapping of str to Work
+        The work on each assignment that was ever begun.
     """
 
     key: ClassVar[str] = "lesson"
@@ -66,6 +74,34 @@ class LessonPart(Part):
     set_up: int = 0
     loaded: int = 0
     course: str = ""
+    assignment: str = ""
+    works: Mapping[str, Work] = field(default_factory=lambda: MappingProxyType({}))
+
+    @property
+    def assigned(self) -> Assignment | None:
+        """The open assignment, or None."""
+        return lessons().assignment(self.assignment) if self.assignment else None
+
+    @property
+    def work(self) -> Work | None:
+        """The work on the open assignment, or None."""
+        return self.works.get(self.assignment)
+
+    @property
+    def rests(self) -> bool:
+        """Whether the work on the open assignment has been handed in, and nothing of it can be changed."""
+        return self.work is not None and self.work.handed is not None
+
+    @property
+    def silent(self) -> bool:
+        """Whether nothing is said of answers and checks, as in an exam until it is handed in."""
+        found = self.assigned
+        return found is not None and found.exam and not self.rests
+
+    @property
+    def where(self) -> str:
+        """Key of the progress in the open lesson."""
+        return where_in(self.assignment, self.open)
 
     @property
     def lesson(self) -> Lesson | None:
@@ -75,7 +111,7 @@ class LessonPart(Part):
     @property
     def progress(self) -> Progress:
         """The progress in the open lesson."""
-        return self.progress_of.get(self.open, Progress())
+        return self.progress_of.get(self.where, Progress())
 
     @property
     def index(self) -> int:
@@ -105,9 +141,12 @@ class LessonPart(Part):
 
     @cached_property
     def hidden(self) -> frozenset[str]:
-        """Keys of the panels that the open lesson hides."""
-        found = self.lesson
-        return frozenset() if found is None else frozenset(found.hidden)
+        """Keys of the panels that the open lesson hides, or its assignment."""
+        found, assigned = self.lesson, self.assigned
+        if found is None:
+            return frozenset()
+        closed = frozenset() if assigned is None else closed_pages(found, assigned)
+        return frozenset(found.hidden) | closed
 
     @property
     def verdict(self) -> Verdict | None:
@@ -121,14 +160,18 @@ class LessonPart(Part):
         found, step = self.lesson, self.step
         if found is None or step is None:
             return frozenset()
-        met = self.name in self.progress.met
-        return frozenset(each.key for each in taught() if each.asked(found, step, met))
+        return frozenset(each.key for each in taught() if each.asked(found, step, self._settled))
 
     @property
     def facts(self) -> tuple[str, ...]:
         """Words of the facts of benches that the shown step needs."""
         found, step = self.lesson, self.step
-        return () if found is None or step is None else facts_asked(found, step, self.name in self.progress.met)
+        return () if found is None or step is None else facts_asked(found, step, self._settled)
+
+    @property
+    def _settled(self) -> bool:
+        """Whether the check of the shown step has been met for good: in an exam what stands last counts."""
+        return self.name in self.progress.met and not self.silent
 
     @property
     def hides(self) -> tuple[str, ...]:
@@ -155,9 +198,11 @@ class LessonPart(Part):
 
     def after(self, before: State, now: State) -> Self:
         """Return the part with events noted: start of a step, clips watched, an answer, a check that is met."""
-        found, step = self.lesson, self.step
-        if found is None or step is None:
+        found, step, assigned, work = self.lesson, self.step, self.assigned, self.work
+        if found is None or step is None or self.rests:
             return self
+        if assigned is not None and work is not None and work.over(assigned, now.at):
+            return self.with_work(work.at(assigned, now.at))
         progress = self.progress
         watched = replace(
             progress,
@@ -169,7 +214,8 @@ class LessonPart(Part):
         if name in watched.right and name not in before[LessonPart].progress.right:
             answer = replace(watched.right[name], seconds=watched.seconds(now.at))
             watched = replace(watched, right=MappingProxyType({**watched.right, name: answer}))
-        if name not in watched.met and (step.check is None or has_its_arm(now)):
+        again = self.silent and watched.tried and step.check is not None and not step.check.noted
+        if (name not in watched.met or again) and (step.check is None or has_its_arm(now)):
             watched = _judged(watched, name, step, now.replace(self.with_progress(watched)))
         return self if watched == progress else self.with_progress(watched)
 
@@ -185,24 +231,44 @@ class LessonPart(Part):
 
     def with_progress(self, progress: Progress) -> Self:
         """Return the part with another progress in the open lesson."""
-        return replace(self, progress_of=MappingProxyType({**self.progress_of, self.open: progress}))
+        return replace(self, progress_of=MappingProxyType({**self.progress_of, self.where: progress}))
+
+    def with_work(self, work: Work) -> Self:
+        """Return the part with other work on the open assignment."""
+        return replace(self, works=MappingProxyType({**self.works, self.assignment: work}))
 
     def to_json(self) -> Json:
         """Return place, progress and number as JSON."""
         progress = {place: written(each) for place, each in self.progress_of.items()}
-        shown = {"course": self.course} if self.course else {}
+        shown: dict[str, Json] = {"course": self.course} if self.course else {}
+        if self.works:
+            shown |= {"assignment": self.assignment, "works": {key: each.to_json() for key, each in self.works.items()}}
         return {"open": self.open, "progress": progress, "number": self.number, "student": self.student, **shown}
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Return the part from JSON; lessons and steps that no longer exist are left out."""
-        progress = {place: read(at_place(place), each) for place, each in data["progress"].items() if is_place(place)}
+        saved = ((where, where.rpartition(":")[2], each) for where, each in data["progress"].items())
+        progress = {where: read(at_place(place), each) for where, place, each in saved if is_place(place)}
         number = int(data.get("number", 0))
         if number < 0:
             raise InputError(f"number: expected 0 or more, got {number}")
         opened = data["open"] if is_place(data["open"]) else ""
+        works = {key: Work.from_json(each) for key, each in data.get("works", {}).items()}
+        assignment = str(data.get("assignment", ""))
+        if assignment and (assignment not in works or assignment not in lessons().assignments):
+            opened = assignment = ""  # its file has been taken away
+        assignment = assignment if opened else ""
         student, course = signed(str(data.get("student", ""))), str(data.get("course", ""))
-        return cls(opened, MappingProxyType(progress), number, student, course=course)
+        return cls(
+            opened,
+            MappingProxyType(progress),
+            number,
+            student,
+            course=course,
+            assignment=assignment,
+            works=MappingProxyType(works),
+        )
 
 
 PART = PartType(LessonPart, order=95)
@@ -222,6 +288,11 @@ def place_of(key: str, variant: int) -> str:
         There is no such lesson, or it cannot be used.
     """
     return f"{key}/{variant}" if lessons()[key].varies else key
+
+
+def where_in(assignment: str, place: str) -> str:
+    """Return under which key the progress in a lesson is kept that belongs to an assignment, or to none."""
+    return f"{assignment}:{place}" if assignment else place
 
 
 def at_place(place: str) -> Lesson:
@@ -297,7 +368,10 @@ def _judged(progress: Progress, name: str, step: Step, now: State) -> Progress:
         return replace(progress, met=progress.met | {name})
     seen = observed(now)
     if not step.check.check.is_met(seen):
-        return progress
+        if name not in progress.met:
+            return progress
+        left = {key: each for key, each in progress.evidence.items() if key != name}
+        return replace(progress, met=progress.met - {name}, evidence=MappingProxyType(left))
     # Results of the work on a bench are judged again from that work.
     work = {each.part.key: now[each.part].to_json() for each in taught() if getattr(seen, each.key) is not None}
     facts = {"facts": evidence_of(now, step.check.facts)} if step.check.facts else {}
@@ -318,30 +392,3 @@ def _played(before: State, now: State) -> frozenset[str]:
 def _still_played(films: frozenset[str], before: State, now: State) -> frozenset[str]:
     """Return the clips that still count as played: those made on a bench only while unchanged."""
     return films - {each.clip for each in taught() if each.clip in films and each.changed(before, now)}
-
-
-def refuse_locked(found: Lesson, before: State, now: State) -> None:
-    """Raise `InputError` when a change touches anything locked by a lesson."""
-    robot, was = now[RobotPart], before[RobotPart]
-    if robot.robot is not was.robot:
-        edited = robot.own and robot.origin == was.origin
-        if ("table" if edited else "robot") in found.locked:
-            raise _kept("the DH table as it is" if edited else f"the {found.robot_used.name}")
-        return
-    joints, stood = now[Joints], before[Joints]
-    held = [j - 1 for j in found.locked_joints]
-    if any(joints.locked[j] < stood.locked[j] or joints.q[j] != stood.q[j] for j in held):
-        joint, they = ("joints", "they stand") if len(held) > 1 else ("joint", "it stands")
-        raise _kept(f"{joint} {', '.join(str(j + 1) for j in held)} where {they}")
-    # Neither what follows the handle nor what is played is moved by hand.
-    others = (Target, Timeline, *(each.part for each in taught()))
-    by_hand = all(now[kind] is before[kind] for kind in others) and not before[Target].catching_up
-    if "joints" in found.locked and by_hand and joints.q is not stood.q:
-        raise _kept("the joints as they are; drag the handle")
-    moved = now[Target].pose is not before[Target].pose and now[Target].pose is not None
-    if "target" in found.locked and moved:
-        raise _kept("the target where it is; move the joints")
-
-
-def _kept(what: str) -> InputError:
-    return InputError(f"This lesson keeps {what}. In your own sandbox you can change everything.")

@@ -14,6 +14,7 @@ from typing import ClassVar, Self
 
 from armlab.content.robots import Robot
 from armlab.errors import InputError
+from armlab.session.assignment_rules import refuse_in_assignment
 from armlab.session.lesson_start import without_lesson
 from armlab.session.panel_commands import lesson_followed
 from armlab.session.parts.display import Display
@@ -121,6 +122,7 @@ class ToSandbox(Command):
             return state
         if shelf.place == SHARED:
             raise InputError("sandbox: a shared state is open; go back to your work first")
+        refuse_in_assignment(state[LessonPart])
         if not state[LessonPart].open:
             raise InputError("sandbox: no lesson is open, so the arm is already your own")
         if state[LessonPart].hides:
@@ -171,6 +173,7 @@ class OpenShared(Command):
         shelf = state[Shelf]
         if self.text == shelf.shared:
             return state
+        refuse_in_assignment(state[LessonPart])
         found = from_short(self.text)
         display = Display(MappingProxyType({**found[Display].switches, **state[Display].of_screen()}))
         return _arrived(state, found.replace(display), Shelf(shelf.own, self.text, _frozen(_left(state))))

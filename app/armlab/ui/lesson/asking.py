@@ -106,7 +106,15 @@ def _entry(text: str) -> str:
     return text
 
 
-def asked(form: Form, question: Question, typed: str, draft: Draft, settled: bool, order: Sequence[int] = ()) -> Markup:
+def asked(
+    form: Form,
+    question: Question,
+    typed: str,
+    draft: Draft,
+    settled: bool,
+    order: Sequence[int] = (),
+    word: str = "Check",
+) -> Markup:
     """Return the question with its controls for an answer.
 
     Parameters
@@ -120,14 +128,18 @@ def asked(form: Form, question: Question, typed: str, draft: Draft, settled: boo
         Whether the answer counts and cannot be changed.
     order : sequence of int, optional
         In which options are shown, from 1.
+    word : str
+        On the button that hands the answer in.
     """
     note = "Your prediction is noted." if settled else "Predict: your first answer counts."
-    fields = _form(form, question.form, typed, draft, settled, order)
+    check = None if settled else form.button(CHECK, word, draft.hand_in, "chip")
+    fields = _form(form, question.form, typed, draft, settled, check, order)
     return tag("div.ask", without_links(question.html), tag("p.dim", note) if question.hide else None, fields)
 
 
-def _form(form: Form, kind: Answered, typed: str, draft: Draft, settled: bool, order: Sequence[int]) -> Inside:
-    check = None if settled else form.button(CHECK, "Check", draft.hand_in, "chip")
+def _form(
+    form: Form, kind: Answered, typed: str, draft: Draft, settled: bool, check: Markup | None, order: Sequence[int]
+) -> Inside:
     if isinstance(kind, Field):
         unit = UNIT_SIGNS.get(kind.unit, kind.unit)
         label = f"Your answer in {unit}" if unit else "Your answer"

@@ -6,12 +6,15 @@ viser tells the size of the picture in pixels of the screen, from which that of 
 
 from __future__ import annotations
 
+import asyncio
 import logging
+import time
 from collections.abc import Callable
 from typing import Any
 
 import viser
 
+from armlab.session.assignment_commands import LookAtClock
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Post, State
 from armlab.ui.lesson.page import LessonPage
@@ -21,6 +24,12 @@ log = logging.getLogger(__name__)
 
 WIDTH = 280
 """Width of the dock, pixels, which leaves the scene 55 % of a window of 1400."""
+
+LONGEST_WAIT = 3600.0
+"""Time after which the clock is looked at again, seconds, since that of the computer may be set."""
+
+LAG = 0.05
+"""Time, seconds, after the end of an assignment at which it is certainly over."""
 
 
 class LessonDock:
@@ -39,11 +48,14 @@ class LessonDock:
         self._panel: Any = None
         self._page: LessonPage | None = None
         self._open = ""
+        self._ends: float | None = None
+        self._timer: asyncio.TimerHandle | None = None
         self._shown: State | None = None
 
     def open(self, state: State) -> bool:
         """Make or remove the dock for the state; return whether the lesson has changed or closed."""
         before, self._open = self._open, state[LessonPart].open
+        self._follow_clock(state[LessonPart])
         if self._open and self._panel is None:
             self._make()
         elif not self._open and self._panel is not None:
@@ -63,6 +75,30 @@ class LessonDock:
                 # A lesson that cannot be shown must not stop the benches.
                 log.exception("lesson %s cannot be shown", state[LessonPart].open)
                 self._page.fail()
+
+    def close(self) -> None:
+        """Forget the clock of an assignment."""
+        if self._timer is not None:
+            self._timer.cancel()
+        self._timer = None
+
+    def _follow_clock(self, part: LessonPart) -> None:
+        """Let the time of an assignment end when it is over, even when nobody does anything."""
+        found, work = part.assigned, part.work
+        ends = None if found is None or work is None or part.rests else found.ends(work.begun)
+        if ends != self._ends:
+            self._ends = ends
+            self._wait_for_end()
+
+    def _wait_for_end(self) -> None:
+        self.close()
+        if self._ends is None:
+            return
+        left = self._ends - time.time()
+        if left <= 0.0:
+            self._post(LookAtClock())
+        else:
+            self._timer = asyncio.get_running_loop().call_later(min(left, LONGEST_WAIT) + LAG, self._wait_for_end)
 
     def _make(self) -> None:
         self._shown = None

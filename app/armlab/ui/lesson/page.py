@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Callable
 
 from armlab.content.lessons import Lesson, lessons
 from armlab.content.question import Choices
 from armlab.content.question import Form as Answered
 from armlab.errors import InputError
+from armlab.session.assignment_commands import HandIn
 from armlab.session.hand_in import MOST, hand_in, hand_in_name
 from armlab.session.lesson_commands import (
     CloseLesson,
@@ -23,7 +25,9 @@ from armlab.session.parts.shelf import ToSandbox
 from armlab.session.state import Post, State
 from armlab.ui.form import Form, Wish
 from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.lesson import assigned
 from armlab.ui.lesson.asking import Draft, asked, said
+from armlab.ui.lesson.assigned import Sheet
 from armlab.ui.lesson.end import with_end
 from armlab.ui.lesson.errata import with_links, without_links
 from armlab.ui.lesson.load import load_work
@@ -47,9 +51,11 @@ class LessonPage:
     def __init__(self, gui: Gui, post: Post) -> None:
         self._gui, self._post = gui, post
         self._draft: tuple[tuple[str, str, str, Answered], Draft] | None = None
+        self._clock, self._timer = gui.html(), assigned.Clock()
         self._head = gui.form(post)
         self._text, self._task, self._question, self._foot = (gui.form(post) for _ in range(4))
         self._more = gui.form(post, MOST)
+        self._saves = False  # whether the file is to be saved as soon as the work is handed in
 
     @property
     def stale(self) -> bool:
@@ -62,13 +68,37 @@ class LessonPage:
         lesson, step = part.lesson, part.step
         if lesson is None or step is None:
             return
-        choice = _choice(self._head, lesson, part.course, lambda: self._begin_again(part))
-        self._head.show(choice, _strips(self._head, lesson, part))
+        sheet = Sheet.open(part)
+        self._show_head(part, lesson, sheet)
         self._text.show(with_links(self._text, step_text(state, lesson, part.index)))
         self._task.show(_task(self._task, state, lesson))
         self._show_question(part, lesson)
-        self._foot.show(_foot(self._foot, lesson, part))
-        self._more.show(_more(self._more, lesson, part, lambda: self._save(state)))
+        self._foot.show(_foot(self._foot, lesson, part, sheet))
+        if sheet is None:
+            self._more.show(_more(self._more, lesson, part, lambda: self._save(state)))
+        else:
+            self._show_hand_in(state, sheet)
+
+    def _show_head(self, part: LessonPart, lesson: Lesson, sheet: Sheet | None) -> None:
+        """Show the choice of lessons, or the tasks of the assignment and its clock, above the strips of the steps."""
+        if sheet is None:
+            self._clock.show()
+            above: Inside = _choice(self._head, lesson, part.course, lambda: self._begin_again(part))
+        else:
+            self._clock.show(self._timer.markup(sheet))
+            above = assigned.head(self._head, sheet)
+        hides = sheet is not None and part.silent
+        steps = assigned.strips(self._head, sheet, lesson) if sheet and hides else _strips(self._head, lesson, part)
+        self._head.show(above, steps)
+
+    def _show_hand_in(self, state: State, sheet: Sheet) -> None:
+        """Show how the assignment is handed in; the file is saved when it has been, by this page's button."""
+        name = _name(self._more, sheet.part)
+        save = lambda: self._save(state)  # noqa: E731
+        self._more.show(assigned.hand_in_form(self._more, sheet, name, self._hand_in, save, time.time()))
+        if self._saves and sheet.part.rests:
+            self._saves = False
+            self._save(state)
 
     def fail(self) -> None:
         """Show that the lesson has failed, and remove the fields, which may be outdated."""
@@ -90,9 +120,14 @@ class LessonPage:
             self._draft = key, Draft(question.form, typed)
         choices = question.form if isinstance(question.form, Choices) else None
         order = choices.order(lesson.variant, part.name) if choices else ()
-        fields = asked(self._question, question, typed, self._draft[1], settled, order)
+        word, fixed = "Keep" if part.silent else "Check", settled or part.rests
+        fields = asked(self._question, question, typed, self._draft[1], fixed, order, word)
         right = part.progress.right.get(part.name)
-        self._question.show(fields, said(part.verdict, settled, right.typed if right else ""))
+        verdict = part.verdict
+        if part.silent and (verdict is None or verdict.name != "unreadable"):
+            self._question.show(fields, assigned.noted(typed))
+            return
+        self._question.show(fields, said(verdict, settled, right.typed if right else ""))
 
     def _begin_again(self, part: LessonPart) -> Wish:
         key, _, variant = part.open.partition("/")
@@ -103,6 +138,15 @@ class LessonPage:
             "Begin again",
             lambda: self._post(again),
         )
+        return ()
+
+    def _hand_in(self) -> Wish:
+        def hand_in_now() -> None:
+            self._saves = True
+            self._post(HandIn())
+
+        says = "Your work can then not be changed any more in this attempt, and a file is saved for your teacher."
+        self._gui.confirm("Hand in?", says, "Hand in", hand_in_now)
         return ()
 
     def _save(self, state: State) -> Wish:
@@ -158,6 +202,8 @@ def _task(form: Form, state: State, lesson: Lesson) -> Markup | None:
         return None
     if state[LessonPart].hides:
         return None
+    if state[LessonPart].silent:
+        return assigned.check_box(state[LessonPart])
     met, says = check_line(state, words_of(state))
     if met:
         return verdict_box("ok", "Done", role="status")
@@ -166,9 +212,12 @@ def _task(form: Form, state: State, lesson: Lesson) -> Markup | None:
     return verdict_box("todo", "Not there yet", without_links(says))
 
 
-def _foot(form: Form, lesson: Lesson, part: LessonPart) -> Markup:
+def _foot(form: Form, lesson: Lesson, part: LessonPart, sheet: Sheet | None = None) -> Markup:
     """Return the buttons back and on, with the next hint between them; at the last step also the next lesson."""
     i, last, progress = part.index, len(lesson.steps) - 1, part.progress
+    if sheet is not None:
+        hint = _hint(form, lesson, part, i) if sheet.of.hints and not part.rests else None
+        return assigned.foot(form, sheet, lesson, hint or tag("span"))
     passed = progress.passed(lesson)
     back = form.button("lesson-back", "‹ Back", GoToStep(i - 1), "way") if i else tag("span")
     hint = _hint(form, lesson, part, i)
@@ -208,9 +257,6 @@ def _more(form: Form, lesson: Lesson, part: LessonPart, save: Callable[[], Wish]
             inputmode="numeric",
         )
         variant = tag("div.row", tag("span", "Variant"), tag("div.answer", number))
-    name = form.field(
-        "lesson-name", part.student, "Your name", SignAs, inputmode="", placeholder="your name", maxlength="80"
-    )
     again = "Restore the arm and the example of this step; your answers are kept"
     own = "Try things with an arm of your own; the lesson waits"
     chips = tag(
@@ -222,5 +268,16 @@ def _more(form: Form, lesson: Lesson, part: LessonPart, save: Callable[[], Wish]
     )
     summary = tag("summary", "Sandbox, save my work")
     return tag(
-        "details.lesson-more", summary, variant, tag("div.row", tag("span", "Name"), tag("div.answer", name)), chips
+        "details.lesson-more",
+        summary,
+        variant,
+        tag("div.row", tag("span", "Name"), tag("div.answer", _name(form, part))),
+        chips,
+    )
+
+
+def _name(form: Form, part: LessonPart) -> Markup:
+    """Return the field of the name with which the work is signed."""
+    return form.field(
+        "lesson-name", part.student, "Your name", SignAs, inputmode="", placeholder="your name", maxlength="80"
     )

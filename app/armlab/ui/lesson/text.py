@@ -42,9 +42,7 @@ def step_text(state: State, lesson: Lesson, i: int) -> Markup:
     """Return the whole text of a step."""
     part = state[LessonPart]
     step, progress, name = lesson.steps[i], part.progress, part.name
-    about = (
-        tag("details", tag("summary", "About this lesson"), Markup(lesson.intro_html)) if lesson.intro_html else None
-    )
+    about = _about(lesson, part, i) if lesson.intro_html else None
     title = tag("h2", tag("small", f"{i + 1} of {len(lesson.steps)}"), f" {step.title}")
     hints = [
         tag("div.hint", tag("b", f"Hint {k} of {len(step.hints)}"), Markup(hint))
@@ -56,9 +54,17 @@ def step_text(state: State, lesson: Lesson, i: int) -> Markup:
     return tag("div.lesson-text", _with_values(state, text))
 
 
+def _about(lesson: Lesson, part: LessonPart, i: int) -> Markup:
+    """Return the introduction, folded; at the first step of a task it says what is given, and is open."""
+    title = "About this lesson" if part.assigned is None else "About this task"
+    return tag("details", tag("summary", title), Markup(lesson.intro_html), open=part.assigned is not None and i == 0)
+
+
 def revealed(part: LessonPart, lesson: Lesson, i: int) -> bool:
     """Return whether the hidden part of a step may be seen: its question is settled and its check, if any, is met."""
     step = lesson.steps[i]
+    if part.silent:
+        return False
     if step.question is not None:
         return part.progress.answered(lesson, i)
     return step.check is None or part.name in part.progress.met

@@ -26,7 +26,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
         nonlocal drawn
         lesson = state[LessonPart]
         check = lesson.step.check if lesson.step is not None else None
-        wanted = (() if check is None else check.goals, lesson.name in lesson.progress.met)
+        wanted = (() if check is None else check.goals, lesson.name in lesson.progress.met and not lesson.silent)
         if wanted == drawn:
             return
         while nodes:

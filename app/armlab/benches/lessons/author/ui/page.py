@@ -47,8 +47,16 @@ CHECKED = (
     "armlab lesson check FILE",
 )
 
+ASSIGNED = (
+    "A file NAME.toml beside your lessons is an assignment: lessons, dates, attempts, points, and whether it is an "
+    "exam. Its format stands in lessons/README.md. The lab is started with it and tells the address that opens it; "
+    "its marking scheme and right answers are printed by armlab lesson sheet NAME.toml.",
+    "armlab --host 0.0.0.0 --assignment NAME.toml",
+)
+
 HANDED_IN = (
-    "Students save their work as files. This judges all files of a folder again and prints a table.",
+    "Students save their work as files. This judges all files of a folder again and prints a table; of an assignment "
+    "it is called with NAME.toml.",
     "armlab check NAME --state FOLDER",
 )
 
@@ -80,7 +88,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     steps = {
         "2. Edit and check": CHECKED,
         "3. Show it to a class": TO_A_CLASS,
-        "4. Judge what is handed in": HANDED_IN,
+        "4. Set homework or an exam": ASSIGNED,
+        "5. Judge what is handed in": HANDED_IN,
     }
     gui.html([(tag("h3", title), _step(*step)) for title, step in steps.items()])
     problems = gui.html()

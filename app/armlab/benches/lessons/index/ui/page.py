@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from armlab.benches.lessons.index.ui.assignments import listed
 from armlab.benches.lessons.index.ui.map import Map
 from armlab.content.lesson_head import time_said
 from armlab.content.lessons import Lessons, lessons
@@ -32,7 +33,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the map, the button of the search, and what is needed seldom."""
     now = gui.form(post)
     gui.html(search_button("Find: 3.66, section 4.1, quaternion …", "field"))
-    entries, saved = gui.form(post), gui.form(post, MOST)
+    entries, sheets, saved = gui.form(post), gui.form(post), gui.form(post, MOST)
 
     def show(state: State) -> None:
         found, part = lessons(), state[LessonPart]
@@ -40,6 +41,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         now.show(_head(now, found, way), Map(now, way, found.lessons).now())
         course_map = Map(entries, way, found.lessons).markup(way.course.chapters, found.others)
         entries.show(course_map, broken_files("lesson", found.problems))
+        sheets.show(listed(sheets, gui, post, found.assignments.values(), part))
         errata = saved.chip("errata", "Errata of the notes", partial(gui.open_panel, "errata"), NOTES)
         paper = on_paper("To print", "course", way.course.key, PRINTED), on_paper("Formulas", "formulas", hint=FORMULAS)
         saved.show(tag("div.chips", load_work(saved), paper, errata))

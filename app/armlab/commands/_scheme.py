@@ -1,0 +1,48 @@
+"""The marking scheme of an assignment as Markdown: its conditions, and the points of each step."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from armlab.commands._sheet import escaped
+from armlab.content.assignment import Assignment, said_date
+from armlab.content.lesson_head import time_said
+from armlab.content.lessons import lessons
+
+
+def scheme(found: Assignment) -> str:
+    """Return the scheme, the head of the solutions of an assignment."""
+    lines = [f"# {escaped(found.title)}: marking scheme and solutions", ""]
+    lines += [escaped(found.about), ""] if found.about else []
+    own = f"`/assignment/{found.key}/7` opens it in variant 7." if found.by_student else ""
+    lines += [" ".join(filter(None, (f"Assignment `{found.key}`, version {found.version}.", *conditions(found), own)))]
+    lines += ["", "| step | what is asked | points |", "| --- | --- | --- |"]
+    most = 0.0
+    for i, task in enumerate(found.tasks, start=1):
+        lesson = lessons()[task.lesson]
+        for k, (step, points) in enumerate(zip(lesson.steps, task.points_of(lesson), strict=True), start=1):
+            most += points
+            if step.check is not None or step.question is not None:
+                lines.append(f"| {i}.{k} | {escaped(lesson.title)}: {escaped(step.title)} | {round(points, 2):g} |")
+    lines.append(f"| | all | {round(most, 2):g} |")
+    return "".join(f"{line}\n" for line in lines)
+
+
+def conditions(found: Assignment) -> Iterator[str]:
+    """Yield a sentence for each condition of an assignment."""
+    if found.exam:
+        yield "An exam: no hints, no verdicts until it is handed in, and of each step what stands last counts."
+    elif not found.hints:
+        yield "No hints."
+    if found.opens is not None:
+        yield f"It opens on {said_date(found.opens)}."
+    if found.due is not None:
+        yield f"It is due on {said_date(found.due)}."
+    if found.closes is not None and found.closes != found.due:
+        yield f"Late work is accepted until {said_date(found.closes)}."
+    if found.late_percent:
+        yield f"Late work loses {found.late_percent:g} % of its points."
+    if found.minutes:
+        yield f"{time_said(found.minutes)} from its beginning."
+    if found.attempts:
+        yield f"It can be handed in {'once' if found.attempts == 1 else f'{found.attempts} times'}."

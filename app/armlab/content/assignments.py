@@ -1,0 +1,105 @@
+"""The files of assignments in folders of lessons, read again when they change."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass, replace
+from importlib.resources.abc import Traversable
+
+from armlab.content.assignment import Assignment, amiss, parse_assignment
+from armlab.content.lesson import Lesson
+from armlab.content.lesson_folder import Source, assignments_of
+from armlab.errors import ContentError
+
+
+@dataclass(frozen=True)
+class _File:
+    """The file of an assignment as it is, and the assignment as it last could be used."""
+
+    source: Source
+    text: str
+    assignment: Assignment | None
+    problem: ContentError | None
+    good: Assignment | None = None
+
+
+class AssignmentFiles:
+    """The files of assignments of some folders.
+
+    A file with a mistake changes nothing: the assignment stays as it was before.
+    """
+
+    def __init__(self) -> None:
+        self._files: dict[str, _File] = {}
+        self._twice: list[ContentError] = []
+        self._gone: dict[str, Assignment] = {}
+
+    @property
+    def gone(self) -> Mapping[str, Assignment]:
+        """Assignments whose files were taken away: those who are in one can go on."""
+        return self._gone
+
+    def look(self, folders: Iterable[tuple[Traversable, str]]) -> bool:
+        """Read the files that have changed; return whether any has.
+
+        Parameters
+        ----------
+        folders : iterable of (Traversable, str)
+            Folders, and the text before the names of their files in messages.
+        """
+        found: dict[str, _File] = {}
+        twice: list[ContentError] = []
+        for source in (source for folder, label in folders for source in assignments_of(folder, label)):
+            if source.key in found:
+                there = found[source.key].source.file
+                problem = f"the assignment {source.key!r} is there already, in {there}; rename this one"
+                twice.append(ContentError(source.file, "", problem))
+                continue
+            before = self._files.get(source.key)
+            if before is not None and (before.source.file, before.source.stamp) == (source.file, source.stamp):
+                found[source.key] = before
+            else:
+                found[source.key] = _read(source, before.good if before is not None else None)
+        changed = list(found.items()) != list(self._files.items()) or [*map(str, twice)] != [*map(str, self._twice)]
+        self._gone |= {key: file.good for key, file in self._files.items() if key not in found and file.good}
+        self._files, self._twice = found, twice
+        return changed
+
+    def judged(
+        self, lessons: Mapping[str, Lesson], known: Collection[str]
+    ) -> tuple[dict[str, Assignment], list[ContentError]]:
+        """Return the assignments by key, and what is wrong with their files.
+
+        Parameters
+        ----------
+        lessons : mapping of str to Lesson
+            Those that can be used.
+        known : collection of str
+            Keys of all lessons that have a file.
+        """
+        problems: list[ContentError] = [*self._twice]
+        judged: dict[str, _File] = {}
+        for key, file in self._files.items():
+            wrong = [file.problem] if file.problem is not None else []
+            if file.assignment is not None:
+                wrong += amiss(file.assignment, file.text, lessons, known)
+            problems += wrong
+            judged[key] = file if wrong else replace(file, good=file.assignment)
+        self._files = judged
+        return {key: file.good for key, file in judged.items() if file.good is not None}, problems
+
+
+def mistakes_in(folder: Traversable, lessons: Mapping[str, Lesson], known: Collection[str]) -> list[ContentError]:
+    """Return what is wrong with the assignments of a folder; see `AssignmentFiles.judged`."""
+    files = AssignmentFiles()
+    files.look([(folder, "")])
+    return files.judged(lessons, known)[1]
+
+
+def _read(source: Source, good: Assignment | None) -> _File:
+    text = ""
+    try:
+        text, _ = source.read()
+        return _File(source, text, parse_assignment(source.key, text, source.file), None, good)
+    except ContentError as error:
+        return _File(source, text, None, error, good)

@@ -1,0 +1,104 @@
+"""The verdict on work on an assignment: each of its lessons is judged as by itself, and gives points."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from types import MappingProxyType
+
+from armlab.content.assignment import Assignment, Task
+from armlab.content.lessons import lesson, lessons
+from armlab.errors import InputError
+from armlab.session.hand_in import (
+    LONGEST_KEY,
+    Report,
+    StepReport,
+    judged_anew,
+    labelled,
+    loaded,
+    progress_in,
+    refuse_other_kinds,
+)
+from armlab.session.hand_in_prints import prints_of
+from armlab.session.handed import handed_of
+from armlab.session.parts.lesson import signed
+from armlab.session.plain_text import printable
+from armlab.session.state import Json
+
+
+def judge_assignment(text: str, key: str) -> Report:
+    """Return the verdict on the text of a hand-in of an assignment.
+
+    Parameters
+    ----------
+    text : str
+    key : str
+        The assignment it must be of.
+
+    Raises
+    ------
+    InputError
+        It is no hand-in, or one of a lesson, of another assignment or another version of it.
+    UnknownName, ContentError
+        The assignment or one of its lessons is not there or cannot be used.
+    """
+    assigned, data = lessons().assignment(key), loaded(text)
+    _refuse_another(assigned, data)
+    steps: list[StepReport] = []
+    prints: set[str] = set()
+    changed = data["digest"] != assigned.digest
+    for i, (task, work) in enumerate(zip(assigned.tasks, data["works"], strict=True), start=1):
+        refuse_other_kinds(work, {"lesson": str, "variant": int, "digest": str, "progress": dict})
+        steps += _judged(assigned, task, i, data["variant"], work)
+        prints |= prints_of(work["progress"], None)
+        changed = changed or work["digest"] != lessons()[task.lesson].digest
+    varies = assigned.by_student and any(lessons()[task.lesson].varies for task in assigned.tasks)
+    return Report(
+        student=printable(signed(data["student"])),
+        lesson=assigned.key,
+        title=assigned.title,
+        variant=data["variant"],
+        changed=changed,
+        steps=tuple(steps),
+        prints=frozenset(prints),
+        varies=varies,
+        handed=handed_of(assigned, data),
+    )
+
+
+def _refuse_another(assigned: Assignment, data: Json) -> None:
+    """Raise `InputError` for work on a lesson, another assignment, or another version of this one."""
+    if "assignment" not in data and "lesson" in data:
+        said = str(data["lesson"])[:LONGEST_KEY]
+        raise InputError(f"this is work on the lesson {said!r}, not on the assignment {assigned.key!r}")
+    kinds = {"assignment": str, "version": int, "digest": str, "variant": int, "works": list}
+    refuse_other_kinds(data, kinds)
+    if data["assignment"] != assigned.key:
+        said = data["assignment"][:LONGEST_KEY]
+        raise InputError(f"this is work on the assignment {said!r}, not {assigned.key!r}")
+    if data["version"] != assigned.version:
+        said = f"of the assignment {assigned.key!r}, not version {assigned.version}"
+        raise InputError(f"this is work on version {data['version']} {said}")
+    named = [work.get("lesson") if isinstance(work, dict) else None for work in data["works"]]
+    if named != list(assigned.lessons):
+        listed = ", ".join(assigned.lessons)
+        raise InputError(f"expected work on the lessons {listed}; the file holds others")
+
+
+def _judged(assigned: Assignment, task: Task, i: int, number: int, work: Json) -> Iterator[StepReport]:
+    """Yield the verdicts on the steps of a task, with their points."""
+    varies = lessons()[task.lesson].varies
+    given = task.number(number) if varies else 0
+    if work["variant"] != given:
+        raise InputError(f"task {i} is in variant {work['variant']}; expected {given}")
+    found = lesson(task.lesson, given)
+    claimed = progress_in(found, work)
+    if assigned.exam:
+        # What stands last counts: an answer that was right before it is of no matter.
+        claimed = replace(claimed, right=MappingProxyType({}))
+    _, steps = judged_anew(found, claimed)
+    points = task.points_of(found)
+    for step, worth in zip(labelled(steps, i), points, strict=True):
+        # Of a prediction any answer counts in a lesson; in an exam it has to be right.
+        passed = step.passed and not (assigned.exam and step.right is False)
+        yield replace(step, points=worth, passed=passed)

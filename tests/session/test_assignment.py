@@ -1,0 +1,313 @@
+"""An assignment in a session: its dates, its clock, its silence in an exam, and how it is handed in."""
+
+import json
+
+import numpy as np
+import pytest
+
+from armlab.content.lessons import changed, lessons
+from armlab.content.robots import catalogue
+from armlab.errors import ContentError, InputError
+from armlab.session.assignment_commands import HandIn, LookAtClock, OpenAssignment, OpenTask, TakeUp
+from armlab.session.hand_in import hand_in, hand_in_name, judge
+from armlab.session.hand_in_assignment import judge_assignment
+from armlab.session.hand_in_class import looked_at_together
+from armlab.session.hand_in_open import OpenWork
+from armlab.session.hand_in_reports import Judged, gradescope, rows, table
+from armlab.session.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson, SignAs, UnlockHint
+from armlab.session.panel_commands import hidden_panels
+from armlab.session.parts.joints import MoveJoint
+from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.shelf import ToSandbox
+from armlab.session.share import short
+from armlab.session.state import State, apply
+from armlab.ui.wished import wished
+from support.small_lessons import library_fixture
+
+own = pytest.fixture(library_fixture, name="own")
+
+NOON = 1_800_000_000.0
+EXAM = """title = "Exam"
+exam = true
+pages = ["joints"]
+opens = {opens}
+closes = {closes}
+minutes = 30
+attempts = 2
+
+[[tasks]]
+lesson = "v"
+[tasks.points]
+"Turn" = 4
+"Predict" = 1
+"Double" = 2
+
+[[tasks]]
+lesson = "t"
+variant = 4
+points = 3
+"""
+HOMEWORK = """title = "Homework"
+due = {due}
+late_percent = 50
+
+[[tasks]]
+lesson = "v"
+points = 6
+"""
+
+
+def written(seconds):
+    return f"{np.datetime64(int(seconds), 's')}Z"
+
+
+@pytest.fixture
+def folder(own, tmp_path):
+    """A folder with an exam of one hour at noon, and homework that is due an hour later."""
+    place = tmp_path / "mine"
+    (place / "exam.toml").write_text(EXAM.format(opens=written(NOON), closes=written(NOON + 3600)))
+    (place / "homework.toml").write_text(HOMEWORK.format(due=written(NOON + 7200)))
+    changed()
+    assert lessons().problems == ()
+    return place
+
+
+@pytest.fixture
+def fresh(folder):
+    return State.initial(catalogue()["puma560"])
+
+
+def done(state, *commands, at=NOON):
+    for command in commands:
+        state = apply(state, command, at)
+    return state
+
+
+def refused(state, command, says, at=NOON):
+    with pytest.raises(InputError, match=says):
+        apply(state, command, at)
+
+
+def exam(fresh, number=3, name="Ada"):
+    return done(fresh, SignAs(name), OpenAssignment("exam", number))
+
+
+def goal(state):
+    return state[LessonPart].lesson.values["goal"]
+
+
+def solved(state, at=NOON):
+    """Return the state with all of task 1 done: 7 points of 10."""
+    state = done(state, GoToStep(0), MoveJoint(0, np.radians(goal(state))), GoToStep(1), at=at)
+    state = done(state, Answer(f"{goal(state) / 2:g}"), GoToStep(2), at=at)
+    return done(state, Answer(f"{2 * goal(state):g}"), at=at)
+
+
+def points(state, key="exam"):
+    return judge_assignment(hand_in(state), key).points
+
+
+# --- Opening
+
+
+def test_it_opens_in_the_variant_of_the_student_and_keeps_its_own_progress(fresh):
+    practised = done(fresh, OpenLesson("v", variant=3), UnlockHint(), CloseLesson())
+    state = exam(practised)
+    part = state[LessonPart]
+    assert (part.where, part.lesson.variant, part.work.begun) == ("exam:v/3", 3, NOON)
+    assert part.progress.hints == {}
+    second = done(state, OpenTask(1))[LessonPart]
+    assert second.where == "exam:t"  # does not vary
+    left = done(state, CloseLesson())
+    assert (left[LessonPart].assignment, left[LessonPart].works["exam"].left) == ("", 1)
+    assert done(left, OpenLesson("v", variant=3))[LessonPart].progress.hints == {"Turn": 1}
+    again = done(left, OpenAssignment("exam"), at=NOON + 60)[LessonPart]
+    assert (again.where, again.work.begun) == ("exam:v/3", NOON)
+
+
+def test_it_opens_and_closes_at_its_dates(fresh):
+    refused(fresh, OpenAssignment("exam"), "The assignment “Exam” opens on ", NOON - 1)
+    refused(fresh, OpenAssignment("exam"), "The assignment “Exam” closed on ", NOON + 3600)
+    refused(fresh, OpenAssignment("exma"), "assignment: unknown name 'exma'; did you mean 'exam'")
+    refused(fresh, OpenAssignment("exam", 10_000), "variant: expected 0 to 9999, got 10000")
+    assert done(fresh, wished(fresh, "assignment/exam/8"))[LessonPart].where == "exam:v/8"
+
+
+def test_a_page_that_does_not_exist_is_told(fresh, folder):
+    text = (folder / "homework.toml").read_text()
+    (folder / "homework.toml").unlink()
+    (folder / "homework.toml").write_text(f'pages = ["jionts"]\n{text}')
+    changed()
+    with pytest.raises(ContentError, match=r"homework\.toml: pages\[1\]: unknown page 'jionts'; did you mean 'joints'"):
+        apply(fresh, OpenAssignment("homework"), NOON)
+
+
+def test_nothing_else_opens_meanwhile_and_other_pages_are_closed(fresh):
+    state = exam(fresh)
+    assert "joints" not in hidden_panels(state)
+    assert {"lessons", "solutions", "pose", "robot"} <= hidden_panels(state)
+    for command in (OpenLesson("t"), ToSandbox(), wished(state, f"state/{short(fresh)}"), OpenWork("{}")):
+        refused(state, command, "The assignment “Exam” is open. Leave it before")
+    refused(state, OpenAssignment("homework"), "The assignment “Exam” is open. Leave it before")
+    assert hidden_panels(done(state, CloseLesson())) == frozenset()
+
+
+def test_a_lesson_of_assignments_opens_with_them_only(fresh, own, folder):
+    own(w='+++\ntitle = "W"\nchapter = "1"\nlisted = false\nteaches = []\nrobot = "planar_2r"\n+++\n## A\nRead.\n')
+    refused(fresh, OpenLesson("w"), "The lesson 'w' belongs to an assignment, and is opened with it")
+
+
+# --- The exam
+
+
+def test_an_exam_is_silent_gives_no_hints_and_counts_what_stands_last(fresh):
+    state = exam(fresh)
+    assert state[LessonPart].silent
+    refused(state, UnlockHint(), "This assignment gives no hints")
+    state = solved(state)
+    assert points(done(state, HandIn())) == 7.0
+    # Another answer, and the arm moved on at its step, take the place of what was right.
+    assert points(done(state, Answer("1"), HandIn())) == 5.0
+    moved = done(state, GoToStep(0), MoveJoint(0, 0.1))
+    assert points(done(moved, HandIn())) == 3.0
+    back = done(moved, MoveJoint(0, np.radians(goal(state))))
+    assert points(done(back, HandIn())) == 7.0
+    # Passing by at another step takes nothing away.
+    assert points(done(state, GoToStep(2), MoveJoint(0, 0.1), GoToStep(0), HandIn())) == 7.0
+
+
+def test_a_wrong_prediction_gives_no_points_in_an_exam(fresh):
+    state = exam(fresh)
+    state = done(state, GoToStep(1), Answer("-1"), HandIn())
+    assert points(state) == 0.0
+    homework = done(fresh, SignAs("Ada"), OpenAssignment("homework", 3), GoToStep(1), Answer("-1"), HandIn())
+    assert points(homework, "homework") == 2.0  # as on screen
+
+
+def test_a_forged_answer_that_was_right_before_does_not_count_in_an_exam(fresh):
+    state = done(exam(fresh), GoToStep(2), Answer("1"), HandIn())
+    data = json.loads(hand_in(state))
+    data["works"][0]["progress"]["right"] = {"Double": [f"{2 * goal(state):g}", 3.0]}
+    assert judge_assignment(json.dumps(data), "exam").points == 0.0
+
+
+def test_when_the_time_is_over_the_work_is_handed_in_as_it_stands(fresh):
+    state, late = solved(exam(fresh)), NOON + 30 * 60
+    refused(state, Answer("1"), "The time for this work is over", late)
+    for command in (LookAtClock(), HandIn(), MoveJoint(0, 0.1)):
+        over = done(state, command, at=late + 5)
+        assert over[LessonPart].work.handed == late
+        assert over[LessonPart].work.by_clock
+        assert points(over) == 7.0
+    refused(over, TakeUp(), "its time is over", late + 6)
+    assert done(state, LookAtClock(), at=late - 1) is state
+
+
+def test_work_that_was_handed_in_rests_until_it_is_taken_up_again(fresh):
+    refused(done(fresh, OpenAssignment("exam", 3)), HandIn(), "Write your name at “Name” first")
+    with pytest.raises(InputError, match="This work has not been handed in yet"):
+        hand_in(exam(fresh))
+    state = done(solved(exam(fresh)), HandIn())
+    part = state[LessonPart]
+    assert (part.silent, part.rests, part.work.attempts) == (False, True, 1)
+    refused(state, Answer("1"), "This work has been handed in")
+    moved = done(state, GoToStep(0), MoveJoint(0, 0.1))
+    assert points(moved) == 7.0
+    again = done(moved, TakeUp(), GoToStep(2), Answer("1"), HandIn())
+    assert (points(again), again[LessonPart].work.attempts) == (5.0, 2)
+    assert hand_in_name(again) == "exam_ada_2.json"
+    refused(again, TakeUp(), "all 2 attempts are used")
+
+
+def test_the_work_is_kept_over_a_restart(fresh, folder):
+    part = done(solved(exam(fresh)), HandIn())[LessonPart]
+    kept = LessonPart.from_json(json.loads(json.dumps(part.to_json())), catalogue()["puma560"])
+    assert (kept.where, kept.works, kept.progress.right) == (part.where, part.works, part.progress.right)
+    (folder / "exam.toml").unlink()
+    changed()
+    lessons().assignments_gone.clear()
+    without = LessonPart.from_json(part.to_json(), catalogue()["puma560"])
+    assert (without.open, without.assignment) == ("", "")
+
+
+# --- Its file
+
+
+def test_hand_ins_of_something_else_are_refused(fresh, folder):
+    file, lesson = hand_in(done(exam(fresh), HandIn())), hand_in(done(fresh, OpenLesson("t")))
+    for text, key, says in (
+        (lesson, "exam", "this is work on the lesson 't', not on the assignment 'exam'"),
+        (file, "homework", "this is work on the assignment 'exam', not 'homework'"),
+    ):
+        with pytest.raises(InputError, match=says):
+            judge_assignment(text, key)
+    with pytest.raises(InputError, match="this is work on the assignment 'exam', not on a lesson"):
+        judge(file)
+    text = (folder / "exam.toml").read_text()
+    (folder / "exam.toml").unlink()
+    (folder / "exam.toml").write_text(f"version = 2\n{text}")
+    changed()
+    with pytest.raises(InputError, match="this is work on version 1 of the assignment 'exam', not version 2"):
+        judge_assignment(file, "exam")
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        ({"handed_in": NOON - 5}, "the times in this file are damaged"),
+        ({"attempt": 0}, "the times in this file are damaged"),
+        ({"works": []}, "expected work on the lessons v, t; the file holds others"),
+        ({"works": [1, 2]}, "expected work on the lessons v, t; the file holds others"),
+        ({"variant": 5}, "task 1 is in variant 3; expected 5"),
+        ({"version": "1"}, "version is missing or not usable"),
+    ],
+)
+def test_a_damaged_file_is_told(fresh, change, says):
+    data = {**json.loads(hand_in(done(exam(fresh), HandIn()))), **change}
+    with pytest.raises(InputError, match=says):
+        judge_assignment(json.dumps(data), "exam")
+
+
+def judged(*files):
+    return looked_at_together([Judged(name, judge_assignment(text, key)) for name, text, key in files], None)
+
+
+def test_late_work_loses_its_part_and_the_table_says_so(fresh):
+    state = solved(done(fresh, SignAs("Ada"), OpenAssignment("homework", 3)))
+    state = done(state, GoToStep(0), UnlockHint())
+    one = judged(("a", hand_in(done(state, HandIn(), at=NOON + 7200 + 90 * 60)), "homework"))
+    lines = table(one).splitlines()
+    assert lines[0].split() == ["student", "variant", "1.1", "1.2", "1.3", "attempt", "hints", "score"]
+    assert lines[1].split()[:8] == ["Ada", "3", "ok", "ok", "ok", "1", "1", "3"]
+    assert "3 of 6" in lines[1]
+    assert "Late by 1 h 30 min." in lines[1]
+    graded = gradescope(one[0])
+    assert (graded["score"], [test["max_score"] for test in graded["tests"]]) == (3.0, [2.0, 2.0, 2.0])
+    head, row = (line.split(",") for line in rows(one).splitlines())
+    cells = dict(zip(head, row, strict=True))
+    assert (cells["points"], cells["of"], cells["score"], cells["late min"]) == ("3.0", "6.0", "50", "90")
+    assert (cells["1.1 points"], cells["1.1 hints"]) == ("2.0", "1")
+
+
+def test_of_several_attempts_the_last_one_counts(fresh):
+    first = done(solved(exam(fresh)), HandIn())
+    second = done(first, TakeUp(), Answer("1"), HandIn(), at=NOON + 60)
+    forged = {**json.loads(hand_in(second)), "attempt": 3}
+    stranger = done(solved(exam(fresh, name="Bob")), HandIn(), at=NOON + 7)
+    files = [hand_in(first), hand_in(second), json.dumps(forged), hand_in(stranger)]
+    found = judged(*((str(i), text, "exam") for i, text in enumerate(files)))
+    assert [one.problem for one in found] == [
+        "Another attempt counts: 1.",
+        "",
+        "This is attempt 3; 2 can be handed in.",
+        "",
+    ]
+    assert [one.points for one in found] == [0.0, 5.0, 0.0, 7.0]
+
+
+def test_work_after_its_time_or_before_it_opened_does_not_count(fresh):
+    data = json.loads(hand_in(done(exam(fresh), HandIn())))
+    later = judged(("a", json.dumps({**data, "handed_in": NOON + 31 * 60}), "exam"))[0]
+    assert later.problem.startswith("It was handed in on ")
+    sooner = judged(("a", json.dumps({**data, "begun": NOON - 60}), "exam"))[0]
+    assert sooner.problem.startswith("It was begun before the assignment opened on ")
