@@ -40,4 +40,7 @@ def typed(
 
     shown = form.field(name, readable(float(value), DECIMALS), title, taken)
     unit: Inside = tag("i", field.unit) if field.unit not in ("", "1") else None
-    return tag("label.option", tag("span", with_indices(symbol or field.symbol)), shown, unit, title=title)
+    said = symbol or field.symbol
+    # In italics, as in formulas: the current I and the length l look the same without serifs.
+    kind = "span.sym" if len(said.removesuffix(" =").partition("_")[0]) == 1 else "span"
+    return tag("label.option", tag(kind, with_indices(said)), shown, unit, title=title)
