@@ -82,7 +82,6 @@ def test_gaps_stay_gaps_and_limits_are_lines_across():
     assert gui.handle.data[1] == [None, 1.0, 3.0]
 
 
-
 def test_the_cursor_is_at_its_part_of_the_width_and_gone_outside():
     gui, plot = plot_of()
     cursor = gui.marks[-1]

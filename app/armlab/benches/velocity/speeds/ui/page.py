@@ -153,9 +153,9 @@ def folded_markup(key: str, title: str, form: Form, state: State, markup: Callab
     open_now = key in state[Velocity].unfolded
     head = form.button(
         f"fold {key} {'off' if open_now else 'on'}",
-        f"{'▾' if open_now else '▸'} {title}",
+        title,
         Unfold(key, not open_now),
-        "ve-fold",
+        "kit-unfolds",
         aria_expanded=str(open_now).lower(),
     )
     return joined(head, markup(form, state) if open_now else None)
