@@ -115,8 +115,9 @@ def wish_markup(form: Form, look: Look, units: Units) -> Markup:
         "speed", readable(part.size, 4), "Size of the velocity", lambda text: SetSpeed(plain_number(text, "size"))
     )
     title = f"Size of the velocity. {scales_words(look)}".strip()
-    fields = tag("div.ms-wish", _option("size", size, speed_unit(look), title), tag("div.kit-twist", typed))
-    return joined(tag("h3", "Wanted velocity of the tool"), tag("div.bar", aims, axes), fields)
+    amount = _option("size", size, speed_unit(look), title)
+    heading, choice = tag("h3", "Wanted velocity of the tool"), tag("div.bar", aims, axes, amount)
+    return tag("div.ms-wish", heading, choice, tag("div.kit-twist", typed))
 
 
 def _component(i: int, name: str, turns: bool, units: Units, text: str) -> SetComponent:
