@@ -45,8 +45,8 @@ AIMS = {
 SCALED = "1/s, scaled"
 """Unit of a size in which lengths are divided by the length scale of the arm."""
 
-AROUND = 0.6
-"""Length of an arrow at the tool that must be inside the picture, in length scales."""
+AROUND = 0.8
+"""Length of an arrow at the tool with its label, which must be inside the picture, in length scales."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:

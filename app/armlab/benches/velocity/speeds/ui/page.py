@@ -45,7 +45,7 @@ from armlab.ui.scene.swept import SWITCH as SWEPT
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
-MARGIN = 1.2
+MARGIN = 1.5
 """Length of an arrow with its label, in lengths of the arrow."""
 
 AXES = {"world": "world", "base": "base", "tool": "tool"}
