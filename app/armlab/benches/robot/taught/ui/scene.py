@@ -54,7 +54,7 @@ class Cloud:
         factor = factor_of(visits, self._canvas.size)
         move(self._ball, visits.goal)
         # Below the goal, since the hand of the arm is above it.
-        move(self._label, visits.goal - np.array([0.0, 0.0, 0.4 * DRAWN * self._canvas.size]))
+        move(self._label, visits.goal - np.array([0.0, 0.0, 0.2 * DRAWN * self._canvas.size]))
         write(self._label, f"deviations {factor:g} times as large")
         points = (visits.goal + factor * (visits.points - visits.goal)).astype(np.float32)
         if self._points is None or len(self._points.points) != len(points):
