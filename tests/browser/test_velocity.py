@@ -61,7 +61,7 @@ def _drives_the_arm_and_keeps_nonsense(lab):
     lab.press("play-speeds")
     lab.until(lambda: matrix.inner_text() != before)
     lab.page.locator(".al-time").wait_for()
-    lab.page.locator('.ve-fold[aria-expanded="true"]').wait_for()
+    lab.page.locator('.kit-unfolds[aria-expanded="true"]').wait_for()
     lab.type_into("point 0 1", "far")
     field = lab.page.locator('input[data-cell="point 0 1"]')
     assert field.input_value() == "far"

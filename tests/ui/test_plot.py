@@ -77,6 +77,9 @@ def test_gaps_stay_gaps_and_limits_are_lines_across():
     assert curve == [1.0, None, 3.0]
     np.testing.assert_array_equal(limit, [2.5, 2.5, 2.5])
     assert np.isnan(unused).all()
+    # Of what begins with NaN the page would find no range.
+    plot.show(np.array([0.0, 1.0, 2.0]), [np.array([np.nan, 1.0, 3.0])])
+    assert gui.handle.data[1] == [None, 1.0, 3.0]
 
 
 def test_the_cursor_is_at_its_part_of_the_width_and_gone_outside():

@@ -131,14 +131,15 @@ def dot(colour: str) -> Markup:
 
 
 def scientific(value: float, decimals: int = 1) -> str:
-    """Return a number with a power of ten.
+    """Return a number with a power of ten, unless that would be 1.
 
-    >>> scientific(0.000123), scientific(-2.5e-12)
-    ('1.2·10⁻⁴', '−2.5·10⁻¹²')
+    >>> scientific(0.000123), scientific(-2.5e-12), scientific(1.57, 2)
+    ('1.2·10⁻⁴', '−2.5·10⁻¹²', '1.57')
     """
     if value == 0.0:
         return "0"
     if not math.isfinite(value):
         return "∞" if math.isinf(value) else "–"
     mantissa, exponent = f"{value:.{decimals}e}".split("e")
-    return f"{mantissa.replace('-', MINUS)}·10{str(int(exponent)).translate(_SUPERSCRIPTS)}"
+    power = int(exponent)
+    return mantissa.replace("-", MINUS) + (f"·10{str(power).translate(_SUPERSCRIPTS)}" if power else "")

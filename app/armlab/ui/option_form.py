@@ -12,7 +12,7 @@ from armlab.ui.form import Form, Typed, Wish
 from armlab.ui.format import capitalised, readable
 from armlab.ui.html import Markup, classes, joined, tag
 from armlab.ui.option_text import DECIMALS, PLAIN, Scale, factor_of, option_value, scale_of, unit_text
-from armlab.ui.symbols import with_indices
+from armlab.ui.symbols import named
 
 MOST_LINES = 8
 """Largest number of lines of a table that are visible at once."""
@@ -73,7 +73,7 @@ def _bound(form: Form, cell: str, kind: Field, value: Any, taken: Typed, scales:
         return tag("label.option.wide.rows", tag("span", f"{head} ", unit), typed)
     typed = form.field(cell, text, title, taken)
     wide = kind.kind == "list" or (kind.kind == "vector" and len(scales) > 1)
-    symbol = tag("span", with_indices(kind.symbol) if kind.symbol else title)
+    symbol = named(kind.symbol) if kind.symbol else tag("span", title)
     return tag(classes("label.option", wide=wide), symbol, typed, unit, title=title)
 
 

@@ -228,8 +228,11 @@ class Plot:
 
 
 def _with_gaps(column: NDArray[np.float64]) -> NDArray[np.float64] | list[float | None]:
-    """Return a column so that the page leaves its gaps open: it would draw a line across NaN."""
+    """Return a column so that the page leaves its gaps open.
+
+    It would draw a line across NaN, and finds no range of a curve that begins with it.
+    """
     there = np.flatnonzero(np.isfinite(column))
-    if len(there) == 0 or there[-1] - there[0] + 1 == len(there):
+    if len(there) == 0 or there[-1] + 1 == len(there):
         return column
     return [value if finite else None for value, finite in zip(column.tolist(), np.isfinite(column), strict=True)]

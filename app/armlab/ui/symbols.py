@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 
 from armlab.ui.html import Markup, joined, tag
 
@@ -17,6 +18,17 @@ def with_indices(text: str) -> Markup:
     """
     parts = _INDEX.split(text)  # texts, and the indices between them
     return joined(tag("sub", part) if i % 2 else part for i, part in enumerate(parts))
+
+
+def named(text: str) -> Markup:
+    """Return the symbol before a field: a letter is in italics, as in formulas, so that I and l differ; a word is not.
+
+    >>> print(named("T_s"), named("turns"))
+    <span class="sym">T<sub>s</sub></span> <span>turns</span>
+    """
+    letter = text.removesuffix(" =").partition("_")[0]
+    alone = sum(not unicodedata.combining(each) for each in letter) == 1
+    return tag("span.sym" if alone else "span", with_indices(text))
 
 
 def with_symbol(text: str, symbol: str) -> Markup:

@@ -295,6 +295,8 @@ class Gui:
     def uplot(self, data: tuple[Any, ...], series: tuple[Any, ...], x: str, height: int) -> Any:
         """Add the bare chart of a `Plot`; returns the handle."""
         axis = {"font": "11px sans-serif", "labelFont": "11px sans-serif", "labelSize": 16, "labelGap": 0}
+        # Lines that are seen on light and dark ground alike, which viser's own are not.
+        axis |= {"ticks": {"width": 1, "size": 5}, "grid": {"width": 1, "stroke": "rgb(128 140 155 / .25)"}}
         axes: Any = ({**axis, "label": x, "size": 26}, {**axis, "size": 46, "space": 24})
         return self._keep(
             self._gui.add_uplot(

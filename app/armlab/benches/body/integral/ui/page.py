@@ -52,7 +52,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             examples(form, EXAMPLES, example_of(state), ChooseIntegralExample),
             laws_markup(form, state),
             row("ω along", about),
-            clock(form, state, CLIP_KEY, duration_of(state)),
+            clock(form, state, CLIP_KEY, duration_of(state), film_time(state)),
         )
         numbers.show(ends_markup(state))
         plots.show(state)

@@ -77,7 +77,7 @@ def _cover(form: Form, state: State) -> Inside:
     return (
         axis_markup(form, state),
         tag("h3", "Two whole turns about r"),
-        clock(form, state, CLIP_KEY, DURATION),
+        clock(form, state, CLIP_KEY, DURATION, film_time(state)),
         cover_markup(state),
     )
 

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from armlab.benches.body.forms.state import Body
-from armlab.benches.body.quaternion.between import DURATION, kinds_of_ends, speeds, turned_in_all, ways_of
+from armlab.benches.body.quaternion.between import DURATION, film_share, kinds_of_ends, speeds, turned_in_all, ways_of
 from armlab.benches.body.quaternion.state_view import WAY_KEY, WAYS, QuaternionView
 from armlab.session.fields import Set
 from armlab.session.state import State
@@ -47,7 +47,7 @@ def way_markup(form: Form, state: State) -> Inside:
         tag("div.eq.small", mathml(r"\mathrm{slerp}(p,q,s)=p\,(p^{-1}q)^s")),
         row("Way", ways),
         row(f"q or {MINUS}q", arcs),
-        clock(form, state, WAY_KEY, DURATION),
+        clock(form, state, WAY_KEY, DURATION, DURATION * film_share(state)),
         _table(state),
         _said(state),
     )

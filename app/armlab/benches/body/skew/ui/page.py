@@ -60,8 +60,8 @@ def _split(form: Form, state: State) -> Inside:
     forms = [quadratic_form(each, x) for each in (A, one, other)]
     rows: list[tuple[Inside, Inside]] = [
         (mathml(r"x^TA\,x"), number(forms[0], 4)),
-        ((mathml(r"x^T\frac{A+A^T}{2}\,x"), ", symmetric part"), number(forms[1], 4)),
-        ((mathml(r"x^T\frac{A-A^T}{2}\,x"), ", skew part"), number(forms[2], 4) if abs(forms[2]) > 1e-9 else "0"),
+        ((mathml(r"x^T(A+A^T)\,x/2"), ", symmetric part"), number(forms[1], 4)),
+        ((mathml(r"x^T(A-A^T)\,x/2"), ", skew part"), number(forms[2], 4) if abs(forms[2]) > 1e-9 else "0"),
     ]
     return (
         _matrix(form, state, "A"),

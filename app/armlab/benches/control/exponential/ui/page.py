@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -116,9 +118,15 @@ class _ErrorPlot(Plot):
         self.show(np.arange(1.0, count + 1.0), [error, above])
 
 
+def _with_powers(text: str) -> Markup:
+    """Return a text in which what stands after a caret is an exponent."""
+    parts = re.split(r"\^(\S+)", text)  # texts, and the exponents between them
+    return joined(tag("sup", part) if i % 2 else part for i, part in enumerate(parts))
+
+
 def head_markup(form: Form, part: Exponential) -> Markup:
     """Return the choice of an example, and the fields of matrix, start and end."""
-    chooser = examples(form, EXAMPLES, part.example, ChooseExponentialExample)
+    chooser = examples(form, EXAMPLES, part.example, ChooseExponentialExample, written=_with_powers)
     values = {"x1": part.x0[0], "x2": part.x0[1], "end": part.end}
     values |= {f"a{i + 1}{j + 1}": part.A[i][j] for i in (0, 1) for j in (0, 1)}
 

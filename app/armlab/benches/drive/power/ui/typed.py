@@ -10,7 +10,7 @@ from armlab.ui.form import Form
 from armlab.ui.format import capitalised, readable
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.option_text import option_value
-from armlab.ui.symbols import with_indices
+from armlab.ui.symbols import named
 
 DECIMALS = 4
 
@@ -40,4 +40,4 @@ def typed(
 
     shown = form.field(name, readable(float(value), DECIMALS), title, taken)
     unit: Inside = tag("i", field.unit) if field.unit not in ("", "1") else None
-    return tag("label.option", tag("span", with_indices(symbol or field.symbol)), shown, unit, title=title)
+    return tag("label.option", named(symbol or field.symbol), shown, unit, title=title)

@@ -46,7 +46,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             tag("h3", "The screw from pose 1 to pose 2"),
             verdict(state),
             screw_form(top, state),
-            tag("div.fr-clock", clock(top, state, CLIP_KEY, DURATION)),
+            tag("div.fr-clock", clock(top, state, CLIP_KEY, DURATION, film_time(state))),
         )
         view.show(state, _title(state), found.at(s), 4, 3)
         rest.show(ways_markup(rest, state))

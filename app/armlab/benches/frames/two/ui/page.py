@@ -39,6 +39,9 @@ from armlab.ui.widgets import Gui
 PRODUCT = (("B", "w"), ("w", "A"), ("A", "EA"), ("EA", "EB"))
 """Factors of the pose that B has to reach, by reference and frame (notes 3.133)."""
 
+TITLE = transform_name("B", "EB"), " ", tag("small", "p in m")
+"""Title of the pose of the tool of B in its base."""
+
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the fields of both robots, the pose that B has to reach, and the table of solutions."""
@@ -52,9 +55,9 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             examples(top, EXAMPLES, part.example, ChooseTwoExample),
             _robot_a(top, state),
             _robot_b(top, state),
-            _product(),
+            _product(found, units_of(state)),
         )
-        view.show(state, _title(found, units_of(state)), found.T_b_eb, 4, 3)
+        view.show(state, TITLE, found.T_b_eb, 4, 3)
         rest.show(verdict(state), solutions_markup(rest, state), numbers_markup(state))
 
     return show
@@ -122,7 +125,7 @@ def _base(form: Form, part: TwoRobots, robot: str, units: Units) -> Markup:
     return row(f"base x y {units.length_unit}, {units.angle_unit}", cells, wide=True, cells=True)
 
 
-def _product() -> Inside:
+def _product(found: Meeting, units: Units) -> Inside:
     last = len(PRODUCT) - 1
     factors = joined(
         [
@@ -134,12 +137,8 @@ def _product() -> Inside:
     return (
         tag("h3", "What B has to reach, in its own base"),
         tag("div.eq.fr-product", transform_name("B", "EB"), " = ", factors),
+        tag("p.dim", f"{units.length(found.distance)} away, turned by {units.orientation(found.angle)}"),
     )
-
-
-def _title(found: Meeting, units: Units) -> Inside:
-    told = f"{units.length(found.distance)} away, at {units.orientation(found.angle)}"
-    return (transform_name("B", "EB"), " ", tag("small", f"{told}; p in m"))
 
 
 def around(state: State) -> Points:

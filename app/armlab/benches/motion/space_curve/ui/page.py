@@ -44,11 +44,14 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def _around(state: State) -> Points:
-    """Return the points of the drawing beside the arm: the curve, or a box around the sphere of the turn."""
+    """Return what must be in the picture: the curve with the ends of its frame, or a box around the sphere."""
     if state[SpaceCurve].shown == "turn":
         centre, radius = sphere_of(state)
         return np.asarray(centre + radius * np.array([[1.0, 1, 1], [-1, -1, -1]]))
-    return state.derived(stage_of).at(state.derived(curve_of).frame.position)
+    stage, frame = state.derived(stage_of), state.derived(curve_of).frame
+    places = stage.at(frame.position)
+    ends = [places + stage.length * axis for axis in (frame.tangent, frame.normal, frame.binormal)]
+    return np.concatenate([places, *ends])
 
 
 PANEL = Panel((SpaceCurve, Timeline, Notation, RobotPart), build, rebuilds=(Notation,), around=_around)

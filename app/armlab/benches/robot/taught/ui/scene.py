@@ -40,7 +40,7 @@ class Cloud:
             f"{path}_goal", BALL * canvas.size, PURPLE, cast_shadow=False, receive_shadow=False
         )
         self._label: viser.LabelHandle = scene.add_label(
-            f"{path}_label", "", font_screen_scale=0.9, anchor="bottom-center"
+            f"{path}_label", "", font_screen_scale=0.9, anchor="top-center"
         )
         self._points: Any = None
         self._drawn: Visits | None = None
@@ -53,7 +53,8 @@ class Cloud:
         self._drawn = visits
         factor = factor_of(visits, self._canvas.size)
         move(self._ball, visits.goal)
-        move(self._label, visits.goal + np.array([0.0, 0.0, 0.7 * DRAWN * self._canvas.size]))
+        # Below the goal, since the hand of the arm is above it.
+        move(self._label, visits.goal - np.array([0.0, 0.0, 0.2 * DRAWN * self._canvas.size]))
         write(self._label, f"deviations {factor:g} times as large")
         points = (visits.goal + factor * (visits.points - visits.goal)).astype(np.float32)
         if self._points is None or len(self._points.points) != len(points):

@@ -108,7 +108,7 @@ def _verdict(part: Throws, units: Units) -> Markup:
     found, share = part.found, part.bias_share
     rms, spread = units.length(part.rms), units.length(part.about)
     parts = (
-        tag("div.eq.small", mathml(r"\overline{|x|^2}=|\bar x|^2+\overline{|x-\bar x|^2}")),
+        tag("div.eq.small", mathml(r"\frac{1}{n}\sum|x_i|^2=|\bar x|^2+\frac{1}{n}\sum|x_i-\bar x|^2")),
         f"The root mean square miss is {rms}: bias {units.length(found.distance)}, spread {spread} about the centre. "
         f"{part.hits} of {part.count} are hits.",
     )

@@ -45,8 +45,8 @@ AIMS = {
 SCALED = "1/s, scaled"
 """Unit of a size in which lengths are divided by the length scale of the arm."""
 
-AROUND = 0.6
-"""Length of an arrow at the tool that must be inside the picture, in length scales."""
+AROUND = 0.8
+"""Length of an arrow at the tool with its label, which must be inside the picture, in length scales."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
@@ -115,8 +115,9 @@ def wish_markup(form: Form, look: Look, units: Units) -> Markup:
         "speed", readable(part.size, 4), "Size of the velocity", lambda text: SetSpeed(plain_number(text, "size"))
     )
     title = f"Size of the velocity. {scales_words(look)}".strip()
-    fields = tag("div.options.ms-wish", _option("size", size, speed_unit(look), title), typed)
-    return joined(tag("h3", "Wanted velocity of the tool"), tag("div.bar", aims, axes), fields)
+    amount = _option("size", size, speed_unit(look), title)
+    heading, choice = tag("h3", "Wanted velocity of the tool"), tag("div.bar", aims, axes, amount)
+    return tag("div.ms-wish", heading, choice, tag("div.kit-twist", typed))
 
 
 def _component(i: int, name: str, turns: bool, units: Units, text: str) -> SetComponent:

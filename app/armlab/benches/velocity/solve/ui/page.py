@@ -78,7 +78,7 @@ class SolvePage:
             on = key in self._unfolded
             turned = partial(self._fold, key)
             unfolded = str(on).lower()
-            press = self._folds.button(key, f"{'▾' if on else '▸'} {title}", turned, "so-fold", aria_expanded=unfolded)
+            press = self._folds.button(key, title, turned, "kit-unfolds", aria_expanded=unfolded)
             parts.append((press, MADE[key](solved) if on else None))
         return parts
 
@@ -99,7 +99,7 @@ def head_markup(form: Form, state: State, solved: Found, units: Units) -> Markup
     frame = "frame 0" + ("; ωx′, ωy′ about x, y of the tool" if part.arm.task.rotation == "approach" else "")
     aside = tag("small", f"in axes of {frame}; or drag the blue arrow")
     title = tag("h3", "Wanted velocity ", mathml("v"), " ", aside)
-    return joined(chooser, asked, title, tag("div.kit-numbers.so-twist", cells))
+    return joined(chooser, asked, title, tag("div.kit-twist", cells))
 
 
 def _component(k: int, name: str, turning: bool, units: Units, text: str) -> SetComponent:

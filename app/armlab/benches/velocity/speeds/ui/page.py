@@ -45,7 +45,7 @@ from armlab.ui.scene.swept import SWITCH as SWEPT
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
-MARGIN = 1.2
+MARGIN = 1.5
 """Length of an arrow with its label, in lengths of the arrow."""
 
 AXES = {"world": "world", "base": "base", "tool": "tool"}
@@ -153,9 +153,9 @@ def folded_markup(key: str, title: str, form: Form, state: State, markup: Callab
     open_now = key in state[Velocity].unfolded
     head = form.button(
         f"fold {key} {'off' if open_now else 'on'}",
-        f"{'▾' if open_now else '▸'} {title}",
+        title,
         Unfold(key, not open_now),
-        "ve-fold",
+        "kit-unfolds",
         aria_expanded=str(open_now).lower(),
     )
     return joined(head, markup(form, state) if open_now else None)
