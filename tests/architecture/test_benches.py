@@ -159,8 +159,8 @@ def without(tmp_path_factory):
     for name in ("app", "robots"):
         shutil.copytree(TOP / name, copy / name)
     (copy / "lessons").mkdir()
-    for lesson in ("first_arm.md", "newton_arm.md"):
-        shutil.copy(TOP / "lessons" / lesson, copy / "lessons")
+    for lesson in ("first_arm", "newton_arm"):
+        shutil.copytree(TOP / "lessons" / lesson, copy / "lessons" / lesson)
     shutil.copy(TOP / "pyproject.toml", copy)
     for folder in GONE:
         shutil.rmtree(copy / "app/armlab/benches" / folder)

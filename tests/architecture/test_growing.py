@@ -20,7 +20,7 @@ def house(tmp_path):
     for name in ("app", "robots"):
         shutil.copytree(TOP / name, tmp_path / name)
     (tmp_path / "lessons").mkdir()
-    shutil.copy(TOP / "lessons" / "first_arm.md", tmp_path / "lessons")
+    shutil.copytree(TOP / "lessons" / "first_arm", tmp_path / "lessons" / "first_arm")
     shutil.copy(TOP / "pyproject.toml", tmp_path)
     return tmp_path
 

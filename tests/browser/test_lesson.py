@@ -106,7 +106,7 @@ def test_a_lesson_from_its_link_to_its_end_with_a_reload(visit):
     left, right, _ = scene(lab)
     assert 270 < left < 300
     assert (right - left) / 1400 > 0.5
-    assert shown(lab, "1 of 3")
+    assert shown(lab, "1 of 4")
     assert lab.page.locator(".lesson-text math").count() > 3
     assert "To do" in lab.page.locator(".verdict.todo").inner_text()
     assert lab.page.locator('button[data-cell="lesson-next"]').inner_text() == "Skip ›"
@@ -130,12 +130,16 @@ def test_a_lesson_from_its_link_to_its_end_with_a_reload(visit):
     lab.until(lambda: shown(lab, "Both joints turn the second link"))
     lab.page.reload()
     lab.ready()
-    lab.until(lambda: shown(lab, "3 of 3"))
+    lab.until(lambda: shown(lab, "3 of 4"))
     assert lab.page.locator('input[data-cell="lesson-answer"]').input_value() == "0.5"
     np.testing.assert_allclose(lab.slider_values(2), [0.0, 90.0])
     assert lab.page.locator(".strip.done").count() == 2
     lab.page.locator('input[data-cell="lesson-answer"]').fill("0,866")
     lab.page.locator('button[data-cell="lesson-check"]').click()
+    lab.until(lambda: shown(lab, "✓ Right."))
+    lab.press("lesson-next")
+    player.at(4)
+    player.solve(player.lesson.steps[3])
     lab.until(lambda: shown(lab, "✓ Lesson done"))
     lab.page.locator(".lesson-foot button[data-cell=lesson-close]").click()
     lab.until(lambda: scene(lab)[0] == 0)
@@ -148,7 +152,7 @@ def test_a_lesson_is_chosen_in_the_bench_and_its_dock_lets_a_typed_answer_be(vis
     lab.open_tab("Lessons")
     lab.press("lesson:first_arm")
     lab.ready()
-    lab.until(lambda: shown(lab, "1 of 3"))
+    lab.until(lambda: shown(lab, "1 of 4"))
     assert scene(lab)[0] > 270
     assert lab.tab("Joints").get_attribute("aria-selected") == "true"
     lab.press("lesson-step-2")
@@ -313,7 +317,7 @@ def a_step_begins_at_its_top_and_nothing_is_cut(lab):
     lab.page.mouse.wheel(0, 300)
     lab.until(lambda: lab.page.evaluate(scrolled) > 20)
     lab.press("lesson-next")
-    assert shown(lab, "2 of 3")
+    assert shown(lab, "2 of 4")
     lab.until(lambda: lab.page.evaluate(scrolled) == 0)
     for selector in (".lesson-head", ".strips", ".lesson-text", ".verdict.todo", ".lesson-foot"):
         assert not cut(lab, selector), selector
@@ -333,12 +337,12 @@ def a_projector_shows_large_text_and_no_benches(lab):
     assert right == width
     assert left == pytest.approx(0.42 * width, abs=2)
     lab.page.keyboard.press("PageDown")
-    lab.until(lambda: shown(lab, "2 of 3"))
+    lab.until(lambda: shown(lab, "2 of 4"))
     lab.page.keyboard.press("PageDown")
-    lab.until(lambda: shown(lab, "3 of 3"))
+    lab.until(lambda: shown(lab, "3 of 4"))
     assert lab.page.evaluate(SIZES) == []
     lab.page.keyboard.press("PageUp")
-    lab.until(lambda: shown(lab, "2 of 3"))
+    lab.until(lambda: shown(lab, "2 of 4"))
     for selector in (".lesson-head", ".strips", ".lesson-text", ".lesson-foot"):
         assert not cut(lab, selector), selector
     lab.page.keyboard.press("Escape")

@@ -1,5 +1,6 @@
 """Fixtures of the tests of commands: a working folder with lessons, a command line, the work of students."""
 
+import shutil
 from collections.abc import Iterator
 
 import numpy as np
@@ -30,7 +31,7 @@ def place(tmp_path, monkeypatch):
     """A working folder with a folder of lessons, and a lab that has one lesson; read anew by each test."""
     real, lab = resources.folder, tmp_path / "lab"
     lab.mkdir()
-    (lab / "first_arm.md").write_bytes((real("lessons") / "first_arm.md").read_bytes())
+    shutil.copytree(str(real("lessons") / "first_arm"), lab / "first_arm")
     monkeypatch.setattr(resources, "folder", lambda name: lab if name == "lessons" else real(name))
     found = Library([lab])
     monkeypatch.setattr(library_module, "library", lambda: found)

@@ -73,7 +73,7 @@ def test_the_lessons_of_the_lab_have_no_problems(found):
 def test_all_lessons_are_checked_when_none_is_named(typed):
     status, out, err = typed("lesson", "check", "--variants", "0")
     assert (status, err) == (0, "")
-    assert out == "first_arm: 3 steps, no problems\n"
+    assert out == "first_arm: 4 steps, no problems\n"
     status, out, _ = typed("lesson", "check", "--variants", "0", "--lessons", "mine")
     assert [line.split(": ")[0].rpartition("/")[2].partition(":")[0] for line in out.splitlines()] == [
         "first_arm",

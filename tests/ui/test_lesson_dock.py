@@ -41,7 +41,7 @@ def test_a_link_opens_the_lesson_with_text_formulas_and_what_is_missing(url):
     async def main():
         browser = await in_lesson(url, "first_arm")
         text = piece(browser, "lesson-text")
-        assert "<h2><small>1 of 3</small> Stretch the arm along x</h2>" in text
+        assert "<h2><small>1 of 4</small> Stretch the arm along x</h2>" in text
         assert "<math" in text
         assert "<summary>About this lesson</summary>" in text
         assert "◐ To do" in browser.html()
@@ -64,12 +64,12 @@ def test_the_check_the_question_and_the_way_through(url):
         await browser.set_value(browser.slider(2), 0.0)
         await browser.until(lambda: "✓ Done" in browser.html())
         await browser.press("lesson-next")
-        await browser.until(lambda: "<small>2 of 3</small>" in browser.html())
+        await browser.until(lambda: "<small>2 of 4</small>" in browser.html())
         assert "About this lesson" in browser.html()
-        assert "One point, two ways to it" not in browser.html()
+        assert "The two configurations are" not in browser.html()
         await browser.press("right angle")
         await browser.until(lambda: "✓ Done" in browser.html())
-        await browser.until(lambda: "One point, two ways to it" in piece(browser, 'class="reveal"'))
+        await browser.until(lambda: "The two configurations are" in piece(browser, 'class="reveal"'))
         await browser.press("lesson-next")
         await browser.until(lambda: "lesson-answer" in browser.html())
         await browser.press("lesson-answer", "0.5")
@@ -79,9 +79,15 @@ def test_the_check_the_question_and_the_way_through(url):
         await browser.until(lambda: "cannot read" in browser.html())
         assert "<script" not in browser.html()
         await browser.press("lesson-answer", "86.6 cm")
+        await browser.until(lambda: "✓ Right." in browser.html())
+        assert "only the second one contributes" in browser.html()
+        await browser.press("lesson-next")
+        await browser.until(lambda: "lesson-choice-2" in browser.html())
+        await browser.press("lesson-choice-2")
+        await browser.until(lambda: "keep its direction" in browser.html())
+        await browser.set_value(browser.slider(1), 90.0)
         await browser.until(lambda: "✓ Lesson done" in browser.html())
-        assert "it is the second link alone" in browser.html()
-        assert browser.html().count('class="strip done"') == 3
+        assert browser.html().count('class="strip done"') == 4
         await browser.close()
 
     run(main())
@@ -131,7 +137,7 @@ def test_a_reload_resets_nothing_and_an_own_answer_is_kept(url):
         await browser.until(lambda: "✕ Not yet" in browser.html())
         await browser.close()
         again = await in_lesson(url, "first_arm", cookie)
-        assert "<small>3 of 3</small>" in again.html()
+        assert "<small>3 of 4</small>" in again.html()
         assert 'value="0.5"' in again.html()
         assert "✕ Not yet" in again.html()
         assert again.slider(2)["value"] == 0.0
@@ -192,13 +198,13 @@ def test_beginning_again_asks_first(url):
         await to_step(browser, 2)
         await browser.press("lesson-anew")
         await browser.until(lambda: "answers in this lesson will be deleted" in browser.html())
-        assert "<small>2 of 3</small>" in browser.html()
+        assert "<small>2 of 4</small>" in browser.html()
         await browser.press("confirm-no")
         await browser.until(lambda: "answers in this lesson will be deleted" not in browser.html())
-        assert "<small>2 of 3</small>" in browser.html()
+        assert "<small>2 of 4</small>" in browser.html()
         await browser.press("lesson-anew")
         await browser.press("confirm-yes")
-        await browser.until(lambda: "<small>1 of 3</small>" in browser.html())
+        await browser.until(lambda: "<small>1 of 4</small>" in browser.html())
         await browser.close()
 
     run(main())
@@ -212,7 +218,7 @@ def test_what_the_dock_does_not_offer_does_nothing(url, cell, text):
         value = json.dumps([cell, text, 1])
         await browser.send({"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": value}})
         await browser.press("lesson-step-1")
-        await browser.until(lambda: "<small>2 of 3</small>" in browser.html())
+        await browser.until(lambda: "<small>2 of 4</small>" in browser.html())
         assert not browser.notices
         await browser.close()
 

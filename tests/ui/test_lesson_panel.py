@@ -22,13 +22,13 @@ def test_lessons_stand_by_chapter_with_their_arm_and_how_far_one_is(url):
         titles = [re.search('data-fold="([^"]*)"', chapter)[1] for chapter in chapters]
         assert titles == [chapter.title for chapter in lessons().course().chapters]
         assert [" open" in chapter for chapter in chapters] == [True] + [False] * (len(chapters) - 1)
-        assert "Planar 2R, 3 steps" in found
+        assert "Planar 2R, 4 steps" in found
         await browser.press("lesson:first_arm")
         await browser.until(lambda: "lesson-foot" in browser.html())
         await browser.press("stretched")
         await browser.until(lambda: "✓ Done" in browser.html())
         await browser.open("lessons")
-        await browser.until(lambda: "<i>1 of 3</i>" in piece(browser, 'data-cell="lesson:first_arm"'))
+        await browser.until(lambda: "<i>1 of 4</i>" in piece(browser, 'data-cell="lesson:first_arm"'))
         await browser.close()
 
     run(main())

@@ -148,7 +148,7 @@ class Place:
         return known
 
     def problems(self) -> list[str]:
-        """Return a line for each mistake in the folders looked into: no lesson, or in a course, its guide or an assignment."""
+        """Return a line for each mistake in the folders looked into, of lessons, courses, guides and assignments."""
         from armlab.commands._guides import mistakes_in_guide  # needs the benches, as no other command here does
 
         found = lessons()

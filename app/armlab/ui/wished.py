@@ -2,8 +2,8 @@
 
 ``robot/puma560`` wants that arm on the table, ``lesson/first_arm`` that lesson, ``lesson/first_arm/7`` a variant of it,
 ``page/section`` a page, ``example/laws/triangle`` an example on its page, ``assignment/arm_positions`` an assignment,
-``assignment/arm_positions/7`` that in a variant, ``erratum/5.58`` the page Errata at that one, ``state/1eN...`` a shared
-state.
+``assignment/arm_positions/7`` that in a variant, ``erratum/5.58`` the page Errata at that one, ``state/1eN...`` a state
+that was shared.
 """
 
 from __future__ import annotations
