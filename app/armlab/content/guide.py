@@ -1,6 +1,6 @@
 """The guide to a course for its teacher, as it is written by hand: what to show, to set and to discuss in each chapter.
 
-What can be made of the lessons themselves, such as goals, minutes and mistakes, is not written here.
+Goals, minutes and mistakes are not written here: the lessons say them.
 """
 
 from __future__ import annotations
