@@ -16,18 +16,21 @@ from support.patience import WAIT
 def test_every_command_is_found_by_its_file():
     files = {path.stem for path in Path(commands.__file__).parent.glob("[a-z]*.py")}
     assert set(command_types()) == files
-    assert list(command_types()) == ["check", "lesson", "errata"]
+    assert list(command_types()) == ["check", "lesson", "errata", "formulas"]
 
 
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [
-        (["chekc"], "armlab: unknown command 'chekc'; did you mean 'check'? Available: check, errata, lesson\n"),
+        (
+            ["chekc"],
+            "armlab: unknown command 'chekc'; did you mean 'check'? Available: check, errata, formulas, lesson\n",
+        ),
         (
             ["lesson", "shet"],
             "armlab lesson: unknown command 'shet'; did you mean 'sheet'? Available: check, new, sheet, words\n",
         ),
-        (["xyz"], "armlab: unknown command 'xyz'. Available: check, errata, lesson\n"),
+        (["xyz"], "armlab: unknown command 'xyz'. Available: check, errata, formulas, lesson\n"),
     ],
 )
 def test_a_misspelt_command_is_one_line_with_a_proposal(typed, arguments, says):

@@ -1,6 +1,6 @@
 """The guide to a course for its teacher, as it is written by hand: what to show, to set and to discuss in each chapter.
 
-Goals, minutes and mistakes are not written here: the lessons say them.
+Goals, minutes and mistakes are not written here: they are made of the lessons.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from armlab.errors import suggestion
 
 
 class Written(NamedTuple):
-    """What is written of a chapter, each text as HTML.
+    """Texts of a chapter, as HTML.
 
     Attributes
     ----------

@@ -41,7 +41,7 @@ class Mistakes(NamedTuple):
 
 
 class Named(NamedTuple):
-    """What is told of a lesson to its teacher: whether its variants differ, and the steps that name mistakes."""
+    """Summary of a lesson for its teacher: whether its variants differ, and the steps that name mistakes."""
 
     varies: bool = False
     steps: tuple[Mistakes, ...] = ()

@@ -111,10 +111,10 @@ def _minutes(heads: Sequence[Head]) -> str:
 def _goals(head: Head, named: Named) -> Markup:
     """Return a lesson with its minutes, and what one can do afterwards."""
     variant = tag("a", "variant 1", href=f"/lesson/{head.key}/1")
-    varies = tag("small", " numbers of their own: ", variant) if named.varies else None
+    varies = tag("br"), tag("small", "own numbers for each: ", variant)
     title = tag("a", head.title, href=f"/lesson/{head.key}")
     can = tag("ul", [tag("li", sentence) for sentence in head.can])
-    about = tag("td", title, tag("br"), tag("code", head.key), varies)
+    about = tag("td", title, tag("br"), tag("code", head.key), varies if named.varies else None)
     return tag("tr", about, tag("td", time_said(head.minutes)), tag("td", can))
 
 

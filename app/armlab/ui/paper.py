@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from armlab.content.notes import for_reader
 from armlab.ui.html import Inside, Markup, joined, styles, tag
 
@@ -29,7 +27,8 @@ math { font-family: "Cambria Math", "STIX Two Math", "Latin Modern Math", "DejaV
 """
 """Rules of style that all of them share."""
 
-_ONE = re.compile(r"<p>((?:(?!</?p>).)*)</p>\s*", re.DOTALL)
+_BEGIN, _END = tag("p", "…").split("…")
+"""Tags around a paragraph."""
 
 
 def document(title: str, look: str, *body: Inside) -> str:
@@ -60,5 +59,6 @@ def text(html: str) -> Markup:
     <p>One.</p><p>Two.</p>
     (None, None)
     """
-    one = _ONE.fullmatch(html)
-    return Markup(one[1] if one else html)
+    inside = html.strip().removeprefix(_BEGIN).removesuffix(_END)
+    alone = html.strip() == f"{_BEGIN}{inside}{_END}" and _BEGIN not in inside
+    return Markup(inside if alone else html)
