@@ -328,3 +328,16 @@ def test_homework_goes_on_at_another_computer_and_is_judged_anew_there(fresh):
     again = done(there, TakeUp(), GoToStep(0), MoveJoint(0, np.radians(goal(there))), HandIn(), at=NOON + 90)
     assert (points(again, "homework"), again[LessonPart].work.attempts) == (4.0, 2)
     refused(fresh, OpenWork(hand_in(done(exam(fresh), HandIn()))), "Work on an exam goes on only in the browser")
+
+
+def test_what_a_task_locks_is_said_without_a_way_out_that_is_closed(fresh, folder, own):
+    text = (
+        (folder / "v.md")
+        .read_text(encoding="utf-8")
+        .replace("\n[variants]", 'locked = ["joints", "target"]\n[variants]')
+    )
+    own(v=text)
+    with pytest.raises(InputError, match=r"keeps the joints as they are\. In your own sandbox"):
+        apply(done(fresh, OpenLesson("v", variant=3)), MoveJoint(0, 0.1), NOON)
+    with pytest.raises(InputError, match=r"keeps the joints as they are\.$"):
+        apply(exam(fresh), MoveJoint(0, 0.1), NOON)
