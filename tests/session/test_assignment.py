@@ -311,3 +311,33 @@ def test_work_after_its_time_or_before_it_opened_does_not_count(fresh):
     assert later.problem.startswith("It was handed in on ")
     sooner = judged(("a", json.dumps({**data, "begun": NOON - 60}), "exam"))[0]
     assert sooner.problem.startswith("It was begun before the assignment opened on ")
+
+
+# --- At another computer
+
+
+def test_homework_goes_on_at_another_computer_and_is_judged_anew_there(fresh):
+    state = done(fresh, SignAs("Ada"), OpenAssignment("homework", 3), GoToStep(2))
+    state = done(state, Answer(f"{2 * goal(state):g}"), GoToStep(1), HandIn())
+    data = json.loads(hand_in(state))
+    data["works"][0]["progress"]["met"] = ["Turn", "Predict", "Double"]  # of the first nothing was seen
+    there = done(fresh, OpenWork(json.dumps(data)), at=NOON + 60)
+    part = there[LessonPart]
+    assert (part.where, part.student, part.work.attempts, part.rests) == ("homework:v/3", "Ada", 1, True)
+    assert points(there, "homework") == 2.0
+    again = done(there, TakeUp(), GoToStep(0), MoveJoint(0, np.radians(goal(there))), HandIn(), at=NOON + 90)
+    assert (points(again, "homework"), again[LessonPart].work.attempts) == (4.0, 2)
+    refused(fresh, OpenWork(hand_in(done(exam(fresh), HandIn()))), "Work on an exam goes on only in the browser")
+
+
+def test_what_a_task_locks_is_said_without_a_way_out_that_is_closed(fresh, folder, own):
+    text = (
+        (folder / "v.md")
+        .read_text(encoding="utf-8")
+        .replace("\n[variants]", 'locked = ["joints", "target"]\n[variants]')
+    )
+    own(v=text)
+    with pytest.raises(InputError, match=r"keeps the joints as they are\. In your own sandbox"):
+        apply(done(fresh, OpenLesson("v", variant=3)), MoveJoint(0, 0.1), NOON)
+    with pytest.raises(InputError, match=r"keeps the joints as they are\.$"):
+        apply(exam(fresh), MoveJoint(0, 0.1), NOON)

@@ -7,6 +7,7 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from armlab.content.assignment import Assignment, Task
+from armlab.content.lesson import Lesson
 from armlab.content.lessons import lesson, lessons
 from armlab.errors import InputError
 from armlab.session.hand_in import (
@@ -21,6 +22,7 @@ from armlab.session.hand_in import (
 )
 from armlab.session.hand_in_prints import prints_of
 from armlab.session.handed import handed_of
+from armlab.session.lesson_progress import Progress
 from armlab.session.parts.lesson import signed
 from armlab.session.plain_text import printable
 from armlab.session.state import Json
@@ -43,13 +45,13 @@ def judge_assignment(text: str, key: str) -> Report:
         The assignment or one of its lessons is not there or cannot be used.
     """
     assigned, data = lessons().assignment(key), loaded(text)
-    _refuse_another(assigned, data)
+    refuse_another(assigned, data)
     steps: list[StepReport] = []
     prints: set[str] = set()
     changed = data["digest"] != assigned.digest
-    for i, (task, work) in enumerate(zip(assigned.tasks, data["works"], strict=True), start=1):
-        refuse_other_kinds(work, {"lesson": str, "variant": int, "digest": str, "progress": dict})
-        steps += _judged(assigned, task, i, data["variant"], work)
+    claims = zip(claimed_in(assigned, data), assigned.tasks, data["works"], strict=True)
+    for i, ((found, claimed), task, work) in enumerate(claims, start=1):
+        steps += _judged(assigned, task, i, found, claimed)
         prints |= prints_of(work["progress"], None)
         changed = changed or work["digest"] != lessons()[task.lesson].digest
     varies = assigned.by_student and any(lessons()[task.lesson].varies for task in assigned.tasks)
@@ -66,7 +68,7 @@ def judge_assignment(text: str, key: str) -> Report:
     )
 
 
-def _refuse_another(assigned: Assignment, data: Json) -> None:
+def refuse_another(assigned: Assignment, data: Json) -> None:
     """Raise `InputError` for work on a lesson, another assignment, or another version of this one."""
     if "assignment" not in data and "lesson" in data:
         said = str(data["lesson"])[:LONGEST_KEY]
@@ -85,14 +87,25 @@ def _refuse_another(assigned: Assignment, data: Json) -> None:
         raise InputError(f"expected work on the lessons {listed}; the file holds others")
 
 
-def _judged(assigned: Assignment, task: Task, i: int, number: int, work: Json) -> Iterator[StepReport]:
+def claimed_in(assigned: Assignment, data: Json) -> Iterator[tuple[Lesson, Progress]]:
+    """Yield the lessons of an assignment, in the variants of a file, with the progress that it claims.
+
+    Raises
+    ------
+    InputError
+        The variants are not those of the student, or something is damaged.
+    """
+    for i, (task, work) in enumerate(zip(assigned.tasks, data["works"], strict=True), start=1):
+        refuse_other_kinds(work, {"lesson": str, "variant": int, "digest": str, "progress": dict})
+        given = task.number(data["variant"]) if lessons()[task.lesson].varies else 0
+        if work["variant"] != given:
+            raise InputError(f"task {i} is in variant {work['variant']}; expected {given}")
+        found = lesson(task.lesson, given)
+        yield found, progress_in(found, work)
+
+
+def _judged(assigned: Assignment, task: Task, i: int, found: Lesson, claimed: Progress) -> Iterator[StepReport]:
     """Yield the verdicts on the steps of a task, with their points."""
-    varies = lessons()[task.lesson].varies
-    given = task.number(number) if varies else 0
-    if work["variant"] != given:
-        raise InputError(f"task {i} is in variant {work['variant']}; expected {given}")
-    found = lesson(task.lesson, given)
-    claimed = progress_in(found, work)
     if assigned.exam:
         # What stands last counts: an answer that was right before it is of no matter.
         claimed = replace(claimed, right=MappingProxyType({}))

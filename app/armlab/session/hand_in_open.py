@@ -7,13 +7,18 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import ClassVar
 
+from armlab.content.lessons import lessons
 from armlab.errors import InputError
+from armlab.session.assignment_commands import OpenAssignment
 from armlab.session.assignment_rules import refuse_in_assignment
-from armlab.session.hand_in import judged_anew, opened
+from armlab.session.assignment_work import Work
+from armlab.session.hand_in import LONGEST_KEY, judged_anew, loaded, opened
+from armlab.session.hand_in_assignment import claimed_in, refuse_another
+from armlab.session.handed import handed_of
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.lesson_progress import Progress
 from armlab.session.parts.display import Display
-from armlab.session.parts.lesson import LessonPart, has_its_arm, place_of, signed
+from armlab.session.parts.lesson import LessonPart, has_its_arm, place_of, signed, where_in
 from armlab.session.parts.shelf import HOME, Shelf
 from armlab.session.share import STAYS, personal, state_of_parts
 from armlab.session.state import Command, Json, State
@@ -50,6 +55,9 @@ class OpenWork(Command):
         if state[Shelf].place != HOME:
             raise InputError("saved work: go back to your own work first")
         refuse_in_assignment(state[LessonPart])
+        data = loaded(self.text)
+        if "assignment" in data and "lesson" not in data:
+            return _with_assignment(state, data)
         data, found, claimed = opened(self.text)
         holds, _ = judged_anew(found, claimed, plans=False)
         part, place = state[LessonPart], place_of(found.key, found.variant)
@@ -60,6 +68,26 @@ class OpenWork(Command):
         )
         begun = OpenLesson(found.key, variant=found.variant).apply(state.replace(ready))
         return _as_it_stood(begun, data.get("parts"))
+
+
+def _with_assignment(state: State, data: Json) -> State:
+    """Return the state with an assignment as it was handed in elsewhere; what is done here stays done."""
+    found, part = lessons().assignment(str(data["assignment"])[:LONGEST_KEY]), state[LessonPart]
+    refuse_another(found, data)
+    if found.exam:
+        raise InputError("Work on an exam goes on only in the browser in which it was begun.")
+    known = dict(part.progress_of)
+    for lesson, claimed in claimed_in(found, data):
+        holds, _ = judged_anew(lesson, claimed, plans=False)
+        where = where_in(found.key, place_of(lesson.key, lesson.variant))
+        known[where] = _together(known.get(where, Progress()), holds)
+    handed, here = handed_of(found, data), part.works.get(found.key)
+    work = Work(data["variant"], handed.begun, handed.handed, handed.attempt, handed.left)
+    if here is not None and here.attempts > work.attempts:
+        work = replace(here, number=work.number)
+    student, works = part.student or signed(data["student"]), MappingProxyType({**part.works, found.key: work})
+    ready = replace(part, open="", progress_of=MappingProxyType(known), student=student, works=works)
+    return OpenAssignment(found.key).apply(state.replace(ready))
 
 
 def _together(here: Progress, there: Progress) -> Progress:

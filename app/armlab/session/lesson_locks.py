@@ -13,7 +13,7 @@ from armlab.session.taught import taught
 
 
 def refuse_locked(found: Lesson, before: State, now: State) -> None:
-    """Raise `InputError` when a change touches anything locked by a lesson."""
+    """Raise `InputError` when a change touches anything locked by a lesson; the sentence says what it keeps."""
     robot, was = now[RobotPart], before[RobotPart]
     if robot.robot is not was.robot:
         edited = robot.own and robot.origin == was.origin
@@ -29,11 +29,11 @@ def refuse_locked(found: Lesson, before: State, now: State) -> None:
     others = (Target, Timeline, *(each.part for each in taught()))
     by_hand = all(now[kind] is before[kind] for kind in others) and not before[Target].catching_up
     if "joints" in found.locked and by_hand and joints.q is not stood.q:
-        raise _kept("the joints as they are; drag the handle")
+        raise _kept("the joints as they are" + ("" if "target" in found.locked else "; drag the handle"))
     moved = now[Target].pose is not before[Target].pose and now[Target].pose is not None
     if "target" in found.locked and moved:
-        raise _kept("the target where it is; move the joints")
+        raise _kept("the target where it is" + ("" if "joints" in found.locked else "; move the joints"))
 
 
 def _kept(what: str) -> InputError:
-    return InputError(f"This lesson keeps {what}. In your own sandbox you can change everything.")
+    return InputError(f"This lesson keeps {what}.")

@@ -161,7 +161,8 @@ class Overlay:
         """Return the arm's name, which is the switch to another one unless a lesson keeps the arm."""
         name, lesson = name_of(state[RobotPart]), state[LessonPart].lesson
         if lesson is not None and "robot" in lesson.locked:
-            why = f"The lesson “{lesson.title}” is about this arm. Its button “My sandbox” lets you choose any arm."
+            own = "" if state[LessonPart].assignment else " Its button “My sandbox” lets you choose any arm."
+            why = f"The lesson “{lesson.title}” is about this arm.{own}"
             return tag("span.arm-name", tag("b", name), tag("small", "set by the lesson"), title=why)
         inside = tag("b", name), tag("span", "▾", aria_hidden="true")
         about = f"{name}: choose another arm, or make a new one"

@@ -194,7 +194,11 @@ class LessonPart(Part):
         """Refuse a change that the open lesson has locked."""
         found, after = self.lesson, now[LessonPart]
         if found is not None and after.open == self.open and after.set_up == self.set_up:
-            refuse_locked(found, before, now)
+            try:
+                refuse_locked(found, before, now)
+            except InputError as error:
+                own = "" if self.assignment else " In your own sandbox you can change everything."
+                raise InputError(f"{error}{own}") from None
 
     def after(self, before: State, now: State) -> Self:
         """Return the part with events noted: start of a step, clips watched, an answer, a check that is met."""
