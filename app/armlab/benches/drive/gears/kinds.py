@@ -18,7 +18,7 @@ class Kind:
     ----------
     key, title : str
     ratio, efficiency, play, drives_back : str
-        Typical ratio of one stage, efficiency, backlash, and whether the load can turn the motor.
+        Typical ratio of one stage, efficiency in percent, backlash, and whether the load can turn the motor.
     use : str
         What it is used for.
     trouble : str
@@ -42,7 +42,7 @@ KINDS = Registry(
             "spur",
             "Spur gears",
             "1–8",
-            "97–99 %",
+            "97–99",
             "3–20′",
             "yes",
             "Parallel shafts: they change speed and torque, and carry the motion to an axis beside. Large ratios take "
@@ -53,7 +53,7 @@ KINDS = Registry(
             "bevel",
             "Bevel gears",
             "1–5",
-            "95–98 %",
+            "95–98",
             "4–20′",
             "yes",
             "Shafts that meet at an angle, as in a wrist whose motors sit in the forearm.",
@@ -63,7 +63,7 @@ KINDS = Registry(
             "screw",
             "Lead screw",
             "2–20 mm a turn",
-            "20–50 %",
+            "20–50",
             "0.05–0.3 mm",
             "mostly no",
             "It makes a slide of a turn, for prismatic joints. With plain threads the load stays where it is without a "
@@ -74,7 +74,7 @@ KINDS = Registry(
             "ball",
             "Ball screw",
             "5–50 mm a turn",
-            "85–95 %",
+            "85–95",
             "0–0.05 mm",
             "yes",
             "A lead screw with balls between screw and nut, for prismatic joints that must be fast or accurate.",
@@ -84,7 +84,7 @@ KINDS = Registry(
             "worm",
             "Worm gear",
             "5–100",
-            "40–90 %",
+            "40–90",
             "5–30′",
             "seldom",
             "A large ratio in one stage between shafts that cross at right angles.",
@@ -94,7 +94,7 @@ KINDS = Registry(
             "belt",
             "Toothed belt",
             "1–6",
-            "95–98 %",
+            "95–98",
             "almost none",
             "yes",
             "The motor may sit far from the joint, near the base, so that the arm has less to carry.",
@@ -104,7 +104,7 @@ KINDS = Registry(
             "chain",
             "Chain",
             "1–6",
-            "95–98 %",
+            "95–98",
             "some slack",
             "yes",
             "As a belt, for larger forces.",
@@ -114,7 +114,7 @@ KINDS = Registry(
             "harmonic",
             "Harmonic drive",
             "30–200",
-            "60–85 %",
+            "60–85",
             "below 1′",
             "hardly",
             "A very large ratio in one small stage on the axis of the joint: the gear of wrists and of light arms.",
@@ -124,7 +124,7 @@ KINDS = Registry(
             "shaft",
             "Shaft and couplings",
             "1",
-            "98–99 %",
+            "98–99",
             "almost none",
             "yes",
             "It carries the turn along the inside of a link; flexible couplings take up what is not in line.",

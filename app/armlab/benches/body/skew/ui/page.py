@@ -88,7 +88,7 @@ def _cross(form: Form, state: State) -> Inside:
     rows: list[tuple[Inside, Inside]] = [
         (mathml(r"S(v)\,u=v\times u"), components(found, 3)),
         (mathml(r"S^T(u)\,v"), components(other, 3)),
-        ("with v, and with u (scalar products)", f"{number(float(found @ v), 4)}, {number(float(found @ u), 4)}"),
+        ("scalar products with v, u", f"{number(float(found @ v), 4)}, {number(float(found @ u), 4)}"),
         ("difference from the cross product", scientific(away)),
     ]
     return (

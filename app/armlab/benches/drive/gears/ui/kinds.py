@@ -21,7 +21,7 @@ def kinds_markup(form: Form, part: Gears) -> Inside:
         cells = [tag("td", text) for text in (kind.ratio, kind.efficiency, kind.play, kind.drives_back)]
         rows.append(tag(classes("tr", now=key == chosen.key), tag("th", name), cells))
     return (
-        tag("table.kit-points.gr-kinds", head_line(None, "ratio", "η", "backlash", "back-drivable"), rows),
+        tag("table.kit-points.gr-kinds", head_line(None, "ratio", "η, %", "backlash", "back-drivable"), rows),
         tag("p.dim", "Typical for machines of the size of a robot arm, of one stage; ′ is a minute of arc, 1/60°."),
         tag("h3", chosen.title),
         tag("p", chosen.use),

@@ -85,7 +85,7 @@ def picture(form: Form, part: Spaces) -> Markup:
 
 
 def _sub(axis: str) -> Inside:
-    return "p", tag("tspan", axis, dy="3", font_size="8")
+    return "p", tag("tspan", axis, dy="3", font_size="9")
 
 
 def _dragged(length: float, x: float, y: float, drag: int) -> Wish:
