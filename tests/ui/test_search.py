@@ -252,7 +252,7 @@ def test_a_page_with_its_parent_an_arm_and_a_lesson_are_opened(url):
         await browser.until(lambda: notes(browser)["path"] == "/robot/scara")
         await ask(browser, "where is the hand")
         await browser.press("hit lesson:first_arm")
-        await browser.until(lambda: "<small>1 of 3</small>" in browser.html())
+        await browser.until(lambda: "<small>1 of 4</small>" in browser.html())
         found = await ask(browser, "")
         order = re.findall(r'data-cell="hit ([^"]*)"', found)
         assert order == ["lesson:first_arm", "arm:scara", "bench:ellipsoid"]

@@ -50,7 +50,7 @@ def test_a_newcomer_sees_what_comes_next_and_what_needs_others_first():
     assert "12 min" in row(markup, "first_arm")
     assert markup.count('<details class="kit-fold lm" open data-fold="First">') == 1
     assert 'data-fold="Then"' in markup
-    assert "2 lessons, 24 min" in markup
+    assert "2 lessons, 27 min" in markup
     form.press("lesson-begin")
     assert form.commands == (OpenLesson("first_arm"),)
 
@@ -69,7 +69,7 @@ def test_progress_is_shown_by_signs_words_and_counts():
         "forward_2r": SIGNS["open"],
         "ik_2r": SIGNS["early"],
     }
-    assert "1 of 2, 24 min" in markup
+    assert "1 of 2, 27 min" in markup
     assert "2 of 5" in row(markup, "joint_types")
     assert 'aria-label="Your first arm, done, 12 min"' in row(markup, "first_arm")
     assert "Go on: Joints that turn or slide" in markup
@@ -164,11 +164,11 @@ def test_the_end_of_a_lesson_says_what_one_can_do_now_and_leads_to_the_next(taug
         assert "<script" not in end
         assert "Next lesson: <b>Your first arm</b>, 12 min" in end
         await browser.press("lesson-onward")
-        await browser.until(lambda: "<small>1 of 3" in browser.html())
+        await browser.until(lambda: "<small>1 of 4" in browser.html())
         await browser.open("lessons")
         await browser.until(lambda: "1 of 2 lessons done" in browser.html())
-        await browser.press("lesson-step-2")
-        await browser.until(lambda: "3 to do" in browser.html())
+        await browser.press("lesson-step-3")
+        await browser.until(lambda: "4 to do" in browser.html())
         assert "lesson-onward" not in browser.html(), "there is none after it"
         assert "You can now" not in browser.html()
         await browser.close()
