@@ -46,12 +46,17 @@ def field(key, name, **given):
 
 
 @pytest.mark.parametrize(
-    ("by", "unit", "symbol"), [("d1", "mm", "d<sub>1</sub>"), ("d2", "mm", "d<sub>2</sub>"), ("time", "s", "ΔT")]
+    ("by", "unit", "symbol"),
+    [
+        ("d1", "mm", '<span class="sym">d<sub>1</sub></span>'),
+        ("d2", "mm", '<span class="sym">d<sub>2</sub></span>'),
+        ("time", "s", "<span>ΔT</span>"),
+    ],
 )
 def test_the_amount_of_an_over_fly_has_the_unit_of_what_it_is(by, unit, symbol):
     markup = form("overfly", [MM] * 3, by=by, amount=(0.05,))
     assert unit_of(markup, "amount") == unit
-    assert f"<span>{symbol}</span><input amount={'0.05' if by == 'time' else '50'}>" in markup
+    assert f"{symbol}<input amount={'0.05' if by == 'time' else '50'}>" in markup
     typed = option_value(field("overfly", "amount", by=by), "50", None, [MM] * 3)
     assert typed == pytest.approx([50.0 if by == "time" else 0.05])
 

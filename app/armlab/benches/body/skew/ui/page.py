@@ -89,7 +89,7 @@ def _cross(form: Form, state: State) -> Inside:
         (mathml(r"S(v)\,u=v\times u"), components(found, 3)),
         (mathml(r"S^T(u)\,v"), components(other, 3)),
         ("scalar products with v, u", f"{number(float(found @ v), 4)}, {number(float(found @ u), 4)}"),
-        ("difference from the cross product", scientific(away)),
+        ("difference from v × u", scientific(away)),
     ]
     return (
         _vectors(form, state, "v", "u"),
