@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from armlab.session.clock import now
 from armlab.session.session import Session
 from armlab.session.state import Command
 
@@ -82,7 +83,7 @@ class Worker(threading.Thread):
     def _serve(self, session: Session) -> None:
         end = time.monotonic() + TURN
         while (command := session.mailbox.take()) is not None:
-            session.apply(command, time.time())  # assignments have dates
+            session.apply(command, now())  # assignments have dates
             self.counts.applied += 1
             if time.monotonic() > end:
                 break

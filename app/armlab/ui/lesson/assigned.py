@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -12,6 +11,7 @@ from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
 from armlab.session.assignment_commands import OpenTask, TakeUp
 from armlab.session.assignment_work import Work
+from armlab.session.clock import now
 from armlab.session.lesson_commands import CloseLesson, GoToStep, TakeLessonArm
 from armlab.session.lesson_progress import Progress, step_names
 from armlab.session.parts.lesson import LessonPart, at_place, place_of, where_in
@@ -112,7 +112,7 @@ class Clock:
             due = f"Due on {said_date(sheet.of.due)}" if sheet.of.due is not None else "No date is set"
             return tag("div.as-line", tag("span", due))
         if self._said is None or self._said[0] != ends:
-            self._said = ends, round(1000.0 * time.time())
+            self._said = ends, round(1000.0 * now())
         attributes = {"data_ends": str(round(1000.0 * ends)), "data_now": str(self._said[1])}
         until = tag("time.as-clock", f"until {said_date(ends)}", role="timer", **attributes)
         return tag("div.as-line", tag("span", "Time left"), until)

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import asyncio
 import logging
-import time
 from collections.abc import Callable
 from typing import Any
 
 import viser
 
 from armlab.session.assignment_commands import LookAtClock
+from armlab.session.clock import now
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Post, State
 from armlab.ui.lesson.page import LessonPage
@@ -94,7 +94,7 @@ class LessonDock:
         self.close()
         if self._ends is None:
             return
-        left = self._ends - time.time()
+        left = self._ends - now()
         if left <= 0.0:
             self._post(LookAtClock())
         else:

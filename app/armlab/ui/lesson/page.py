@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import time
 from collections.abc import Callable
 
 from armlab.content.lessons import Lesson, lessons
@@ -11,6 +10,7 @@ from armlab.content.question import Choices
 from armlab.content.question import Form as Answered
 from armlab.errors import InputError
 from armlab.session.assignment_commands import HandIn
+from armlab.session.clock import now
 from armlab.session.hand_in import MOST, hand_in, hand_in_name
 from armlab.session.lesson_commands import (
     CloseLesson,
@@ -95,7 +95,7 @@ class LessonPage:
         """Show how the assignment is handed in; the file is saved when it has been, by this page's button."""
         name = _name(self._more, sheet.part)
         save = lambda: self._save(state)  # noqa: E731
-        self._more.show(assigned.hand_in_form(self._more, sheet, name, self._hand_in, save, time.time()))
+        self._more.show(assigned.hand_in_form(self._more, sheet, name, self._hand_in, save, now()))
         if self._saves and sheet.part.rests:
             self._saves = False
             self._save(state)
