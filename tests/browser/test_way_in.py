@@ -277,6 +277,7 @@ def the_dialog_shows_a_picture_of_each_arm(lab, size):
 def test_card_and_tour_are_left_and_found_again_in_help(visit):
     """What later pages show, after whichever stop the tour was left, is told in `tests/ui/test_welcome.py`."""
     lab = visit("robot/scara")
+    on_other_pages_the_card_is_its_head_until_it_is_wanted(lab)
     one_projects_and_works_without_the_card(lab)
     finds_in_help(lab, "help-start", ".al-card")
     lab.press("welcome-leave")
@@ -299,6 +300,17 @@ def test_card_and_tour_are_left_and_found_again_in_help(visit):
         finds_in_help(lab, "help-tour", ".al-tour[data-at=handle]")
     finds_in_help(lab, "help-start", ".al-card")
     a_lesson_begins_with_one_press_and_another_leads_back_to_the_former_arm(lab)
+
+
+def on_other_pages_the_card_is_its_head_until_it_is_wanted(lab):
+    lesson = lab.page.locator(".al-card .start").first
+    assert lesson.is_visible()
+    lab.open_tab("Rotation")
+    assert not lesson.is_visible()
+    lab.page.locator('[data-cell="welcome-leave"]').focus()
+    assert lesson.is_visible()
+    lab.open_tab("Joints")
+    assert lesson.is_visible()
 
 
 def one_projects_and_works_without_the_card(lab):
