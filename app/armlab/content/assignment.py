@@ -21,6 +21,7 @@ MOST_MINUTES = 24 * 60
 MOST_ATTEMPTS = 99
 MOST_POINTS = 10_000.0
 LAST_VARIANT = 9999
+FIRST_YEAR, LAST_YEAR = 1971, 9998
 BY_STUDENT = "student"
 """The word for variants that each student has of their own."""
 
@@ -180,6 +181,9 @@ def _moment(top: Table, key: str) -> float | None:
     if not top.has(key):
         return None
     value = top.value(key)
+    if isinstance(value, datetime.date) and not FIRST_YEAR <= value.year <= LAST_YEAR:
+        # Beyond these a moment has no date in some time zone.
+        raise top.fail(key, f"expected a year from {FIRST_YEAR} to {LAST_YEAR}, got {value.year}")
     if isinstance(value, datetime.datetime):
         return value.timestamp()
     if isinstance(value, datetime.date):
