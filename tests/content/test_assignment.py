@@ -8,6 +8,7 @@ from armlab import resources
 from armlab.content import lessons as library_module
 from armlab.content.assignment import amiss, parse_assignment
 from armlab.content.lessons import changed
+from armlab.content.outline import Outlines
 from armlab.errors import ContentError, UnknownName
 from support.small_lessons import library_fixture
 
@@ -151,3 +152,11 @@ def test_the_example_of_the_readme_is_an_exam():
     found = parse_assignment("exam_1", example, "exam_1.toml")
     assert [*amiss(found, example, library_module.lessons().lessons, ())] == []
     assert (found.exam, found.minutes, found.closes - found.due) == (True, 90, 30 * 60)
+
+
+def test_a_lesson_of_assignments_is_in_no_course(own, tmp_path):
+    course = 'title = "C"\n[[chapters]]\ntitle = "One"\nlessons = ["t", "w"]\n'
+    (tmp_path / "mine" / "course.toml").write_text(course)
+    own(w='+++\ntitle = "W"\nchapter = "1"\nlisted = false\nteaches = []\nrobot = "planar_2r"\n+++\n## A\nRead.\n')
+    assert library_module.lessons().course("lab").lessons == ("t",)
+    assert Outlines([tmp_path / "mine"]).look().courses[0].lessons == ("t",)

@@ -137,6 +137,17 @@ def test_who_is_in_a_task_that_was_taken_away_can_go_to_another(fresh, folder):
     assert json.loads(hand_in(done(state, HandIn())))["works"][0]["lesson"] == "t"
 
 
+def test_points_of_steps_whose_titles_hold_values_are_those_of_every_variant(fresh, folder, own):
+    own(v=(folder / "v.md").read_text(encoding="utf-8").replace("## Turn", "## Turn to {{=goal}}"))
+    first = lessons()["v"].steps[0].title
+    rewritten(folder, "exam", ('"Turn" = 4', f'"{first}" = 4'))
+    assert lessons().problems == ()
+    state = solved(exam(fresh))
+    assert state[LessonPart].lesson.steps[0].title != first
+    assert Sheet.open(state[LessonPart]).points == (7.0, 10.0)
+    assert points(done(state, HandIn())) == 7.0
+
+
 def test_who_has_begun_can_come_back_whatever_becomes_of_the_file(fresh, folder):
     left = done(solved(exam(fresh)), CloseLesson())
     rewritten(folder, "exam", ('pages = ["joints"]', 'pages = ["jionts"]'))

@@ -50,7 +50,13 @@ class Task:
         return student if self.variant is None else self.variant
 
     def points_of(self, lesson: Lesson) -> tuple[float, ...]:
-        """Return the points that each step of the lesson gives when it is done."""
+        """Return the points that each step gives when it is done.
+
+        Parameters
+        ----------
+        lesson : Lesson
+            In its variant 0, by whose titles steps are named: a title may hold values of the variant.
+        """
         tasks = [step.check is not None or step.question is not None for step in lesson.steps]
         if isinstance(self.points, Mapping):
             return tuple(self.points.get(step.title, 0.0) for step in lesson.steps)

@@ -113,7 +113,7 @@ def _judged(assigned: Assignment, task: Task, i: int, found: Lesson, claimed: Pr
         # What stands last counts: an answer that was right before it is of no matter.
         claimed = replace(claimed, right=MappingProxyType({}))
     _, steps = judged_anew(found, claimed)
-    points = task.points_of(found)
+    points = task.points_of(lessons()[task.lesson])
     for step, worth in zip(labelled(steps, i), points, strict=True):
         # Of a prediction any answer counts in a lesson; in an exam it has to be right.
         passed = step.passed and not (assigned.exam and step.right is False)

@@ -72,7 +72,8 @@ class Sheet:
         got = most = 0.0
         for i, task in enumerate(self.of.tasks):
             lesson, progress = self.lesson(i), self.progress(i)
-            points, names, passed = task.points_of(lesson), step_names(lesson), progress.passed(lesson)
+            points, names = task.points_of(lessons()[task.lesson]), step_names(lesson)
+            passed = progress.passed(lesson)
             if self.of.exam:  # of a prediction any answer counts in a lesson; in an exam it has to be right
                 passed = frozenset(k for k in passed if lesson.steps[k].question is None or names[k] in progress.right)
             got, most = got + sum(points[k] for k in passed), most + sum(points)
