@@ -197,7 +197,7 @@ class Session:
         except ArmlabError:
             back(found)
             raise
-        return restored.replace(lesson)
+        return restored if lesson is restored[LessonPart] else restored.replace(lesson)
 
     def tell(self, text: str) -> None:
         """Show a notice to the student."""
