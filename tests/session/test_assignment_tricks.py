@@ -17,9 +17,11 @@ from armlab.session.lesson_commands import CloseLesson, GoToStep, SignAs
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.session import Redo, Session, StartFresh, Undo
+from armlab.ui.html import joined
 from armlab.ui.lesson import assigned
 from armlab.ui.lesson.assigned import Sheet
 from support.assigned import NOON, done, exam, folder_fixture, fresh_fixture, goal, points, refused, solved
+from support.forms import BareForm
 from support.small_lessons import library_fixture
 
 own = pytest.fixture(library_fixture, name="own")
@@ -134,6 +136,9 @@ def test_who_is_in_a_task_that_was_taken_away_can_go_to_another(fresh, folder):
     )
     sheet = Sheet.open(state[LessonPart])
     assert (sheet.task, sheet.of.lessons) == (None, ("t",))
+    form = BareForm()
+    assert "The tasks have changed: choose one." in joined(assigned.head(form, sheet))
+    assert "The last step" in assigned.foot(form, sheet, sheet.part.lesson, None)
     assert json.loads(hand_in(done(state, HandIn())))["works"][0]["lesson"] == "t"
 
 
