@@ -9,7 +9,7 @@ from armlab.content.question import Choices, Field, Grid
 from armlab.session.lesson_commands import Answer
 from armlab.ui.lesson.asking import CHECK, CHOICE, ENTRY, Draft
 from armlab.ui.plugin import layers
-from armlab.ui.tab import CLOSED, COVERED
+from armlab.ui.tab import COVERED
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
 from support.own_lessons import ARM, QUESTIONS, in_lesson, lesson, load, piece, to_step, write
@@ -31,10 +31,7 @@ hide = ["values"]
 @pytest.fixture(scope="module")
 def url(tmp_path_factory):
     front = ARM + 'overlays = ["projections", "frames"]\n'
-    closed = lesson(VALUES, f'{ARM}hidden = ["joints"]\n')
-    folder = write(
-        tmp_path_factory.mktemp("lessons"), questions=lesson(QUESTIONS), values=lesson(VALUES, front), closed=closed
-    )
+    folder = write(tmp_path_factory.mktemp("lessons"), questions=lesson(QUESTIONS), values=lesson(VALUES, front))
     with running_lab(lessons=folder) as address:
         yield address
 
@@ -397,17 +394,6 @@ def test_wrong_states_have_their_sentence(url):
         await browser.set_value(browser.slider(1), 0.0)
         await browser.set_value(browser.slider(2), 0.0)
         await browser.until(lambda: "✓ Done" in browser.html())
-        await browser.close()
-
-    run(main())
-
-
-def test_a_page_that_is_closed_stays_so_when_a_browser_shows_its_tab_all_the_same(url):
-    async def main():
-        browser = await in_lesson(url, "closed")
-        await browser.press("lesson-answer", "1")
-        await browser.open("joints")
-        await browser.until(lambda: CLOSED in browser.html())
         await browser.close()
 
     run(main())
