@@ -8,6 +8,7 @@ from armlab import resources
 from armlab.content import lessons as library_module
 from armlab.content.assignment import amiss, parse_assignment
 from armlab.content.lessons import changed
+from armlab.content.outline import Outlines
 from armlab.errors import ContentError, UnknownName
 from support.small_lessons import library_fixture
 
@@ -77,6 +78,7 @@ def test_the_points_of_a_lesson_are_spread_over_its_tasks(own):
         ("closes = 2026-11-30T12:00:00Z\n", "", 10, "late_percent: it closes when it is due, so nothing can be late"),
         ("pages", "hints = true\npages", 5, "hints: an exam gives no hints"),
         ("2026-11-30T08:00:00Z", '"Monday"', 6, r"opens: expected a date or a date with a time such as 2026-11-30, "),
+        ("2026-11-30T08:00:00Z", "0001-01-01", 6, "opens: expected a year from 1971 to 9998, got 1"),
         ("attempts = 2", "attempt = 2", 10, "attempt: unknown key; did you mean 'attempts'"),
         (
             "variant = 4",
@@ -150,3 +152,11 @@ def test_the_example_of_the_readme_is_an_exam():
     found = parse_assignment("exam_1", example, "exam_1.toml")
     assert [*amiss(found, example, library_module.lessons().lessons, ())] == []
     assert (found.exam, found.minutes, found.closes - found.due) == (True, 90, 30 * 60)
+
+
+def test_a_lesson_of_assignments_is_in_no_course(own, tmp_path):
+    course = 'title = "C"\n[[chapters]]\ntitle = "One"\nlessons = ["t", "w"]\n'
+    (tmp_path / "mine" / "course.toml").write_text(course)
+    own(w='+++\ntitle = "W"\nchapter = "1"\nlisted = false\nteaches = []\nrobot = "planar_2r"\n+++\n## A\nRead.\n')
+    assert library_module.lessons().course("lab").lessons == ("t",)
+    assert Outlines([tmp_path / "mine"]).look().courses[0].lessons == ("t",)

@@ -20,91 +20,14 @@ from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.shelf import ToSandbox
 from armlab.session.share import short
-from armlab.session.state import State, apply
+from armlab.session.state import apply
 from armlab.ui.wished import wished
+from support.assigned import NOON, done, exam, folder_fixture, fresh_fixture, goal, points, refused, solved
 from support.small_lessons import library_fixture
 
 own = pytest.fixture(library_fixture, name="own")
-
-NOON = 1_800_000_000.0
-EXAM = """title = "Exam"
-exam = true
-pages = ["joints"]
-opens = {opens}
-closes = {closes}
-minutes = 30
-attempts = 2
-
-[[tasks]]
-lesson = "v"
-[tasks.points]
-"Turn" = 4
-"Predict" = 1
-"Double" = 2
-
-[[tasks]]
-lesson = "t"
-variant = 4
-points = 3
-"""
-HOMEWORK = """title = "Homework"
-due = {due}
-late_percent = 50
-
-[[tasks]]
-lesson = "v"
-points = 6
-"""
-
-
-def written(seconds):
-    return f"{np.datetime64(int(seconds), 's')}Z"
-
-
-@pytest.fixture
-def folder(own, tmp_path):
-    """A folder with an exam of one hour at noon, and homework that is due an hour later."""
-    place = tmp_path / "mine"
-    (place / "exam.toml").write_text(EXAM.format(opens=written(NOON), closes=written(NOON + 3600)))
-    (place / "homework.toml").write_text(HOMEWORK.format(due=written(NOON + 7200)))
-    changed()
-    assert lessons().problems == ()
-    return place
-
-
-@pytest.fixture
-def fresh(folder):
-    return State.initial(catalogue()["puma560"])
-
-
-def done(state, *commands, at=NOON):
-    for command in commands:
-        state = apply(state, command, at)
-    return state
-
-
-def refused(state, command, says, at=NOON):
-    with pytest.raises(InputError, match=says):
-        apply(state, command, at)
-
-
-def exam(fresh, number=3, name="Ada"):
-    return done(fresh, SignAs(name), OpenAssignment("exam", number))
-
-
-def goal(state):
-    return state[LessonPart].lesson.values["goal"]
-
-
-def solved(state, at=NOON):
-    """Return the state with all of task 1 done: 7 points of 10."""
-    state = done(state, GoToStep(0), MoveJoint(0, np.radians(goal(state))), GoToStep(1), at=at)
-    state = done(state, Answer(f"{goal(state) / 2:g}"), GoToStep(2), at=at)
-    return done(state, Answer(f"{2 * goal(state):g}"), at=at)
-
-
-def points(state, key="exam"):
-    return judge_assignment(hand_in(state), key).points
+folder = pytest.fixture(folder_fixture, name="folder")
+fresh = pytest.fixture(fresh_fixture, name="fresh")
 
 
 # --- Opening

@@ -10,6 +10,7 @@ from armlab.content.lessons import lessons, library
 from armlab.session.lesson_progress import Progress
 from armlab.session.parts.lesson import LessonPart
 from armlab.ui.lesson import page
+from armlab.ui.tab import CLOSED
 from support.fake_browser import cookie_of
 from support.forms import BareForm
 from support.lab import running_lab
@@ -158,6 +159,8 @@ def test_panels_a_lesson_hides_are_not_there(url):
         shown = notes(browser)
         assert "Joints" in shown["hidden"]
         assert shown["tab"] not in shown["hidden"]
+        await browser.open("joints")  # as of a page whose hidden tab was made visible
+        await browser.until(lambda: CLOSED in browser.html())
         await browser.open("pose")
         await browser.until(lambda: 'data-cell="pose"' in browser.html() or 'class="pages"' in browser.html())
         assert 'data-cell="orientation"' not in browser.html()

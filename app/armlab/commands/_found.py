@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import argparse
 import os
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from armlab.content.assignment import Assignment, amiss, parse_assignment
-from armlab.content.assignments import mistakes_in as unusable_in
+from armlab.content.assignments import assignments_in
 from armlab.content.courses import mistakes_in
 from armlab.content.lesson_file import digest_of
 from armlab.content.lesson_folder import ENDING, GUIDE, LESSON, OF_ASSIGNMENT, Source, sources_of
-from armlab.content.lessons import Lesson, add_folder, folders_of_the_lab, lessons
+from armlab.content.lessons import Lesson, Lessons, add_folder, folders_of_the_lab, lessons
 from armlab.content.robots import KEY
 from armlab.errors import ContentError, InputError
 from armlab.session.assignment_commands import refuse_unknown_pages
@@ -155,7 +155,7 @@ class Place:
         known = {*found.lessons, *found.broken}
         of_files = []
         for folder in self._looked_into.values():
-            for error in (*mistakes_in(folder, known, found.needs), *unusable_in(folder, found.lessons, known)):
+            for error in (*mistakes_in(folder, known, found.needs), *_unusable_in(folder, found, known)):
                 file = shown(folder.joinpath(error.file.partition(",")[0]))
                 of_files.append(f"{file}:{getattr(error, 'line', 1)}: {in_words(error)}")
         of_guides = [
@@ -197,6 +197,17 @@ def add_lessons_option(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--lessons", type=Path, action="append", default=[], metavar="DIR", help="a folder of lessons; may be repeated"
     )
+
+
+def _unusable_in(folder: Traversable, found: Lessons, known: Collection[str]) -> Iterator[ContentError]:
+    """Yield what is wrong with the assignments of a folder, also pages that do not exist."""
+    assigned, wrong = assignments_in(folder, found.lessons, known)
+    yield from wrong
+    for each in assigned.values():
+        try:
+            refuse_unknown_pages(each)
+        except ContentError as error:
+            yield error
 
 
 def in_words(error: ContentError) -> str:

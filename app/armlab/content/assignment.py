@@ -21,6 +21,7 @@ MOST_MINUTES = 24 * 60
 MOST_ATTEMPTS = 99
 MOST_POINTS = 10_000.0
 LAST_VARIANT = 9999
+FIRST_YEAR, LAST_YEAR = 1971, 9998
 BY_STUDENT = "student"
 """The word for variants that each student has of their own."""
 
@@ -49,7 +50,13 @@ class Task:
         return student if self.variant is None else self.variant
 
     def points_of(self, lesson: Lesson) -> tuple[float, ...]:
-        """Return the points that each step of the lesson gives when it is done."""
+        """Return the points that each step gives when it is done.
+
+        Parameters
+        ----------
+        lesson : Lesson
+            In its variant 0, by whose titles steps are named: a title may hold values of the variant.
+        """
         tasks = [step.check is not None or step.question is not None for step in lesson.steps]
         if isinstance(self.points, Mapping):
             return tuple(self.points.get(step.title, 0.0) for step in lesson.steps)
@@ -180,6 +187,9 @@ def _moment(top: Table, key: str) -> float | None:
     if not top.has(key):
         return None
     value = top.value(key)
+    if isinstance(value, datetime.date) and not FIRST_YEAR <= value.year <= LAST_YEAR:
+        # Beyond these a moment has no date in some time zone.
+        raise top.fail(key, f"expected a year from {FIRST_YEAR} to {LAST_YEAR}, got {value.year}")
     if isinstance(value, datetime.datetime):
         return value.timestamp()
     if isinstance(value, datetime.date):

@@ -89,11 +89,13 @@ class AssignmentFiles:
         return {key: file.good for key, file in judged.items() if file.good is not None}, problems
 
 
-def mistakes_in(folder: Traversable, lessons: Mapping[str, Lesson], known: Collection[str]) -> list[ContentError]:
-    """Return what is wrong with the assignments of a folder; see `AssignmentFiles.judged`."""
+def assignments_in(
+    folder: Traversable, lessons: Mapping[str, Lesson], known: Collection[str]
+) -> tuple[dict[str, Assignment], list[ContentError]]:
+    """Return the assignments of a folder, and what is wrong with their files; see `AssignmentFiles.judged`."""
     files = AssignmentFiles()
     files.look([(folder, "")])
-    return files.judged(lessons, known)[1]
+    return files.judged(lessons, known)
 
 
 def _read(source: Source, good: Assignment | None) -> _File:

@@ -62,11 +62,11 @@ class Course:
         """Title of the chapter of each lesson."""
         return {key: chapter.title for chapter in self.chapters for key in chapter.lessons}
 
-    def among(self, known: Collection[str]) -> Course:
-        """Return the course without lessons that are not known, and without chapters of which nothing is left."""
-        if all(key in known for key in self.lessons):
+    def among(self, these: Collection[str]) -> Course:
+        """Return the course without lessons other than these, and without chapters of which nothing is left."""
+        if all(key in these for key in self.lessons):
             return self
-        kept = [replace(each, lessons=tuple(key for key in each.lessons if key in known)) for each in self.chapters]
+        kept = [replace(each, lessons=tuple(key for key in each.lessons if key in these)) for each in self.chapters]
         return replace(self, chapters=tuple(chapter for chapter in kept if chapter.lessons))
 
 

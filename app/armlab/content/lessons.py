@@ -279,12 +279,13 @@ class Library:
         problems += [entry.problem for entry in self._entries.values() if entry.problem is not None]
         assignments, unfit = self._assignments.judged(lessons, self._entries)
         problems += [*(error for errors in wrong.values() for error in errors), *misplaced, *unfit]
+        listed = {key for key, lesson in lessons.items() if lesson.listed}
         return Lessons(
             lessons,
             tuple(problems),
             {key: good.lesson for key, good in self._good.items() if key not in there},
             {key: entry.problem for key, entry in self._entries.items() if entry.problem and key not in there},
-            tuple(course for each in courses if (course := each.among(lessons)).chapters),
+            tuple(course for each in courses if (course := each.among(listed)).chapters),
             needs,
             wrong,
             assignments,

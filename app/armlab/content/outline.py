@@ -98,7 +98,8 @@ class Outlines:
         heads = {head.key: head for head in there}
         needs = sound({key: head.after for key, head in heads.items()}, heads)
         judged, _ = self._files.judged(self._heads, needs)
-        courses = tuple(course for each in judged if (course := each.among(heads)).chapters)
+        listed = {head.key for head in there if head.listed}
+        courses = tuple(course for each in judged if (course := each.among(listed)).chapters)
         return Outline(
             courses or (Course("", "All lessons", "", by_chapters(head for head in there if head.listed)),),
             heads,

@@ -8,6 +8,7 @@ from typing import ClassVar
 from armlab.content.assignment import LAST_VARIANT, Assignment, said_date
 from armlab.content.lessons import lessons
 from armlab.errors import ContentError, InputError, suggestion
+from armlab.registry import known_name
 from armlab.session.assignment_work import Work
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.pages import pages
@@ -37,12 +38,11 @@ class OpenAssignment(Command):
         Raises
         ------
         UnknownName, ContentError
-            There is no such assignment, or it names a page that does not exist.
+            There is no such assignment, or it cannot begin since it names a page that does not exist.
         InputError
             It is not open yet, or not any more; another one is open; or the student is not at home.
         """
         found, part = lessons().assignment(self.key), state[LessonPart]
-        refuse_unknown_pages(found)
         work = _begun(found, part, state.at, self.number)
         if part.assignment == self.key and part.work == work:
             return state
@@ -148,15 +148,26 @@ def refuse_unknown_pages(found: Assignment) -> None:
             raise ContentError(found.file, f"pages[{i}]", problem)
 
 
+def refuse_before(found: Assignment, now: float) -> None:
+    """Raise `InputError` where an assignment is not open yet."""
+    if found.opens is not None and now < found.opens:
+        raise InputError(f"The assignment “{found.title}” opens on {said_date(found.opens)}.")
+
+
 def _begun(found: Assignment, part: LessonPart, now: float, number: int | None) -> Work:
     """Return the work on an assignment, or that which begins now."""
     if number is not None and not 0 <= number <= LAST_VARIANT:
         raise InputError(f"variant: expected 0 to {LAST_VARIANT}, got {number}")
     work = part.works.get(found.key)
+    if work is not None and number not in (None, work.number) and work.handed is not None:
+        # Else one could work in several variants, see all verdicts, and save the best of them.
+        raise InputError(f"The work on “{found.title}” has been handed in in variant {work.number}.")
     if work is not None:
+        # Who has begun can come back, whatever has become of the file.
         return work if number is None else replace(work, number=number)
-    if found.opens is not None and now < found.opens:
-        raise InputError(f"The assignment “{found.title}” opens on {said_date(found.opens)}.")
+    known_name("assignment", found.key, lessons().assignments)
+    refuse_unknown_pages(found)
+    refuse_before(found, now)
     if found.closes is not None and now >= found.closes:
         raise InputError(f"The assignment “{found.title}” closed on {said_date(found.closes)}.")
     return Work(part.number if number is None else number, now)

@@ -13,6 +13,12 @@ def refuse_in_assignment(part: LessonPart) -> None:
         raise InputError(said)
 
 
+def refuse_forgetting(part: LessonPart) -> None:
+    """Raise `InputError` while an assignment is worked on, of which everything would be lost."""
+    if part.assigned is not None and not part.rests:
+        raise InputError(f"The assignment “{part.assigned.title}” is open. Leave it before everything is forgotten.")
+
+
 def refuse_late(part: LessonPart, now: float) -> None:
     """Raise `InputError` where the open assignment has been handed in, or its time is over."""
     if part.rests:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from armlab.errors import InputError
 from armlab.session.bench import PutInPlace, page_of
-from armlab.session.panel_commands import OpenPanel
+from armlab.session.panel_commands import OpenPanel, hidden_panels
 from armlab.session.state import Command, State
 
 
@@ -24,5 +25,14 @@ class LookAt(Command):
     label: ClassVar[str] = "example"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example; `UnknownName` when there is none such."""
-        return OpenPanel(page_of(self.name)).apply(PutInPlace(self.name).apply(state))
+        """Return the state with the example; `UnknownName` when there is none such.
+
+        Raises
+        ------
+        InputError
+            Its page is closed while the open lesson is.
+        """
+        page = page_of(self.name)
+        if page in hidden_panels(state):
+            raise InputError("The page of this example is closed while this lesson is open.")
+        return OpenPanel(page).apply(PutInPlace(self.name).apply(state))

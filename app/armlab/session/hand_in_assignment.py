@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 from types import MappingProxyType
 
-from armlab.content.assignment import Assignment, Task
+from armlab.content.assignment import LAST_VARIANT, Assignment, Task
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lesson, lessons
+from armlab.content.reader import shown
 from armlab.errors import InputError
 from armlab.session.hand_in import (
     LONGEST_KEY,
@@ -81,6 +82,8 @@ def refuse_another(assigned: Assignment, data: Json) -> None:
     if data["version"] != assigned.version:
         said = f"of the assignment {assigned.key!r}, not version {assigned.version}"
         raise InputError(f"this is work on version {data['version']} {said}")
+    if not 0 <= data["variant"] <= LAST_VARIANT:
+        raise InputError(f"variant: expected 0 to {LAST_VARIANT}, got {shown(data['variant'])}")
     named = [work.get("lesson") if isinstance(work, dict) else None for work in data["works"]]
     if named != list(assigned.lessons):
         listed = ", ".join(assigned.lessons)
@@ -110,7 +113,7 @@ def _judged(assigned: Assignment, task: Task, i: int, found: Lesson, claimed: Pr
         # What stands last counts: an answer that was right before it is of no matter.
         claimed = replace(claimed, right=MappingProxyType({}))
     _, steps = judged_anew(found, claimed)
-    points = task.points_of(found)
+    points = task.points_of(lessons()[task.lesson])
     for step, worth in zip(labelled(steps, i), points, strict=True):
         # Of a prediction any answer counts in a lesson; in an exam it has to be right.
         passed = step.passed and not (assigned.exam and step.right is False)

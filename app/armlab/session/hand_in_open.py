@@ -9,7 +9,7 @@ from typing import ClassVar
 
 from armlab.content.lessons import lessons
 from armlab.errors import InputError
-from armlab.session.assignment_commands import OpenAssignment
+from armlab.session.assignment_commands import OpenAssignment, refuse_before
 from armlab.session.assignment_rules import refuse_in_assignment
 from armlab.session.assignment_work import Work
 from armlab.session.hand_in import LONGEST_KEY, judged_anew, loaded, opened
@@ -76,15 +76,18 @@ def _with_assignment(state: State, data: Json) -> State:
     refuse_another(found, data)
     if found.exam:
         raise InputError("Work on an exam goes on only in the browser in which it was begun.")
+    refuse_before(found, state.at)
+    handed, here = handed_of(found, data), part.works.get(found.key)
+    if here is not None and here.attempts > handed.attempt:
+        raise InputError(f"Attempt {here.attempts} has been handed in here; this file holds attempt {handed.attempt}.")
     known = dict(part.progress_of)
     for lesson, claimed in claimed_in(found, data):
         holds, _ = judged_anew(lesson, claimed, plans=False)
         where = where_in(found.key, place_of(lesson.key, lesson.variant))
         known[where] = _together(known.get(where, Progress()), holds)
-    handed, here = handed_of(found, data), part.works.get(found.key)
-    work = Work(data["variant"], handed.begun, handed.handed, handed.attempt, handed.left)
-    if here is not None and here.attempts > work.attempts:
-        work = replace(here, number=work.number)
+    # A time that is over does not come back by what a file claims.
+    begun = min(handed.begun, state.at, *([] if here is None else [here.begun]))
+    work = Work(data["variant"], begun, handed.handed, handed.attempt, handed.left)
     student, works = part.student or signed(data["student"]), MappingProxyType({**part.works, found.key: work})
     ready = replace(part, open="", progress_of=MappingProxyType(known), student=student, works=works)
     return OpenAssignment(found.key).apply(state.replace(ready))

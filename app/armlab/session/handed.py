@@ -13,6 +13,9 @@ from armlab.session.state import Json
 GRACE = 1.0
 """Time by which a file may be beyond a date, seconds, since the times in it are rounded."""
 
+MOST_TIMES = 1_000_000
+"""Largest number of attempts that is believed, and of times that an assignment was left."""
+
 
 @dataclass(frozen=True)
 class Handed:
@@ -106,7 +109,8 @@ def handed_of(assigned: Assignment, data: Json) -> Handed:
     except (KeyError, TypeError, ValueError, OverflowError):
         raise InputError("the times in this file are damaged") from None
     # A year beyond 9999 has no date.
-    if not (0.0 <= begun <= handed < 2.5e11 and math.isfinite(handed) and attempt >= 1 and left >= 0):
+    times = 0.0 <= begun <= handed < 2.5e11
+    if not (times and 1 <= attempt <= MOST_TIMES and 0 <= left <= MOST_TIMES):
         raise InputError("the times in this file are damaged")
     return Handed(assigned, begun, handed, attempt, left, data.get("by_clock") is True)
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from armlab.content.robots import Robot
 from armlab.errors import ArmlabError, InputError, in_one_line
+from armlab.session.assignment_rules import refuse_forgetting
 from armlab.session.history import HEAVIEST, History
 from armlab.session.mailbox import Mailbox
 from armlab.session.parts.lesson import LessonPart
@@ -138,10 +139,11 @@ class Session:
         command = asked[0] if len(asked) == 1 else command
         try:
             if isinstance(command, Undo):
-                self.state = self._stepped(self.history.undo, self.history.redo)
+                self.state = self._stepped(self.history.undo, self.history.redo, at)
             elif isinstance(command, Redo):
-                self.state = self._stepped(self.history.redo, self.history.undo)
+                self.state = self._stepped(self.history.redo, self.history.undo, at)
             elif isinstance(command, StartFresh):
+                refuse_forgetting(self.state[LessonPart])
                 fresh = _beginning(self.token, self.opening)
                 self.state, self.history = fresh.replace(self.state[Panels]), History()
                 self._elsewhere.clear()
@@ -182,16 +184,20 @@ class Session:
         if command.undoable and _is_work(before, after):
             self.history.note(before, after, command, at)
 
-    def _stepped(self, step: Callable[[State], State], back: Callable[[State], State]) -> State:
+    def _stepped(self, step: Callable[[State], State], back: Callable[[State], State], at: float) -> State:
         """Return the state after undo or redo; a refused one stays in the history."""
         found = step(self.state)
         restored = _with_kept(found, self.state)
+        if restored is self.state:
+            return restored
         try:
             guard(self.state, restored)
+            # The lesson is not taken back, and looks at the arm as it stands now.
+            lesson = restored[LessonPart].after(self.state, restored.dated(at))
         except ArmlabError:
             back(found)
             raise
-        return restored
+        return restored if lesson is restored[LessonPart] else restored.replace(lesson)
 
     def tell(self, text: str) -> None:
         """Show a notice to the student."""

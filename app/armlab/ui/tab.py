@@ -25,6 +25,9 @@ log = logging.getLogger(__name__)
 COVERED = "Answer the question of the lesson first."
 """Text in place of a page that would show the answer."""
 
+CLOSED = "This page is closed while the lesson is open."
+"""Text in place of a page whose tab is hidden, which a browser can be made to show all the same."""
+
 
 class Tab:
     """One tab of the dock.
@@ -133,14 +136,16 @@ class Tab:
                 self._gui.tray.follow()
 
     def _cover(self, page: Page, state: State) -> bool:
-        """Show a sentence instead of a page that would show the answer to a prediction."""
-        covered = bool(state[LessonPart].hides) and not page.always
-        if covered and self._built != COVERED:
+        """Show a sentence instead of a page that is closed, or would show the answer to a prediction."""
+        says = COVERED if state[LessonPart].hides and not page.always else ""
+        if page.key in hidden_panels(state):
+            says = CLOSED
+        if says and self._built != says:
             with self._container:
                 self._gui.clear()
-                self._gui.html(tag("p.dim", COVERED))
-            self._built, self._show, self._shown = COVERED, None, state
-        return covered
+                self._gui.html(tag("p.dim", says))
+            self._built, self._show, self._shown = says, None, state
+        return bool(says)
 
     def _tell_broken(self, page: Page) -> None:
         """Show once for each choice of the page that it is broken; the reason is in the log."""

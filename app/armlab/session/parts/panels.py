@@ -47,8 +47,8 @@ class Window:
         return page if page not in hidden else next((each.key for each in tabs()[tab] if each.key not in hidden), page)
 
     def panels(self, hidden: Collection[str] = NONE) -> tuple[str, ...]:
-        """Return the keys of the panels that are seen in it, the one that came last first."""
-        return tuple(self.page_of(tab, hidden) for tab in self.seen)
+        """Return the keys of the panels that are seen in it and not hidden now, the one that came last first."""
+        return tuple(page for tab in self.seen if (page := self.page_of(tab, hidden)) not in hidden)
 
     def opening(self, panel: str) -> Self:
         """Return the window with a panel turned to, and its browser asked to bring the tab to the front."""

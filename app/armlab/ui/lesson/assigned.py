@@ -45,9 +45,10 @@ class Sheet:
         return None if found is None or work is None else cls(part, found, work)
 
     @property
-    def task(self) -> int:
-        """The open task, from 0."""
-        return self.of.lessons.index(self.part.open.partition("/")[0])
+    def task(self) -> int | None:
+        """The open task, from 0; None where its file has changed, and the open lesson is none of its tasks any more."""
+        places = (place_of(task.lesson, task.number(self.work.number)) for task in self.of.tasks)
+        return next((i for i, place in enumerate(places) if place == self.part.open), None)
 
     def lesson(self, i: int) -> Lesson:
         """Return the lesson of a task in the variant of the student."""
@@ -60,10 +61,10 @@ class Sheet:
         place = place_of(task.lesson, task.number(self.work.number))
         return self.part.progress_of.get(where_in(self.of.key, place), Progress())
 
-    def answered(self, i: int) -> frozenset[int]:
-        """Return the steps of a task, from 0, that have an answer; what arms did is not told before it is handed in."""
-        names, answers = step_names(self.lesson(i)), self.progress(i).answers
-        return frozenset(k for k, name in enumerate(names) if name in answers)
+    def answered(self, lesson: Lesson) -> frozenset[int]:
+        """Return the steps of the open lesson, from 0, that have an answer; of arms nothing is told."""
+        answers = self.part.progress.answers
+        return frozenset(k for k, name in enumerate(step_names(lesson)) if name in answers)
 
     @property
     def points(self) -> tuple[float, float]:
@@ -71,7 +72,8 @@ class Sheet:
         got = most = 0.0
         for i, task in enumerate(self.of.tasks):
             lesson, progress = self.lesson(i), self.progress(i)
-            points, names, passed = task.points_of(lesson), step_names(lesson), progress.passed(lesson)
+            points, names = task.points_of(lessons()[task.lesson]), step_names(lesson)
+            passed = progress.passed(lesson)
             if self.of.exam:  # of a prediction any answer counts in a lesson; in an exam it has to be right
                 passed = frozenset(k for k in passed if lesson.steps[k].question is None or names[k] in progress.right)
             got, most = got + sum(points[k] for k in passed), most + sum(points)
@@ -93,7 +95,7 @@ def head(form: Form, sheet: Sheet) -> Inside:
         return form.chip(f"{TASK}{i}", str(i + 1), OpenTask(i), said, i == here)
 
     tasks = [entry(i) for i in range(len(sheet.of.tasks))]
-    name = tag("b", sheet.lesson(here).title)
+    name = tag("b", "The tasks have changed: choose one." if here is None else sheet.lesson(here).title)
     return title, tag("div.as-tasks", tag("span", "Task"), tasks, name)
 
 
@@ -120,7 +122,7 @@ class Clock:
 
 def strips(form: Form, sheet: Sheet, lesson: Lesson) -> Markup:
     """Return one strip for each step: answered, shown, or to come."""
-    answered = sheet.answered(sheet.task)
+    answered = sheet.answered(lesson)
 
     def strip(i: int, title: str) -> Markup:
         done = ", answered" if i in answered else ""
@@ -133,10 +135,9 @@ def strips(form: Form, sheet: Sheet, lesson: Lesson) -> Markup:
 
 
 def check_box(part: LessonPart) -> Markup:
-    """Return what is said of a check whose verdict has to wait."""
-    tried = part.progress.tried or part.name in part.progress.met
+    """Return what is said of a check whose verdict has to wait: the same whether it is met or not."""
     says = "What counts is how the arm stands when you leave this step."
-    return verdict_box("todo", "Noted" if tried else "To do", says)
+    return verdict_box("todo", "Noted" if part.progress.tried else "To do", says)
 
 
 def noted(typed: str) -> Markup | None:
@@ -157,7 +158,7 @@ def foot(form: Form, sheet: Sheet, lesson: Lesson, hint: Inside) -> Markup:
         back = tag("span")
     if i < len(lesson.steps) - 1:
         on = form.button("lesson-next", "Next ›", GoToStep(i + 1), "way on")
-    elif here < len(sheet.of.tasks) - 1:
+    elif here is not None and here < len(sheet.of.tasks) - 1:
         on = form.button("lesson-next", f"Task {here + 2} ›", OpenTask(here + 1), "way on")
     else:
         on = tag("span.dim", "The last step")
