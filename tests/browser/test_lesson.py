@@ -51,16 +51,6 @@ def url(tmp_path_factory):
         yield address
 
 
-def scene(lab):
-    """Return left and right end of the scene, and the width of the window."""
-    return lab.page.evaluate(
-        """() => {
-          const box = document.querySelector('canvas[data-engine]').getBoundingClientRect();
-          return [box.left, box.right, innerWidth];
-        }"""
-    )
-
-
 def shown(lab, text):
     """Return whether a text is seen."""
     return lab.page.get_by_text(text, exact=False).first.is_visible()
@@ -103,7 +93,7 @@ def test_a_lesson_from_its_link_to_its_end_with_a_reload(visit):
     lab = visit("lesson/first_arm", size=(1400, 850))
     player = LessonPlayer(lab, library().lesson("first_arm"))
     assert "/lesson/first_arm" in lab.address()
-    left, right, _ = scene(lab)
+    left, right, _ = lab.scene()
     assert 270 < left < 300
     assert (right - left) / 1400 > 0.5
     assert shown(lab, "1 of 4")
@@ -142,7 +132,7 @@ def test_a_lesson_from_its_link_to_its_end_with_a_reload(visit):
     player.solve(player.lesson.steps[3])
     lab.until(lambda: shown(lab, "✓ Lesson done"))
     lab.page.locator(".lesson-foot button[data-cell=lesson-close]").click()
-    lab.until(lambda: scene(lab)[0] == 0)
+    lab.until(lambda: lab.scene()[0] == 0)
     lab.until(lambda: "/robot/planar_2r" in lab.address())
     assert lab.page.locator(".lesson-text").count() == 0
 
@@ -153,7 +143,7 @@ def test_a_lesson_is_chosen_in_the_bench_and_its_dock_lets_a_typed_answer_be(vis
     lab.press("lesson:first_arm")
     lab.ready()
     lab.until(lambda: shown(lab, "1 of 4"))
-    assert scene(lab)[0] > 270
+    assert lab.scene()[0] > 270
     assert lab.tab("Joints").get_attribute("aria-selected") == "true"
     lab.press("lesson-step-2")
     field = lab.page.locator('input[data-cell="lesson-answer"]')
@@ -175,7 +165,7 @@ def at_step(lab, step):
 
 def saturated(lab):
     """Return how many pixels of the scene have a strong colour, as the arm has and the room has not."""
-    left, right, _ = map(int, scene(lab))
+    left, right, _ = map(int, lab.scene())
     pixels = lab.picture()[80:-80, left + 10 : right - 10]
     return int((pixels.max(axis=2) - pixels.min(axis=2) > 90).sum())
 
@@ -308,7 +298,7 @@ def test_small_windows_and_projectors_show_all_of_a_lesson(visit):
 
 
 def a_step_begins_at_its_top_and_nothing_is_cut(lab):
-    left, right, width = scene(lab)
+    left, right, width = lab.scene()
     assert left == 0
     assert right / width > 0.59  # one column: the lesson above the bench
     scrolled = "() => document.querySelector('.lesson-text').closest('.mantine-ScrollArea-viewport').scrollTop"
@@ -327,13 +317,13 @@ def a_step_begins_at_its_top_and_nothing_is_cut(lab):
 def a_projector_shows_large_text_and_no_benches(lab):
     bench = lab.page.locator("[data-dock-region=right]")
     assert bench.is_visible()
-    before = scene(lab)
+    before = lab.scene()
     lab.page.mouse.click(before[0] + 60, 300)
     lab.page.keyboard.press("v")
     lab.until(lambda: not bench.is_visible())
     lab.rest()
     assert lab.page.evaluate(SIZES) == []
-    left, right, width = scene(lab)
+    left, right, width = lab.scene()
     assert right == width
     assert left == pytest.approx(0.42 * width, abs=2)
     lab.page.keyboard.press("PageDown")
@@ -347,7 +337,7 @@ def a_projector_shows_large_text_and_no_benches(lab):
         assert not cut(lab, selector), selector
     lab.page.keyboard.press("Escape")
     lab.until(bench.is_visible)
-    lab.until(lambda: scene(lab) == before)
+    lab.until(lambda: lab.scene() == before)
     lab.page.keyboard.press("v")
     lab.until(lambda: not bench.is_visible())
     lab.page.keyboard.press("v")

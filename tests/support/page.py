@@ -161,6 +161,16 @@ class LabPage:
         self.until(stays)
         return seen[-1]
 
+    def scene(self) -> list[float]:
+        """Return left and right end of the scene, and the width of the window, in pixels."""
+        ends: list[float] = self.page.evaluate(
+            """() => {
+              const box = document.querySelector('canvas[data-engine]').getBoundingClientRect();
+              return [box.left, box.right, innerWidth];
+            }"""
+        )
+        return ends
+
     def target(self) -> np.ndarray:
         """Return where the page has the handle, in the world."""
         return np.array(self.page.evaluate("() => window.__viserMutable.nodePoseData['/target'].position"))

@@ -20,11 +20,13 @@ ELSEWHERE = ("lessons", "help")
 
 
 def literals(path):
-    """Yield line and text of each text of a file that is no docstring."""
+    """Yield line and text of each text of a file that is no docstring, nor what a page is about, for the search."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
-    alone = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    aside = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    of_search = [node.value for node in ast.walk(tree) if isinstance(node, ast.keyword) and node.arg == "about"]
+    aside |= {id(each) for node in of_search for each in ast.walk(node)}
     for node in ast.walk(tree):
-        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in alone:
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in aside:
             yield node.lineno, node.value
 
 

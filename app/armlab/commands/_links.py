@@ -26,16 +26,21 @@ def _courses() -> Iterable[str]:
 
 
 PLACES: Mapping[str, Callable[[], Iterable[str]]] = {
+    "": lambda: [""],
     "lesson": lambda: lessons().lessons,
     "robot": lambda: catalogue().robots,
     "page": pages,
     "example": _examples,
+    "assignment": lambda: lessons().assignments,
     "erratum": errata,
     "course": _courses,
     "guide": _courses,
     "formulas": lambda: [""],
 }
 """First words of links, and what may follow each; that of a shared state, which holds it all, is not looked at."""
+
+WITH_VARIANT = ("lesson", "assignment")
+"""Those behind which a variant may stand."""
 
 
 def leading_nowhere(html: str) -> Iterator[str]:
@@ -47,6 +52,6 @@ def leading_nowhere(html: str) -> Iterator[str]:
         if kind not in PLACES:
             yield f"link: unknown place {kind!r} of the lab{suggestion(kind, PLACES)}"
             continue
-        name, there = key.partition("/")[0] if kind == "lesson" else key, list(PLACES[kind]())
+        name, there = key.partition("/")[0] if kind in WITH_VARIANT else key, list(PLACES[kind]())
         if name not in there:
             yield f"link: unknown {kind} {name!r}{suggestion(name, there)}"

@@ -76,7 +76,7 @@ def drawn(part, order):
 def test_what_is_above_a_limit_is_drawn_red_and_the_rest_is_not():
     part = opened(ChooseLawExample("slower"))[Laws]
     _, chart = drawn(part, 1)
-    t, law, scaled, over, limit, other = chart.data
+    t, law, scaled, over, limit, other = (np.array(column, float) for column in chart.data)
     red = np.isfinite(over)
     np.testing.assert_allclose(over[red], law[red], rtol=0, atol=0)
     np.testing.assert_array_equal(red, np.nan_to_num(law) > 2.0 * (1.0 + 1e-6))

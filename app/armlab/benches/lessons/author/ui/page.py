@@ -25,8 +25,8 @@ from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
 TO_TEACH = (
-    "The guide goes through the course chapter by chapter: goals and minutes, what to show on the projector, what "
-    "students get wrong, homework, and questions for discussion."
+    "The guide goes through the course by chapter: goals, minutes, what to show, what students get wrong, homework, "
+    "and questions for discussion."
 )
 GUIDE_HINT = "To read or to print, each chapter on sheets of its own; opens a page of its own"
 
@@ -37,26 +37,25 @@ GOAL = (
 
 TO_A_CLASS = (
     "Put the file into a folder and start the lab with it. The lesson appears in the map, and changes for everybody "
-    "each time the file is saved. A file course.toml in the folder puts lessons in order, yours and those of the lab.",
+    "whenever the file is saved. A file course.toml beside it puts lessons in order.",
     "armlab --host 0.0.0.0 --lessons FOLDER",
 )
 
 CHECKED = (
-    "Write your own words into the file, with any text editor. Then this plays the lesson by its own solutions and "
-    "says what is wrong, with file and line.",
+    "Write your own words into the file. Then this plays the lesson by its own solutions and says what is wrong, "
+    "with file and line.",
     "armlab lesson check FILE",
 )
 
 ASSIGNED = (
-    "A file NAME.toml beside your lessons is an assignment: lessons, dates, attempts, points, and whether it is an "
-    "exam. Its format stands in lessons/README.md. The lab is started with it and tells the address that opens it; "
-    "its marking scheme and right answers are printed by armlab lesson sheet NAME.toml.",
+    "A file NAME.toml beside your lessons is an assignment, which may be an exam; lessons/README.md has its format. "
+    "The lab started with it tells the address that opens it. For its right answers: armlab lesson sheet NAME.toml.",
     "armlab --host 0.0.0.0 --assignment NAME.toml",
 )
 
 HANDED_IN = (
-    "Students save their work as files. This judges all files of a folder again and prints a table; of an assignment "
-    "it is called with NAME.toml.",
+    "Students save their work as files. This judges those of a folder again and prints a table; NAME.toml for an "
+    "assignment.",
     "armlab check NAME --state FOLDER",
 )
 
