@@ -25,8 +25,7 @@ from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
 TO_TEACH = (
-    "The guide goes through the course by chapter: goals, minutes, what to show, what students get wrong, homework, "
-    "and questions for discussion."
+    "The guide has, by chapter, goals and minutes, what to show, common mistakes, homework, and questions to discuss."
 )
 GUIDE_HINT = "To read or to print, each chapter on sheets of its own; opens a page of its own"
 
@@ -49,7 +48,7 @@ CHECKED = (
 
 ASSIGNED = (
     "A file NAME.toml beside your lessons is an assignment, which may be an exam; lessons/README.md has its format. "
-    "The lab started with it tells the address that opens it. For its right answers: armlab lesson sheet NAME.toml.",
+    "The lab started with it tells the address that opens it.",
     "armlab --host 0.0.0.0 --assignment NAME.toml",
 )
 
