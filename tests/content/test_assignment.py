@@ -7,6 +7,7 @@ import pytest
 from armlab import resources
 from armlab.content import lessons as library_module
 from armlab.content.assignment import amiss, parse_assignment
+from armlab.content.lesson_folder import assignments_of
 from armlab.content.lessons import changed
 from armlab.content.outline import Outlines
 from armlab.errors import ContentError, UnknownName
@@ -160,3 +161,9 @@ def test_a_lesson_of_assignments_is_in_no_course(own, tmp_path):
     own(w='+++\ntitle = "W"\nchapter = "1"\nlisted = false\nteaches = []\nrobot = "planar_2r"\n+++\n## A\nRead.\n')
     assert library_module.lessons().course("lab").lessons == ("t",)
     assert Outlines([tmp_path / "mine"]).look().courses[0].lessons == ("t",)
+
+
+def test_the_files_of_a_course_and_of_its_guide_are_no_assignments(tmp_path):
+    for name in ("course.toml", "guide.toml", "exam.toml", ".hidden.toml"):
+        (tmp_path / name).write_text("", encoding="utf-8")
+    assert [source.key for source in assignments_of(tmp_path)] == ["exam"]
