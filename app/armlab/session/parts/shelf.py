@@ -19,6 +19,7 @@ from armlab.session.lesson_start import without_lesson
 from armlab.session.panel_commands import lesson_followed
 from armlab.session.parts.display import Display
 from armlab.session.parts.former import Former
+from armlab.session.parts.language import LanguagePart
 from armlab.session.parts.lesson import LessonPart, is_place
 from armlab.session.parts.panels import Panels
 from armlab.session.parts.robot import RobotPart
@@ -213,8 +214,8 @@ def _left(state: State) -> dict[str, State]:
 
 
 def _arrived(state: State, found: State, shelf: Shelf, lesson: str = "") -> State:
-    """Return a stored state with the present windows and progress in lessons, and this lesson open."""
-    arrived = found.replace(shelf, replace(state[LessonPart], open=lesson), state[Panels])
+    """Return a stored state with what is the student's own at every place, and this lesson open."""
+    arrived = found.replace(shelf, replace(state[LessonPart], open=lesson), state[Panels], state[LanguagePart])
     return lesson_followed(state, arrived)
 
 
