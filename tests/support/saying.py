@@ -6,7 +6,7 @@ import contextlib
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from armlab.content.languages import messages
+from armlab.content.po import Message
 from armlab.content.robots import catalogue
 from armlab.content.words import Words
 from armlab.errors import ArmlabError
@@ -29,14 +29,20 @@ class Listener:
         Texts that are not in the catalogue, to the places that say them.
     used : dict
         Sources of messages, to the same.
+    opened : set of str
+        Sources that pages say as they open.
+
+    Parameters
+    ----------
+    messages : iterable of Message
     """
 
-    def __init__(self, language: str) -> None:
+    def __init__(self, messages: Iterable[Message]) -> None:
         self.missing: dict[str, set[str]] = {}
         self.used: dict[str, set[str]] = {}
         self._at, self._heard = "", set[str]()
         self._names = {robot.name for robot in catalogue().robots.values()}
-        self._messages = messages(language)
+        self._messages, self.opened = tuple(messages), set[str]()
 
     def at(self, place: str) -> None:
         """Look at another place from now on."""
@@ -131,6 +137,11 @@ def _options(inside: str) -> list[str]:
     return [each.split('"', 1)[0] for each in inside.split('<option value="')[1:]]
 
 
+def stale(messages: Iterable[Message], listener: Listener) -> list[Message]:
+    """Return the messages that pages said once as they opened, and say no more."""
+    return [message for message in messages if message.places and message.source not in listener.used]
+
+
 def every_example(listener: Listener) -> None:
     """Listen to the page of every example of a bench with the example in place."""
     for bench in benches().values():
@@ -141,7 +152,7 @@ def every_example(listener: Listener) -> None:
                 arm = ARMS[0]
             page = BarePage(page_of(name), catalogue()[arm])
             listener.at(f"page/{page_of(name)}")
-            with contextlib.suppress(ArmlabError):
+            with contextlib.suppress(ArmlabError, RuntimeError):  # some wait on a loop before they go on
                 page._post(choosing(name))
                 page.show()
             listener.hear(page)

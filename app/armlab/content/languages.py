@@ -30,8 +30,14 @@ def keys() -> tuple[str, ...]:
 
 @cache
 def messages(key: str) -> tuple[Message, ...]:
-    """Return the messages of a language besides English."""
-    return tuple(_read(key)[1])
+    """Return the messages of a language besides English: of its catalogue, and of the lessons that are translated.
+
+    A lesson's translation is a file ``lessons/KEY/NAME.po``: it holds texts, so that nothing else of a lesson can differ.
+    """
+    found = list(_read(key)[1])
+    for file in resources.files(f"lessons/{key}", ".po"):
+        found += read_po(f"{key}/{file.name}", file.read_text(encoding="utf-8"))[1]
+    return tuple(found)
 
 
 @cache

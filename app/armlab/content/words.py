@@ -40,6 +40,7 @@ _AROUND = re.compile(
     r"((?:<\d+/>|\s|,? (?:in )?(?:°|mm|cm|m|rad|s|%|N|W|V|A|Hz|N m|mm²|m²|rpm)(?:/s[²³]?|/mm|/min)?|[…:›]| \.\.\.)*)",
     re.DOTALL,
 )
+_AXES = re.compile("[xyz]+")
 _BETWEEN = re.compile(r"(?<=[.!?…:;]) +(?=[A-Z“<{(])| · | — | › |\n+")
 _HEAD = re.compile(r"(</\d+>)(?=[A-Z“{(])")
 _ASIDE = re.compile(r".+?(<(\d+)>(?:(?!</\2>).)*</\2>)", re.DOTALL)
@@ -83,7 +84,7 @@ def without_numbers(text: str) -> Plain:
 
 def has_words(text: str) -> bool:
     """Return whether a text has words: symbols, units and names of functions are the same in every language."""
-    return any(word not in NO_WORDS for word in _WORD.findall(text))
+    return any(word not in NO_WORDS and not _AXES.fullmatch(word) for word in _WORD.findall(text))
 
 
 def _core(text: str) -> tuple[str, str, str]:
@@ -160,7 +161,7 @@ class Words:
         """Tell that a text is not found, by its parts."""
         parts = [text[first:end] for first, end in _parts(text)]
         core = _core(parts[0])[1] if len(parts) == 1 else ""
-        if core:
+        if has_words(core):
             self._on_miss(renumbered(core)[0])
         for part in parts[1:] and parts:
             self.say(part)

@@ -23,6 +23,7 @@ _SAID = re.compile(r' (title|aria-label|placeholder|label|alt|aria-valuetext|dat
 _HELD = re.compile(r"\{(\d+)\}|<(\d+)/>|<(\d+)>(.*?)</\3>", re.DOTALL)
 
 _DATA = re.compile(r' (data-(?:pages|notes|bring|tray|picture))="([^"]*)"')
+_LINES = re.compile(r"\s*\n\s*")
 _COPY = re.compile(r'\[title="([^"]*)"\]')
 
 SHOWN = frozenset({"title", "name", "x", "y", "page", "tab", "hidden", "arm"})
@@ -161,7 +162,7 @@ class _Holder:
 
     def _one(self, piece: _Piece) -> str:
         if not piece.start:
-            text = unescape(piece.text)
+            text = _LINES.sub(" ", unescape(piece.text))
             self.strange = self.strange or HELD.search(text) is not None
             return NUMBER.sub(self._number, text)
         place = len(self._elements)
