@@ -1,8 +1,8 @@
 """Compare the catalogue of a language with what the pages say: ``python tests/words.py it``, from the checkout.
 
-It opens every page of the lab without a browser, presses what can be pressed with ``--deep``, and lists texts without a
-translation and messages that no page says any more. With ``--write`` the catalogue gets the former, to be filled in, and
-loses the latter; where each message is said stands beside it.
+It opens every page of the lab without a browser, presses what can be pressed with ``--deep``, and lists texts without
+a translation and messages that no page says any more. With ``--write`` the catalogue gets the former, to be filled in,
+and loses the latter; where each message is said stands beside it.
 """
 
 import argparse

@@ -32,7 +32,7 @@ def keys() -> tuple[str, ...]:
 def messages(key: str) -> tuple[Message, ...]:
     """Return the messages of a language besides English: of its catalogue, and of the lessons that are translated.
 
-    A lesson's translation is a file ``lessons/KEY/NAME.po``: it holds texts, so that nothing else of a lesson can differ.
+    A lesson's translation is a file ``lessons/KEY/NAME.po``: it holds texts, so that nothing else can differ.
     """
     found = list(_read(key)[1])
     for file in resources.files(f"lessons/{key}", ".po"):

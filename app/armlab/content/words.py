@@ -1,9 +1,10 @@
 r"""The words of a language: texts of the lab are looked up in a catalogue whose sources are the English texts.
 
-The lab's texts stand in its code, in English, as some 3000 whole texts and 2000 that are put together with numbers or
-names. They are not marked there. Whatever reaches a person leaves by one door, the messages to that person's page
-(`armlab.ui.speech`), and is looked up there: so no page knows of languages, nothing is done for English, and a language
-belongs to one connection and cannot reach another. What is looked up is a text without its numbers:
+The lab's pages say some 3300 texts as they open, half of them with numbers or names in them, and some 5500 when all is
+pressed on them. They stand in its code, in English, and are not marked there. Whatever reaches a person leaves by one
+door, the messages to that person's page (`armlab.ui.door`), and is looked up there: so no page knows of languages,
+nothing is done for English, and a language belongs to one connection and cannot reach another. A text is looked up
+without its numbers:
 
 ``{0}``, ``{1}``
     stand for its numbers in their order, so that "2 of 8 solutions" is found as ``{0} of {1} solutions``;
@@ -13,9 +14,10 @@ belongs to one connection and cannot reach another. What is looked up is a text 
     in the source of a message stands for any text, which is itself looked up: ``Undo: {what}``; where the name begins
     with "text", only a text that is known.
 
-Signs, units and formulas around a text are no part of it. A text that is not found as a whole is looked up by
-sentences, and by what stands between its dots (·). What is not found stays English. gettext's ``.po`` is the form of the catalogue, `languages/it.po` that of Italian; ``python
-tests/words.py`` renews it from what all pages say.
+Signs, units and formulas around a text are no part of it. A text that is not found as a whole is looked up by its
+sentences and by the items of its list. A text that is not found at all stays English. The form of a catalogue is
+gettext's ``.po``; ``languages/it.po`` is that of Italian, and ``python tests/words.py it`` renews it from what all
+pages say. A lesson's texts are such messages too, in a file of their own, ``lessons/it/NAME.po``.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The door between the lab and one page that speaks another language: what passes it is said in that language.
 
-Only messages are changed. What the lab keeps of its controls stays English, so that whoever compares compares English;
-an option that the student chooses is said back in English.
+Only messages are changed. The lab's own record of its controls stays English, so that whoever compares compares
+English; an option that the student chooses is said back in English.
 """
 
 from __future__ import annotations
