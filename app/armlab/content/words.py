@@ -32,7 +32,7 @@ NUMBER = re.compile(r"(?<![\w.{<⟨])[-−+±]?\d+(?:[.\u202f,]\d+)*(?:e[-−+]?
 """A number that stands by itself: none in UR5 or q₁."""
 
 HELD = re.compile(r"\{(\d+)\}|<(/?)(\d+)(/?)>")
-"""What stands for a number or an element."""
+"""A stand-in of a number or an element."""
 
 _NAMED = re.compile(r"\{([a-z_]+)\}")
 _WORD = re.compile(r"[A-Za-zÀ-ÿ]{2,}")
