@@ -216,8 +216,9 @@ class Words:
 
     def _fits(self, match: re.Match[str], back: dict[str, str]) -> bool:
         """Return whether all is known in a text that has to be."""
-        held = (text for name, text in match.groupdict().items() if name.startswith("text"))
-        return all(self.find(_as_in(text, back)) is not None for text in held)
+        held = [text for name, text in match.groupdict().items() if name.startswith("text")]
+        # A head and what follows it are no name.
+        return all("</" not in text and self.find(_as_in(text, back)) is not None for text in held)
 
     def _in_pieces(self, text: str, places: list[tuple[int, int]], whole: bool = False) -> str | None:
         """Return the translation of the pieces of a text, where one is known, or, for the whole, where all are."""
