@@ -46,6 +46,31 @@ def mine(tmp_path):
     return folder
 
 
+def test_the_first_reading_pauses_after_each_lesson_and_later_ones_do_not(lab):
+    (lab / "second.md").write_text(text("Second"), encoding="utf-8")
+    pauses = []
+    found = Library([lab], pause=pauses.append)
+    assert len(pauses) == 2
+    assert min(pauses) > 0.0
+    (lab / "third.md").write_text(text("Third"), encoding="utf-8")
+    assert found.changed() == {"third"}
+    assert len(pauses) == 2
+
+
+def test_who_needs_the_lessons_ends_the_pauses(lab, monkeypatch):
+    needed, reading = threading.Event(), threading.Event()
+    monkeypatch.setattr(module, "_NEEDED", needed)
+    monkeypatch.setattr(module, "folders_of_the_lab", lambda: reading.set() or [lab])
+    monkeypatch.setattr(module, "GIVING_WAY", 1e6)
+    monkeypatch.setattr(module, "_library", cache(module._library.__wrapped__))
+    slowly = threading.Thread(target=module.read_unhurried)
+    slowly.start()
+    assert reading.wait(10.0)
+    assert module.lessons_read() is None
+    assert "first" in lessons().lessons
+    slowly.join()
+
+
 def problems(found):
     return sorted(str(problem) for problem in found.lessons.problems)
 
@@ -375,7 +400,7 @@ def test_two_who_ask_at_once_get_one_library(monkeypatch):
     made, begun = [], threading.Barrier(2)
 
     class Slow:
-        def __init__(self, folders):
+        def __init__(self, folders, pause):
             time.sleep(0.1)
             made.append(self)
 

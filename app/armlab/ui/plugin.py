@@ -66,6 +66,8 @@ class Panel:
         points and plane when this is another, and not already when they move along with the arm.
     outside : callable
         ``outside()`` returns what it shows besides the state; ``show`` is called also when this is another object.
+    waits : callable
+        ``waits()`` returns a sentence that stands in place of the page as long as what it shows is not there yet.
     """
 
     watches: tuple[type[Part], ...]
@@ -78,6 +80,7 @@ class Panel:
     faces: Callable[[State], Facing | None] = lambda state: None
     looks: Callable[[State], Hashable] = lambda state: None
     outside: Callable[[], object] = lambda: None
+    waits: Callable[[], str] = lambda: ""
 
 
 def wish_of(state: State, opened: Iterable[Panel]) -> Wish:
