@@ -2,9 +2,6 @@
 
 import os
 import threading
-import time
-from concurrent.futures import ThreadPoolExecutor
-from functools import cache
 
 import pytest
 
@@ -44,31 +41,6 @@ def mine(tmp_path):
     folder = tmp_path / "mine"
     folder.mkdir()
     return folder
-
-
-def test_the_first_reading_pauses_after_each_lesson_and_later_ones_do_not(lab):
-    (lab / "second.md").write_text(text("Second"), encoding="utf-8")
-    pauses = []
-    found = Library([lab], pause=pauses.append)
-    assert len(pauses) == 2
-    assert min(pauses) > 0.0
-    (lab / "third.md").write_text(text("Third"), encoding="utf-8")
-    assert found.changed() == {"third"}
-    assert len(pauses) == 2
-
-
-def test_who_needs_the_lessons_ends_the_pauses(lab, monkeypatch):
-    needed, reading = threading.Event(), threading.Event()
-    monkeypatch.setattr(module, "_NEEDED", needed)
-    monkeypatch.setattr(module, "folders_of_the_lab", lambda: reading.set() or [lab])
-    monkeypatch.setattr(module, "GIVING_WAY", 1e6)
-    monkeypatch.setattr(module, "_library", cache(module._library.__wrapped__))
-    slowly = threading.Thread(target=module.read_unhurried)
-    slowly.start()
-    assert reading.wait(10.0)
-    assert module.lessons_read() is None
-    assert "first" in lessons().lessons
-    slowly.join()
 
 
 def problems(found):
@@ -386,29 +358,9 @@ def test_a_mistake_of_ours_is_a_problem_of_one_file(lab, monkeypatch, caplog):
             raise RuntimeError("ours")
         return real(key, *rest)
 
-    from armlab.content import lessons as module
-
     real = module.parse_lesson
     monkeypatch.setattr(module, "parse_lesson", fails)
     found = Library([lab])
     assert set(found.lessons.lessons) == {"first"}
     assert problems(found) == ["second.md: cannot be used: RuntimeError('ours')"]
     assert "second.md cannot be read" in caplog.text
-
-
-def test_two_who_ask_at_once_get_one_library(monkeypatch):
-    made, begun = [], threading.Barrier(2)
-
-    class Slow:
-        def __init__(self, folders, pause):
-            time.sleep(0.1)
-            made.append(self)
-
-    def ask(_):
-        begun.wait()
-        return module.library()
-
-    monkeypatch.setattr(module, "Library", Slow)
-    monkeypatch.setattr(module, "_library", cache(module._library.__wrapped__))
-    with ThreadPoolExecutor(2) as both:
-        assert list(both.map(ask, range(2))) == made * 2

@@ -10,7 +10,6 @@ from armlab.ui.form import Form, Pressed
 from armlab.ui.html import Markup, tag
 from armlab.ui.markup import verdict_box
 
-
 READING = "The lessons are being read …"
 
 
