@@ -87,7 +87,8 @@ def wish_of(state: State, opened: Iterable[Panel]) -> Wish:
     """Return what open panels want of the camera in a state; of several planes the first is looked at."""
     opened = tuple(opened)
     faced = (facing for panel in opened if (facing := panel.faces(state)) is not None)
-    return Wish(np.vstack([NOTHING, *(panel.around(state) for panel in opened)]), next(faced, None))
+    points = np.vstack([NOTHING, *(panel.around(state) for panel in opened)])
+    return Wish(points, next(faced, None), len(points) > 0 and any("arm" in panel.hides for panel in opened))
 
 
 @dataclass(frozen=True)

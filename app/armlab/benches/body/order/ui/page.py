@@ -141,7 +141,7 @@ def ends_markup(state: State) -> Inside:
     ratio = number(found.apart / found.rule, 3) if found.rule > 0.0 else "–"
     rows: list[tuple[Inside, Inside]] = [
         ("angle between the ends", angle_text(found.apart, state)),
-        ((mathml(r"\theta_a\theta_b|a\times b|"), f", of which the angle is {ratio}"), angle_text(found.rule, state)),
+        ((mathml(r"\theta_a\theta_b|a\times b|"), f"; the angle is {ratio} of it"), angle_text(found.rule, state)),
         ("largest difference of an entry from I + S(dφ)", scientific(found.beyond, 2)),
     ]
     if found.apart < SAME:

@@ -32,13 +32,13 @@ class Plots:
         dotted = (2, 3)
         self._seen = (
             plot(
-                "Current; dotted: where it ends, A",
+                "Current, A (dotted: final value)",
                 "current",
                 Curve("i, A", VERMILLION),
                 Curve("i at the end, A", GREY, 1.2, dash=dotted),
             ),
             plot(
-                "Speed; dotted: where it ends, rad/s",
+                "Speed, rad/s (dotted: final value)",
                 "speed",
                 Curve("ω, rad/s", GREEN),
                 Curve("ω at the end, rad/s", GREY, 1.2, dash=dotted),

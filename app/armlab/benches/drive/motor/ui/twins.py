@@ -16,8 +16,8 @@ from armlab.ui.tables import head_line, line
 from armlab.ui.units import units_of
 
 SYSTEM = (
-    r"\dot x=\begin{bmatrix}-\frac{R_a}{L_a}&-\frac{k}{L_a}&0\\\frac{k}{I_m}&-\frac{F_m}{I_m}&0\\0&1&0\end{bmatrix}x"
-    r"+\begin{bmatrix}\frac{1}{L_a}&0\\0&-\frac{1}{I_m}\\0&0\end{bmatrix}\begin{bmatrix}v_a\\\tau_{load}\end{bmatrix}"
+    r"\dot x=\begin{bmatrix}-R_a/L_a&-k/L_a&0\\k/I_m&-F_m/I_m&0\\0&1&0\end{bmatrix}x"
+    r"+\begin{bmatrix}1/L_a&0\\0&-1/I_m\\0&0\end{bmatrix}\begin{bmatrix}v_a\\\tau_{load}\end{bmatrix}"
 )
 
 PRINTED, RIGHT = r"(\dot i_a,\ddot\theta,\dot\theta)", r"(i_a,\omega,\theta)"

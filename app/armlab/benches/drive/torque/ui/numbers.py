@@ -67,7 +67,8 @@ def _check(part: Torque, found: Sampled) -> Markup:
     return tag(
         "p.dim",
         mathml(RIPPLE),
-        f"; 7200 angles of the sum of the coils give {amount(100.0 * sampled)} %, {scientific(100.0 * away)} % away.",
+        f" by the formula. The sum of the coils at 7200 angles gives {amount(100.0 * sampled)} %, which differs by "
+        f"{scientific(100.0 * away)} %.",
     )
 
 

@@ -162,7 +162,7 @@ def _actions(form: Form, state: State) -> Markup:
 
 def _verdict(state: State, asked: Asked) -> Markup:
     units, task = units_of(state), state[Joints].arm.task
-    told = f"It is {units.length(asked.away)} away and turned by {units.angle(asked.turned)} against it."
+    told = f"It is {units.length(asked.away)} from there, and its orientation differs by {units.angle(asked.turned)}."
     partial_ = task.rotation != "full" or task.position != "xyz"
     free = tag("p", f"This arm controls {task.title} of its tool; the rest is as it comes.") if partial_ else None
     if asked.away < NEAR and asked.turned < ALIGNED:

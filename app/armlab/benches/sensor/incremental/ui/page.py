@@ -90,13 +90,13 @@ def _head(form: Form, part: Incremental, found: Now, units: Units) -> Markup:
             tag(
                 "div.se-line.in-speed",
                 typed(form, part, "speed", units),
-                tag("i", f"{unit}/s, then"),
+                tag("i", f"{unit}/s; at the end"),
                 typed(form, part, "shakes", units),
-                "× by",
+                "trembles of",
                 typed(form, part, "shake", units),
                 tag("i", f"{unit} el."),
             ),
-            hint="Speed of all moves; in the end the disk trembles to and fro",
+            hint="Speed of all moves; at the end the disk trembles to and fro, by degrees of a period of A",
         ),
     )
 
