@@ -97,7 +97,7 @@ class Responses:
     def show(self, state: State) -> None:
         """Show the responses of the motor, while its poles are looked at."""
         part = state[Motor]
-        on = part.shown == "blocks"
+        on = part.shown == "poles"
         self._fold.visible(on)
         for plot in self._plots:
             plot.on = on

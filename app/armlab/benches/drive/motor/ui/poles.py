@@ -14,7 +14,7 @@ from armlab.ui import svg
 from armlab.ui.chart import Chart
 from armlab.ui.format import mathml, number, pairs
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.markup import fold, verdict_box
+from armlab.ui.markup import verdict_box
 from armlab.ui.tables import head_line, line
 
 WIDTH, TALL, LEFT, BOTTOM = 320.0, 112.0, 34.0, 18.0
@@ -27,8 +27,8 @@ CROSS = 4.5
 """Half size of the cross of a pole, pixels."""
 
 
-def poles_markup(part: Motor) -> Inside:
-    """Return both transfer functions with their numbers, the plane, and the table of poles and time constants."""
+def functions_markup(part: Motor) -> Inside:
+    """Return both transfer functions, with their gains and numbers."""
     motor = part.motor
     a, b, c = (amount(value) for value in motor.denominator)
     numbers = f"ω/v_a = {amount(motor.k)} / ({a} s² + {b} s + {c}); the angle has the pole 0 besides."
@@ -41,11 +41,15 @@ def poles_markup(part: Motor) -> Inside:
     return (
         tag("div.eq.small.mo-eq", mathml(VOLTAGE)),
         tag("div.eq.small.mo-eq", mathml(LOAD)),
-        plane(motor),
-        _table(motor),
-        _verdict(motor),
-        fold("Gains, and the chain without back-EMF", gains, tag("p.dim", numbers), tag("p.dim", _open_chain(motor))),
+        tag("p.dim", numbers),
+        gains,
+        tag("p.dim", _open_chain(motor)),
     )
+
+
+def poles_markup(part: Motor) -> Inside:
+    """Return the plane, and the table of poles and time constants."""
+    return plane(part.motor), _table(part.motor), _verdict(part.motor)
 
 
 def _open_chain(motor: DcMotor) -> str:
