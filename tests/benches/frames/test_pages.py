@@ -170,7 +170,7 @@ def test_a_direction_that_is_zero_is_refused_at_its_field():
 def test_the_pitch_is_told_for_a_whole_turn_and_is_infinite_for_a_shift():
     assert "480.0 mm a turn" in said(screw_form, ChooseScrewExample("bolt"))
     assert "∞" in said(screw_form, ChooseScrewExample("slide"))
-    assert "both ways are the same" in said(ways_markup, ChooseScrewExample("slide"))
+    assert "both paths are the same" in said(ways_markup, ChooseScrewExample("slide"))
     assert "the same orientation on both paths" in said(ways_markup)
 
 
