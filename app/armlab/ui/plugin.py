@@ -68,6 +68,8 @@ class Panel:
         ``outside()`` returns what it shows besides the state; ``show`` is called also when this is another object.
     waits : callable
         ``waits()`` returns a sentence that stands in place of the page as long as what it shows is not there yet.
+    apart : bool
+        Whether it has nothing to do with the arm, which stands in the scene all the same.
     """
 
     watches: tuple[type[Part], ...]
@@ -81,6 +83,12 @@ class Panel:
     looks: Callable[[State], Hashable] = lambda state: None
     outside: Callable[[], object] = lambda: None
     waits: Callable[[], str] = lambda: ""
+    apart: bool = False
+
+
+def without_the_arm(opened: Collection[Panel]) -> bool:
+    """Return whether there are open panels, and none of them has to do with the arm."""
+    return bool(opened) and all(panel.apart for panel in opened)
 
 
 def wish_of(state: State, opened: Iterable[Panel]) -> Wish:

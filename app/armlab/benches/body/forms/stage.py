@@ -60,5 +60,5 @@ def _right(state: State) -> Floats:
 def around_both(state: State) -> Floats:
     """Return the ends of what belongs in the picture of two bodies, (4, 3)."""
     (one, other), radius = sides_of(state)
-    aside, up = 1.3 * radius * _right(state), np.array([0.0, 0.0, 1.45 * radius])
+    aside, up = 1.42 * radius * _right(state), np.array([0.0, 0.0, 1.45 * radius])
     return np.array([one - aside, one - up, other + aside, other + up])

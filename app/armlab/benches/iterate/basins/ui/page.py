@@ -219,7 +219,9 @@ def _action(form: Form, state: State) -> Inside:
     press = form.button("draw", "Draw", DrawBasins(), "main", off=bool(why))
     if why:
         return verdict_box("no", "No map", f"{capitalised(why)}. {WHAT_TO_DO}"), tag("div.bar", press)
-    return tag("div.bar", press, tag("span.dim", CLICK if part.map is not None else MAP))
+    if part.map is None:
+        return tag("p.dim", MAP), tag("div.bar", press)
+    return tag("div.bar", press, tag("span.dim", CLICK))
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:

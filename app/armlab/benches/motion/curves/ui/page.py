@@ -47,4 +47,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-PANEL = Panel((Curves,), build, rebuilds=(Notation,))
+PANEL = Panel((Curves,), build, rebuilds=(Notation,), apart=True)

@@ -209,4 +209,4 @@ def _raised(power: int) -> str:
     return str(power).translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
-PANEL = Panel((Curve,), build, rebuilds=(Notation,))
+PANEL = Panel((Curve,), build, rebuilds=(Notation,), apart=True)

@@ -36,7 +36,7 @@ AXIS = 1.25
 OMEGA = 1.6
 """Length of the arrow of the angular velocity `USUAL`, in radii."""
 
-USUAL = 1.0
+USUAL = 0.5
 """Angular velocity that is drawn in full length, rad/s; faster ones are drawn no longer."""
 
 APART = 1.15
