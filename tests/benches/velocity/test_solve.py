@@ -300,7 +300,7 @@ def test_other_arms_are_refused_in_a_sentence():
     assert refusal(opened("scara")) == ""
     assert next(iter(suited())) == "planar_2r"
     assert [refusal(opened(key)) for key in suited()] == [""] * len(suited())
-    assert "slides across the plane" in refusal(apply(opened("scara"), Set(Solve, "pair", (0, 2))))
+    assert "slides out of the plane" in refusal(apply(opened("scara"), Set(Solve, "pair", (0, 2))))
     with pytest.raises(InputError, match="parallel axes"):
         apply(opened("puma560"), StandAt(0.5, 0.5))
     with pytest.raises(InputError, match="two joints"):

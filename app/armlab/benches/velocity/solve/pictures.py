@@ -65,7 +65,7 @@ def refusal(state: State) -> str:
     first, second = state[Solve].pair
     for k in (first, second):
         if not arm.revolute[k] and not _moves_in_plane(arm, k):
-            return f"Joint {k + 1} slides across the plane of the others: choose another."
+            return f"Joint {k + 1} slides out of the plane of the others: choose another."
     return ""
 
 

@@ -163,8 +163,8 @@ def _alike(state: State) -> str:
         return "One of the rotations is none."
     cross = np.linalg.norm(np.cross(part.a, part.b))
     if cross < 1e-9 * math.hypot(*part.a) * math.hypot(*part.b):
-        return "Both axes are one line: the angles add, in either order."
-    return "These two happen to commute: half turns about axes across each other, or whole turns."
+        return "Both axes are one line, so the angles add in either order."
+    return "These two happen to commute: half turns about perpendicular axes, or whole turns."
 
 
 def angle_text(value: float, state: State) -> Markup:

@@ -55,7 +55,7 @@ def _every(block: VelocityBlock) -> str:
     if block.m == 3:
         return "In every direction" if block.key == "translation" else "About every axis"
     if block.key == "rotation":
-        return "About every axis across the tool's z"
+        return "About every axis perpendicular to the tool's z"
     return f"In every direction the task controls ({', '.join(task.position)})"
 
 

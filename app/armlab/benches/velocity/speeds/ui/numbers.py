@@ -102,7 +102,7 @@ def points_markup(form: Form, state: State) -> Markup:
         tag("div.kit-head", tag("span.dim", "In the frame of"), chooser),
         tag("table.kit-points.ve-points", heads, typed),
         tag("table.ve-table.ve-three", head_line(None, "x", "y", "z", None), lines),
-        tag("p.dim", f"World axes. (ω × r₁₂)·r₁₂ = {number(along, 3)} m²/s: across the line. {OMEGA}"),
+        tag("p.dim", f"World axes. (ω × r₁₂)·r₁₂ = {number(along, 3)} m²/s: perpendicular to the line. {OMEGA}"),
     )
 
 
