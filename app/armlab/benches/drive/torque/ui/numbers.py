@@ -61,9 +61,11 @@ def turn_markup(state: State) -> Markup:
     return verdict_box(kind, head, tag("p", body))
 
 
-def check_markup(state: State) -> Markup:
-    """Return how the formula of the ripple agrees with the sum of the coils."""
+def check_markup(state: State) -> Markup | None:
+    """Return how the formula of the ripple agrees with the sum of the coils; nothing where there is no mean torque."""
     part, found = state[Torque], state.derived(sampled_of)
+    if part.coil.peak == 0.0 or not part.switched:
+        return None
     sampled = (found.largest - found.least) / abs(found.mean)
     away = abs(sampled - ripple(part.coils))
     return tag(
