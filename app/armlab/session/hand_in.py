@@ -103,8 +103,12 @@ class StepReport:
         Sentence on the step, as plain text.
     hints : int
         Number of hints that were shown.
+    last_hint : bool
+        Whether the last of them was.
     points : float
         What it gives when it is done: one point in a lesson, in an assignment by its marking scheme.
+    lost : float
+        What its last hint costs of that, where it was shown.
     label : str
         Its number in reports: ``2.1`` for the first step of the second task of an assignment.
     """
@@ -116,13 +120,20 @@ class StepReport:
     noted: bool
     says: str
     hints: int
+    last_hint: bool = False
     points: float = 1.0
+    lost: float = 0.0
     label: str = ""
 
     @property
     def counts(self) -> bool:
         """Whether the step has a task."""
         return self.met is not None or self.right is not None
+
+    @property
+    def earned(self) -> float:
+        """Its points as far as they are earned, without what late work loses."""
+        return self.points - self.lost if self.passed and self.counts else 0.0
 
 
 @dataclass(frozen=True)
@@ -165,7 +176,7 @@ class Report:
     @property
     def points(self) -> float:
         """Points of the steps that are passed, without what late work loses."""
-        found = sum(step.points for step in self.steps if step.counts and step.passed)
+        found = sum(step.earned for step in self.steps)
         return found * (1.0 if self.handed is None else self.handed.part_left)
 
     @property
@@ -319,6 +330,7 @@ def judged_anew(found: Lesson, progress: Progress, plans: bool = True) -> tuple[
             noted=noted[i],
             says=printable(" ".join(filter(None, (checks[i][1], questions[i][1])))),
             hints=max(0, progress.hints.get(name, 0)),
+            last_hint=0 < len(found.steps[i].hints) <= progress.hints.get(name, 0),
         )
         for i, name in enumerate(names)
     )

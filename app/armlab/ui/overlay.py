@@ -200,7 +200,9 @@ class Overlay:
             )
         else:
             return None
-        return tag("div.al-over.al-place", tag("b", says), way, role="status")
+        beside = session.state[LessonPart].open  # which leaves no room in the row at the top
+        kind = "div.al-over.al-place.al-under" if beside else "div.al-over.al-place"
+        return tag(kind, tag("b", says), way, role="status")
 
     def _tabs_said(self, text: str) -> None:
         self._on_tabs(text)

@@ -42,8 +42,7 @@ class Loading:
 
     def __init__(self, gui: Gui, post: Post) -> None:
         gui.heading("Load, and see it as a student")
-        self._form = gui.form(post, MOST_SENT)
-        self._again = gui.again
+        self._form, self._more = gui.form(post, MOST_SENT), gui.form(post, MOST_SENT)
         self._pasted, self._given = "", ""
 
     def show(self, state: State) -> None:
@@ -62,11 +61,9 @@ class Loading:
             tag("p", LOAD),
             tag("div.bar", tag("label.chip.al-load", "Load a file", chosen, title=hint)),
             [self._entry(upload, state) for upload in state[OwnLessons].files],
-            tag("p.al-given", self._given, role="status") if self._given else None,
-            self._paste(),
-            self._preview(state),
-            self._key(state),
+            tag("p", self._given, role="status") if self._given else None,
         )
+        self._more.show(self._paste(), self._preview(state), self._key(state))
 
     def _entry(self, upload: Upload, state: State) -> Markup:
         """Return the line of a file: its title, and what can be done with it."""
@@ -100,7 +97,7 @@ class Loading:
 
     def _paste(self) -> Markup:
         """Return the field for a text, with its button."""
-        form = self._form
+        form = self._more
         looks: dict[str, str] = {"rows": "5", "spellcheck": "false", "aria_label": "Text of a file"}
         area = tag("textarea.paste", self._pasted, placeholder=EXAMPLE, **looks, **form.bound("paste-file", self._keep))
         return fold("Paste a text", area, tag("div.bar", form.chip("load-text", "Load it", self._load_pasted)))
@@ -114,7 +111,7 @@ class Loading:
 
     def _preview(self, state: State) -> Markup:
         """Return the choice of a lesson of the course, or with the key of an assignment, to see as a student."""
-        found, form = lessons(), self._form
+        found, form = lessons(), self._more
         course = found.chapters(state[LessonPart].course)
         groups: dict[str, Mapping[str, str]] = {"": {"": "Choose a lesson"}}
         for chapter in course:
@@ -131,7 +128,7 @@ class Loading:
         """Return the field of the key, where files can be put into the folder of a class."""
         if desk() is None or state[Teacher].let_in:
             return None
-        field = self._form.field(
+        field = self._more.field(
             "teacher-key", "", "Key of the teacher", _let_in, inputmode="", type="password", maxlength="100"
         )
         says = "With the key that the lab was started with, what you load can be put there for everybody."

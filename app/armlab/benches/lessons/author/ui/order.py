@@ -56,12 +56,15 @@ class Order:
         away = form.chip("order-end", "Forget it", ArrangeCourse(False), "Forget this order; the course is as it was")
         head = f"{len(wrong)} mistake{'s' if len(wrong) > 1 else ''} in this order"
         box = verdict_box("no", head, [tag("p", str(each)) for each in wrong], role="status") if wrong else None
-        given = tag("p.al-given", self._given, role="status") if self._given else None
+        given = tag("p", self._given, role="status") if self._given else None
         return box, tag("div.bar", save, give, away), given, self._lessons(course, found), self._others(course, found)
 
     def _lessons(self, course: Course, found: Lessons) -> Inside:
         return [
-            (tag("h4", chapter.title), tag("ol.al-order", [self._line(key, course, found) for key in chapter.lessons]))
+            (
+                tag("h4.al-order-title", chapter.title),
+                tag("ol.al-order", [self._line(key, course, found) for key in chapter.lessons]),
+            )
             for chapter in course.chapters
         ]
 
