@@ -16,7 +16,7 @@ from armlab.content.lesson_file import parse_lesson
 from armlab.content.upload import Upload
 
 MARK = "-"
-"""What stands in the key of everything that is held."""
+"""Character in the key of everything that is held."""
 
 _DIGITS = 20
 

@@ -40,7 +40,7 @@ ZIP = "zip:"
 EXPECTED = "expected a lesson (NAME.md or NAME.zip), an assignment, a course or an arm (NAME.toml)"
 
 _COPY = re.compile(r"\s*\(\d+\)\Z")
-"""What browsers put behind the name of a file that they save a second time."""
+"""Ending that browsers add to the name of a file that they save a second time."""
 
 _TITLE = re.compile(r"""^\s*title\s*=\s*["'](.+)["']\s*$""", re.MULTILINE)
 _KINDS = {
@@ -49,7 +49,7 @@ _KINDS = {
     ROBOT: re.compile(r"^\s*(\[\[\s*joints|joints\s*=)", re.MULTILINE),
 }
 _UNREADABLE = (zipfile.BadZipFile, RuntimeError, NotImplementedError, EOFError, zlib.error, OSError, ValueError)
-"""What `zipfile` raises for an archive that is damaged, encrypted, or packed in a way it does not know."""
+"""Errors of `zipfile` for an archive that is damaged, encrypted, or packed in a way it does not know."""
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import ClassVar, Self
 
 from armlab.content.assignment import amiss
-from armlab.content.course import Course, parse_course
+from armlab.content.course import Chapter, Course, parse_course
 from armlab.content.held import HeldAssignment, HeldLesson, hold_assignment, hold_lesson
 from armlab.content.lesson_folder import COURSE
 from armlab.content.lessons import lessons
@@ -35,10 +35,10 @@ class OwnLessons(Part):
     ----------
     files : tuple of Upload
         Lessons, then assignments; no two of a kind have one name.
-    held : mapping of Upload to HeldLesson or HeldAssignment
-        What they hold, of those that can be used: under its key it can be opened as long as it is here.
-    problems : mapping of Upload to str
-        Why the others cannot be used.
+    held : mapping of str to HeldLesson or HeldAssignment
+        By file, what can be used: under its key it can be opened as long as it is here.
+    problems : mapping of str to ContentError or InputError
+        By file, why the others cannot be used.
     course : Course or None
         The course that is being put in order.
     """
@@ -135,8 +135,6 @@ def course_in(upload: Upload) -> Course:
 def _course_of(data: Json) -> Course | None:
     if data is None:
         return None
-    from armlab.content.course import Chapter
-
     chapters = tuple(Chapter(str(title), str(about), tuple(map(str, keys))) for title, about, keys in data["chapters"])
     return Course("", str(data["title"]), str(data["about"]), chapters)
 
