@@ -16,7 +16,7 @@ DONE, NOTED, NOT_DONE, NOTHING = "ok", "noted", "no", "-"
 """Marks of a step in the table; a noted step is done according to the file, which does not prove it."""
 
 LAST_HINT = "+hint"
-"""What stands behind the mark of a step that is done, but of which the last hint was shown."""
+"""Addition to the mark of a step that is done, but of which the last hint was shown."""
 
 FORMULA = tuple("=+-@\t\r＝＋－＠")
 """First characters that make a spreadsheet take a text for a formula."""

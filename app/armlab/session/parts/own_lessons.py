@@ -29,7 +29,7 @@ Held = HeldLesson | HeldAssignment
 
 @dataclass(frozen=True)
 class OwnLessons(Part):
-    """What one person has loaded.
+    """The files that one person has loaded.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What waits while somebody looks at a lesson or an assignment as a student sees it."""
+"""The state that waits while somebody looks at a lesson or an assignment as a student sees it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is done with a shell on the computer of the lab: commands to be copied, each with what it is for."""
+"""Commands for a shell on the computer of the lab, to be copied, each with its purpose."""
 
 from __future__ import annotations
 
