@@ -103,8 +103,8 @@ def work_of(number):
     if number % 2:
         (goal,) = state[LessonPart].step.solution
         for joint, value in enumerate(goal.q.tolist()):
-            state = apply(state, MoveJoint(joint, value), 1e9)
-    return hand_in(apply(state, HandIn(), 1e9 + 60.0 + number))
+            state = apply(state, MoveJoint(joint, value), 1e9 + 10.0 + 0.37 * number)  # no two take the same time
+    return hand_in(apply(state, HandIn(), 1e9 + 60.0))
 
 
 def test_the_evening_of_a_teacher(folder, visit, capsys, tmp_path):

@@ -66,8 +66,7 @@ class CourseFiles:
         problems: list[ContentError] = []
         judged: dict[str, Watched[Course]] = {}
         for key, file in self._files.items():
-            name = file.source.file
-            judged[key], wrong = file.judged(lambda found, text, name=name: misplaced(found, text, name, known, needs))
+            judged[key], wrong = file.judged(partial(_misplaced, file.source.file, known, needs))
             problems += wrong
         self._files = judged
         good = [file.good for file in self._files.values() if file.good is not None]
@@ -89,3 +88,9 @@ def _free(key: str, taken: Collection[str]) -> str:
         number += 1
         name = f"{key}_{number}"
     return name
+
+
+def _misplaced(
+    file: str, known: Collection[str], needs: Mapping[str, Iterable[str]], course: Course, text: str
+) -> Iterable[ContentError]:
+    return misplaced(course, text, file, known, needs)
