@@ -11,6 +11,7 @@ from armlab.content.upload import MOST_TEXT, Upload, read_upload
 from armlab.content.write_robot import robot_toml
 from armlab.errors import ArmlabError
 from armlab.session.assignment_commands import HandIn, OpenAssignment
+from armlab.session.hand_in import hand_in
 from armlab.session.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson, SignAs
 from armlab.session.own_commands import ArrangeCourse, ForgetFile, LeaveOut, LoadFile, MoveInCourse
 from armlab.session.parts.joints import Joints, MoveJoint
@@ -85,6 +86,8 @@ def test_an_assignment_is_seen_whatever_its_dates_and_leaves_no_trace(loaded):
     assert seen[LessonPart].lesson.title == "Turn to 30 degrees"
     handed = apply(apply(seen, SignAs("Ada")), HandIn(), 101.0)
     assert handed[LessonPart].rests
+    told = json.loads(hand_in(handed))
+    assert (told["assignment"], [work["lesson"] for work in told["works"]]) == ("hw", ["mine", "v"])
     back = apply(handed, EndPreview())
     assert (back[LessonPart].works, back[LessonPart].student) == ({}, "")
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from armlab.content.assignment import Assignment
+from armlab.content.held import named
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lesson
 from armlab.content.observation import same_table
@@ -67,13 +68,14 @@ def hand_in_name(state: State) -> str:
     part = state[LessonPart]
     who = re.sub(r"[^a-z0-9]+", "_", part.student.lower()).strip("_")[:40]
     attempt = str(part.work.attempts) if part.work is not None and part.work.attempts > 1 else ""
-    what = part.assignment or part.open.replace("/", "_")
+    place, _, variant = part.open.partition("/")
+    what = named(part.assignment) or "_".join(filter(None, (named(place), variant)))
     return "_".join(filter(None, (what, who, attempt))) + ".json"
 
 
 def _of_lesson(found: Lesson, progress: Progress) -> dict[str, Json]:
     written_down = written(progress)
-    return {"lesson": found.key, "variant": found.variant, "digest": found.digest, "progress": written_down}
+    return {"lesson": named(found.key), "variant": found.variant, "digest": found.digest, "progress": written_down}
 
 
 def _works(part: LessonPart, assigned: Assignment, work: Work) -> Iterator[Json]:
