@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import logging
+import time
 from collections import OrderedDict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
 from importlib.resources.abc import Traversable
 from pathlib import Path
-from threading import Lock, RLock
+from threading import Event, Lock, RLock
 
 from armlab import resources
 from armlab.content.assignment import Assignment
@@ -31,6 +32,12 @@ from armlab.registry import known_name
 log = logging.getLogger(__name__)
 
 _READING = Lock()
+
+_NEEDED = Event()
+"""Set when somebody waits for the lessons."""
+
+GIVING_WAY = 1.0
+"""Pause after each lesson that is read before anybody needs it, in times of what its reading took."""
 
 MOST_VARIANTS = 256
 """Number of variants of lessons that are kept: a class of this size reads none twice."""
@@ -165,10 +172,17 @@ class Library:
         The first is the lab's own.
     catalogue : Catalogue, optional
         The robots there are; those of the lab when left out.
+    pause : callable, optional
+        Called after each lesson of the first reading with the processor time that it took, seconds.
     """
 
-    def __init__(self, folders: Iterable[Traversable], catalogue: Catalogue | None = None) -> None:
-        self._catalogue = catalogue
+    def __init__(
+        self,
+        folders: Iterable[Traversable],
+        catalogue: Catalogue | None = None,
+        pause: Callable[[float], object] | None = None,
+    ) -> None:
+        self._catalogue, self._pause = catalogue, pause
         self._folders: list[tuple[Traversable, str]] = []
         self._lock = RLock()
         self._entries: dict[str, _Entry] = {}
@@ -180,6 +194,7 @@ class Library:
         for i, folder in enumerate(folders):
             self._folders.append((folder, f"{folder.name}/" if i else ""))
         self.changed()
+        self._pause = None
 
     @property
     def lessons(self) -> Lessons:
@@ -240,7 +255,10 @@ class Library:
             problems: list[ContentError] = []
             changed: set[str] = set()
             for source in self._sources(problems):
+                began = time.thread_time()
                 entry = self._looked_at(source)
+                if self._pause is not None:
+                    self._pause(time.thread_time() - began)
                 found[source.key] = entry
                 if _differ(entry, self._entries.get(source.key)):
                     changed.add(source.key)
@@ -325,13 +343,25 @@ def library() -> Library:
 
     The first call reads them all, which takes seconds; others wait for it.
     """
+    hurry()
     with _READING:
         return _library()
 
 
+def hurry() -> None:
+    """Let the lessons be read without pauses from now on."""
+    _NEEDED.set()
+
+
+def read_unhurried() -> None:
+    """Read all lessons of the lab, if nobody has yet, with pauses in which arms move; none once somebody waits."""
+    with _READING:
+        _library()
+
+
 @cache
 def _library() -> Library:
-    return Library(folders_of_the_lab())
+    return Library(folders_of_the_lab(), pause=lambda took: _NEEDED.wait(GIVING_WAY * took))
 
 
 def folders_of_the_lab() -> list[Traversable]:

@@ -43,6 +43,8 @@ log = logging.getLogger(__name__)
 
 FIRST_HINT = "Drag the handle: the arm follows"
 
+APART = "The pictures of this page are in the panel; the arm has no part in it"
+
 
 class Screen(NamedTuple):
     """The wishes of a person's system and room.
@@ -103,7 +105,7 @@ class Overlay:
         if self._arms is not None:
             self._arms.close()
 
-    def show(self, handle: bool, coming: bool) -> None:
+    def show(self, handle: bool, coming: bool, apart: bool = False) -> None:
         """Show the present state of the session.
 
         Parameters
@@ -112,6 +114,8 @@ class Overlay:
             Whether the target's handle is in the scene; without it there is no line on the target.
         coming : bool
             Whether the picture of the arm is still being made.
+        apart : bool
+            Whether nothing that is open has to do with the arm: the first hint says so.
         """
         session = self._session
         self._let_work()
@@ -121,7 +125,7 @@ class Overlay:
         if handle and not coming and session.state[Target].pose is not None:
             line = verdict_line(session.state.derived(verdict), units_of(session.state))
         elif handle and not coming and session.history.only(ChooseRobot.label):
-            line = FIRST_HINT
+            line = APART if apart else FIRST_HINT
         if self._form.shows(line, handle, coming, *self._made_of(session)):
             return
         hint = tag("div.al-over.al-hint", line, role="status") if line else None

@@ -8,7 +8,7 @@ from armlab.benches.lessons.author.ui.loading import Loading
 from armlab.benches.lessons.author.ui.order import Order
 from armlab.benches.lessons.author.ui.shell import commands_markup
 from armlab.content.course import Course
-from armlab.content.lessons import lessons
+from armlab.content.lessons import lessons, lessons_read
 from armlab.content.write_lesson import lesson_text
 from armlab.errors import ArmlabError, InputError
 from armlab.session.parts.display import Display
@@ -25,7 +25,7 @@ from armlab.ui.form import Form, Pressed, Typed
 from armlab.ui.format import pairs
 from armlab.ui.html import Inside, tag
 from armlab.ui.markup import fold, on_paper
-from armlab.ui.picks import broken_files
+from armlab.ui.picks import broken_files, lessons_to_come
 from armlab.ui.plugin import Panel, Show, layers
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
@@ -133,4 +133,4 @@ def file_name(title: str) -> str:
 
 WATCHED = (RobotPart, Joints, Target, Display, LessonPart, OwnLessons, Preview, Teacher)
 
-PANEL = Panel(WATCHED, build, rebuilds=(), outside=lessons)
+PANEL = Panel(WATCHED, build, rebuilds=(), outside=lessons_read, waits=lessons_to_come)
