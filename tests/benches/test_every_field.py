@@ -57,6 +57,8 @@ TEXTS = {
     "identities left",
     "identities right",
     "frame_chain name",
+    "author load-file",
+    "author paste-file",
     "lessons lesson-load",
     "motion_files read-motion",
     "newton_1d f",

@@ -79,6 +79,6 @@ def test_throws_are_corrected_a_sensor_is_calibrated_and_an_arm_is_sent_somewher
     lab.page.locator('select[data-cell="example"]:visible').select_option("either_side")
     lab.waits_for("Accurate on the mean, not repeatable")
     lab.press("approach same")
-    lab.waits_for("Repeats better than it is accurate")
+    lab.waits_for("More repeatable than accurate")
     lab.type_into("times", "1e9")
     lab.waits_for("times: expected a whole number from 2 to 1000, got '1e9'")

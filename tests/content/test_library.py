@@ -2,9 +2,6 @@
 
 import os
 import threading
-import time
-from concurrent.futures import ThreadPoolExecutor
-from functools import cache
 
 import pytest
 
@@ -361,29 +358,9 @@ def test_a_mistake_of_ours_is_a_problem_of_one_file(lab, monkeypatch, caplog):
             raise RuntimeError("ours")
         return real(key, *rest)
 
-    from armlab.content import lessons as module
-
     real = module.parse_lesson
     monkeypatch.setattr(module, "parse_lesson", fails)
     found = Library([lab])
     assert set(found.lessons.lessons) == {"first"}
     assert problems(found) == ["second.md: cannot be used: RuntimeError('ours')"]
     assert "second.md cannot be read" in caplog.text
-
-
-def test_two_who_ask_at_once_get_one_library(monkeypatch):
-    made, begun = [], threading.Barrier(2)
-
-    class Slow:
-        def __init__(self, folders):
-            time.sleep(0.1)
-            made.append(self)
-
-    def ask(_):
-        begun.wait()
-        return module.library()
-
-    monkeypatch.setattr(module, "Library", Slow)
-    monkeypatch.setattr(module, "_library", cache(module._library.__wrapped__))
-    with ThreadPoolExecutor(2) as both:
-        assert list(both.map(ask, range(2))) == made * 2

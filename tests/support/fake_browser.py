@@ -25,6 +25,7 @@ import zstandard
 from websockets.asyncio.client import connect
 
 from armlab.session.pages import pages
+from armlab.ui.picks import READING
 from armlab.ui.tab import COVERED
 from support.patience import LOOK, WAIT, Patience
 
@@ -230,7 +231,7 @@ class FakeBrowser:
         tabs = {key: found[key].tab or key for key in panels}
         await self.press_on(channel["chan"], "tabs", json.dumps(sorted(set(tabs.values()))))
         for key, tab in tabs.items():
-            await self.until(lambda tab=tab: bool(self._built(tab)))
+            await self.until(lambda tab=tab: bool(self._built(tab)) and READING not in self.html())
             if any(panel.tab == tab for panel in found.values()):
                 await self._turn(key, tab)
 

@@ -99,6 +99,21 @@ def test_what_a_page_does_to_the_view_is_undone_when_it_is_left(seen, wish):
     np.testing.assert_allclose(page.eye.position, before.position, atol=1e-6)
 
 
+def test_the_eye_comes_near_to_what_a_page_shows_without_the_arm_and_goes_back(seen):
+    camera, page, now = seen
+    before, small = page.eye, PUMA.arm.base[:3, 3] + 0.1 * FAR
+    now.wish = Wish(small)
+    camera.attend(PAGE, None)
+    assert page.eye.near(before), "beside the arm it is seen already"
+    now.wish = Wish(small, alone=True)
+    camera.attend(OTHER, None)
+    assert page.sees(small)
+    assert page.eye.distance < 0.75 * before.distance
+    now.wish = NO_WISH
+    camera.attend(PAGE, None)
+    assert page.eye.near(before)
+
+
 def test_from_page_to_page_the_view_of_the_person_is_the_one_that_comes_back(seen):
     camera, page, now = seen
     before = page.eye

@@ -13,7 +13,7 @@ from armlab.session.session import Redo, Session, Undo
 from armlab.ui import markup
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.html import styles
-from armlab.ui.overlay import Overlay
+from armlab.ui.overlay import APART, FIRST_HINT, Overlay
 from support.forms import BareFields
 
 BAD = "a\"><b onclick='x'>&lt;"
@@ -69,6 +69,9 @@ def test_what_lies_over_the_scene_steps_back_and_forth_where_there_is_something(
     monkeypatch.setattr("armlab.ui.overlay.Fields", fields)
     overlay = Overlay(SimpleNamespace(gui=None), session, posted.append, Gallery(), posted.append, posted.append)
     overlay.show(handle=True, coming=False)
+    assert FIRST_HINT in made[0].content
+    overlay.show(handle=True, coming=False, apart=True)
+    assert APART in made[0].content
     for cell in ("undo", "redo", "home", "anything"):
         made[0].send(cell, "")
     made[0].send("tabs", "Pose")

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import logging
+import time
 from collections import OrderedDict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
 from importlib.resources.abc import Traversable
 from pathlib import Path
-from threading import Lock, RLock
+from threading import Event, Lock, RLock
 
 from armlab import resources
 from armlab.content.assignment import Assignment
@@ -17,6 +18,7 @@ from armlab.content.assignments import AssignmentFiles
 from armlab.content.course import Chapter, Course, amiss, by_chapters, ordered, sound
 from armlab.content.courses import CourseFiles
 from armlab.content.folder import Folder
+from armlab.content.held import held_assignment, held_lesson, named
 from armlab.content.lesson import Lesson as Lesson
 from armlab.content.lesson import Step as Step
 from armlab.content.lesson_file import parse_lesson as parse_lesson
@@ -30,6 +32,12 @@ from armlab.registry import known_name
 log = logging.getLogger(__name__)
 
 _READING = Lock()
+
+_NEEDED = Event()
+"""Set when somebody waits for the lessons."""
+
+GIVING_WAY = 1.0
+"""Pause after each lesson that is read before anybody needs it, in times of what its reading took."""
 
 MOST_VARIANTS = 256
 """Number of variants of lessons that are kept: a class of this size reads none twice."""
@@ -96,18 +104,35 @@ class Lessons(Folder[Lesson]):
         return [lesson for lesson in self.found.values() if lesson.listed]
 
     def assignment(self, key: str) -> Assignment:
-        """Return an assignment, even a deleted one; the error lists the available ones."""
+        """Return an assignment, even a deleted one, or one that is held; the error lists the available ones."""
+        held = held_assignment(key)
+        if held is not None:
+            return held
         if key not in self.assignments and key in self.assignments_gone:
             return self.assignments_gone[key]
         known_name("assignment", key, self.assignments)
         return self.assignments[key]
+
+    def has(self, key: str) -> bool:
+        """Return whether there is a lesson with this key that can be used."""
+        return key in self.found or held_lesson(key) is not None
+
+    def has_assignment(self, key: str) -> bool:
+        """Return whether there is an assignment with this key."""
+        return key in self.assignments or held_assignment(key) is not None
 
     def chapters(self, key: str = "") -> tuple[Chapter, ...]:
         """Return the chapters of a course, and behind them those of `others`."""
         return (*self.course(key).chapters, *self.others)
 
     def __getitem__(self, key: str) -> Lesson:
-        """Return a lesson, even a deleted one; the error lists the available ones, or tells what is wrong with it."""
+        """Return a lesson, even a deleted one or one that is held.
+
+        The error lists the available ones, or tells what is wrong with it.
+        """
+        held = held_lesson(key)
+        if held is not None:
+            return held.lesson
         if key not in self.found and key in self.gone:
             return self.gone[key]
         if key not in self.found and key in self.broken:
@@ -147,10 +172,17 @@ class Library:
         The first is the lab's own.
     catalogue : Catalogue, optional
         The robots there are; those of the lab when left out.
+    pause : callable, optional
+        Called after each lesson of the first reading with the processor time that it took, seconds.
     """
 
-    def __init__(self, folders: Iterable[Traversable], catalogue: Catalogue | None = None) -> None:
-        self._catalogue = catalogue
+    def __init__(
+        self,
+        folders: Iterable[Traversable],
+        catalogue: Catalogue | None = None,
+        pause: Callable[[float], object] | None = None,
+    ) -> None:
+        self._catalogue, self._pause = catalogue, pause
         self._folders: list[tuple[Traversable, str]] = []
         self._lock = RLock()
         self._entries: dict[str, _Entry] = {}
@@ -162,6 +194,7 @@ class Library:
         for i, folder in enumerate(folders):
             self._folders.append((folder, f"{folder.name}/" if i else ""))
         self.changed()
+        self._pause = None
 
     @property
     def lessons(self) -> Lessons:
@@ -178,16 +211,17 @@ class Library:
         ContentError
             Its file, or this variant of it, cannot be used.
         """
-        first = self._lessons[key]
+        first, held = self._lessons[key], held_lesson(key)
         if variant == 0 or not first.varies:
             return first
         with self._lock:
-            good = self._good[key]
+            good = self._good[key] if held is None else _Good(first, held.upload.text, held.upload.pictures)
             place = (key, good.lesson.digest, variant)
             if place in self._variants:
                 self._variants.move_to_end(place)
                 return self._variants[place]
-        found = parse_lesson(key, good.text, good.lesson.file, self._catalogue, variant, good.pictures)
+        found = parse_lesson(named(key), good.text, good.lesson.file, self._catalogue, variant, good.pictures)
+        found = replace(found, key=key)
         with self._lock:
             self._variants[place] = found
             while len(self._variants) > MOST_VARIANTS:
@@ -221,7 +255,10 @@ class Library:
             problems: list[ContentError] = []
             changed: set[str] = set()
             for source in self._sources(problems):
+                began = time.thread_time()
                 entry = self._looked_at(source)
+                if self._pause is not None:
+                    self._pause(time.thread_time() - began)
                 found[source.key] = entry
                 if _differ(entry, self._entries.get(source.key)):
                     changed.add(source.key)
@@ -306,13 +343,25 @@ def library() -> Library:
 
     The first call reads them all, which takes seconds; others wait for it.
     """
+    hurry()
     with _READING:
         return _library()
 
 
+def hurry() -> None:
+    """Let the lessons be read without pauses from now on."""
+    _NEEDED.set()
+
+
+def read_unhurried() -> None:
+    """Read all lessons of the lab, if nobody has yet, with pauses in which arms move; none once somebody waits."""
+    with _READING:
+        _library()
+
+
 @cache
 def _library() -> Library:
-    return Library(folders_of_the_lab())
+    return Library(folders_of_the_lab(), pause=lambda took: _NEEDED.wait(GIVING_WAY * took))
 
 
 def folders_of_the_lab() -> list[Traversable]:

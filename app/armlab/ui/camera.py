@@ -47,8 +47,8 @@ SETTLING = 4.0
 seconds."""
 
 CLOSER = 0.75
-"""Part of the eye's distance at which the arm would still fit into a picture of another shape, from which on the eye at
-home comes closer: on a telephone, when the scene gets as low as it is wide."""
+"""Part of the eye's distance at which all would still fit into the picture, from which on the eye comes closer: at
+home, when the scene of a telephone gets as low as it is wide, and to what a page shows without the arm."""
 
 RESHAPED = 0.01
 """Change of the picture's width over its height, relative, from which on it has another shape, once all has settled."""
@@ -67,10 +67,13 @@ class Wish:
         Beside the arm.
     facing : Facing or None
         To be looked at square.
+    alone : bool
+        Whether the points are all there is to see, because the arm is hidden.
     """
 
     points: Floats = field(default_factory=lambda: np.zeros((0, 3)))
     facing: Facing | None = None
+    alone: bool = False
 
 
 class Camera:
@@ -195,10 +198,10 @@ class Camera:
         if wish.facing is not None:
             self._fulfil()
             return
-        points, aspect = np.vstack([self._arm_points(), wish.points]), self._client.camera.aspect
+        points, aspect = self._points_of(wish), self._client.camera.aspect
         if eye.distance == 0.0 or eye.sees(points, TALL, aspect):
             return
-        seen = nearest_view(np.vstack([self._corners(), points]), eye.back, eye.up, TALL, aspect)
+        seen = nearest_view(self._roomy_points(wish), eye.back, eye.up, TALL, aspect)
         distance = max(seen.distance, MARGIN * eye.distance)
         self._at_home = False
         self.gaze.go(Eye(seen.look_at + distance * eye.back, seen.look_at, eye.up))
@@ -285,13 +288,13 @@ class Camera:
         if wish.facing is None and not len(wish.points):
             return own
         aspect = self._client.camera.aspect
-        points = np.vstack([self._arm_points(), wish.points])
         square = wish.facing is None or own.squares(wish.facing)
-        if own.distance == 0.0 or (square and own.sees(points, TALL, aspect)):
-            return own
         back, up = (own.back, own.up) if wish.facing is None else wish.facing.direction()
-        points = np.vstack([self._corners(), points])
-        return nearest_view(points, back, up, TALL, aspect)
+        goal = nearest_view(self._roomy_points(wish), back, up, TALL, aspect)
+        far = wish.alone and goal.distance < CLOSER * own.distance
+        if own.distance == 0.0 or (square and not far and own.sees(self._points_of(wish), TALL, aspect)):
+            return own
+        return goal
 
     # -- the arm -------------------------------------------------------------------------------------------------
 
@@ -311,6 +314,14 @@ class Camera:
         arm, q = self._robot.arm, self._pose()
         tips = HANDLE * self._figure.anatomy.size * np.vstack([np.eye(3), -np.eye(3)])
         return np.vstack([arm.frames(q)[:, :3, 3], arm.position(q) + tips])
+
+    def _points_of(self, wish: Wish) -> Floats:
+        """Return the points (k, 3) that have to be in the picture."""
+        return wish.points if wish.alone else np.vstack([self._arm_points(), wish.points])
+
+    def _roomy_points(self, wish: Wish) -> Floats:
+        """Return the points (k, 3) of a picture that is chosen anew: the whole arm is in it, unless it is hidden."""
+        return wish.points if wish.alone else np.vstack([self._corners(), self._points_of(wish)])
 
     def _corners(self) -> Floats:
         """Return the eight corners of the box around the arm."""

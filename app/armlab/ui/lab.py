@@ -13,8 +13,12 @@ from pathlib import Path
 
 import viser
 
+<<<<<<< HEAD
 from armlab.content.languages import keys
 from armlab.content.lessons import add_folder, changed, lessons, lessons_read
+=======
+from armlab.content.lessons import add_folder, changed, hurry, lessons, lessons_read, read_unhurried
+>>>>>>> main
 from armlab.content.robots import Robot
 from armlab.kin.ik import methods
 from armlab.session.job import jobs
@@ -143,6 +147,7 @@ class Lab:
         adapter.stop_server(self.server)
         self.gallery.painter.shutdown(wait=False, cancel_futures=True)
         # A thread cut off in the middle of NumPy at the interpreter's end would abort the process.
+        hurry()
         self._figure.join()
         self._looking.join()
         self.runner.join(PIECE_PATIENCE)
@@ -281,7 +286,11 @@ class Lab:
         self.first_page.wait(UNVISITED)
         if self._stopped.is_set():
             return
-        said, known = "", lessons() if known is None else known
+        if known is None:
+            read_unhurried()
+            known = lessons()
+            self._tell(frozenset())
+        said = ""
         while not self._stopped.wait(LOOK_INTERVAL):
             try:
                 # What `changed` returns is told to one lab of this process only.
@@ -290,13 +299,20 @@ class Lab:
                 if known is not before:
                     was = before.lessons
                     keys = frozenset(key for key, found in known.lessons.items() if was.get(key) is not found)
-                    self.loop.call_soon_threadsafe(self._reload, keys)
+                    self._tell(keys)
                 said = ""
             except Exception as error:
                 # A folder may go away for a while; the log needs to hear of it once.
                 if said != repr(error):
                     log.exception("the files of lessons cannot be looked at")
                 said = repr(error)
+
+    def _tell(self, keys: frozenset[str]) -> None:
+        """Let the pages show lessons that have been read; called by another thread than theirs."""
+        try:
+            self.loop.call_soon_threadsafe(self._reload, keys)
+        except RuntimeError:
+            log.debug("the server has stopped")
 
     def _reload(self, keys: frozenset[str]) -> None:
         """Show changed lessons to students who have them open, and the list of lessons to all."""

@@ -18,10 +18,12 @@ import viser
 from armlab.session.panel_commands import hidden_tabs
 from armlab.session.parts.former import BackToFormer, ForgetFormer, offered
 from armlab.session.parts.lesson import LessonPart, at_place
+from armlab.session.parts.preview import Preview
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf
 from armlab.session.parts.target import Target, verdict
 from armlab.session.parts.welcome import CARD, LeaveWelcome, Welcome
+from armlab.session.preview_commands import EndPreview
 from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import Post, State
 from armlab.ui.fields import Fields
@@ -40,6 +42,8 @@ if TYPE_CHECKING:
 log = logging.getLogger(__name__)
 
 FIRST_HINT = "Drag the handle: the arm follows"
+
+APART = "The pictures of this page are in the panel; the arm has no part in it"
 
 
 class Screen(NamedTuple):
@@ -101,7 +105,7 @@ class Overlay:
         if self._arms is not None:
             self._arms.close()
 
-    def show(self, handle: bool, coming: bool) -> None:
+    def show(self, handle: bool, coming: bool, apart: bool = False) -> None:
         """Show the present state of the session.
 
         Parameters
@@ -110,6 +114,8 @@ class Overlay:
             Whether the target's handle is in the scene; without it there is no line on the target.
         coming : bool
             Whether the picture of the arm is still being made.
+        apart : bool
+            Whether nothing that is open has to do with the arm: the first hint says so.
         """
         session = self._session
         self._let_work()
@@ -119,7 +125,7 @@ class Overlay:
         if handle and not coming and session.state[Target].pose is not None:
             line = verdict_line(session.state.derived(verdict), units_of(session.state))
         elif handle and not coming and session.history.only(ChooseRobot.label):
-            line = FIRST_HINT
+            line = APART if apart else FIRST_HINT
         if self._form.shows(line, handle, coming, *self._made_of(session)):
             return
         hint = tag("div.al-over.al-hint", line, role="status") if line else None
@@ -139,7 +145,14 @@ class Overlay:
         state, history = session.state, session.history
         shelf, robot = state[Shelf], state[RobotPart]
         return (
-            (shelf.place, _waits(shelf), offered(state), state[Welcome], offered_lessons(state)),
+            (
+                shelf.place,
+                _waits(shelf),
+                state[Preview].before is None,
+                offered(state),
+                state[Welcome],
+                offered_lessons(state),
+            ),
             (history.undo_label, history.redo_label),
             (name_of(robot), robot.own, robot.robot.key, state[LessonPart].open, hidden_tabs(state)),
             (self._tab, self._asked),
@@ -172,7 +185,12 @@ class Overlay:
         """Return a sentence on where the student is, unless at the lesson or own work, with the button back."""
         shelf, former = session.state[Shelf], offered(session.state)
         way: Inside
-        if shelf.place == SANDBOX:
+        if session.state[Preview].before is not None and shelf.place != SHARED:
+            says, way = (
+                "As a student sees it",
+                self._form.button("preview-end", "‹ Back to my work", EndPreview(), "chip"),
+            )
+        elif shelf.place == SANDBOX:
             says, way = "Your sandbox", self._form.button("home", f"‹ Back to {_waits(shelf)}", BackToLesson(), "chip")
         elif shelf.place == SHARED:
             says, way = "A shared arm", self._form.button("own", "‹ Back to my work", BackFromShared(), "chip")
@@ -186,7 +204,9 @@ class Overlay:
             )
         else:
             return None
-        return tag("div.al-over.al-place", tag("b", says), way, role="status")
+        beside = session.state[LessonPart].open  # which leaves no room in the row at the top
+        kind = "div.al-over.al-place.al-under" if beside else "div.al-over.al-place"
+        return tag(kind, tag("b", says), way, role="status")
 
     def _tabs_said(self, text: str) -> None:
         self._on_tabs(text)
@@ -221,6 +241,8 @@ class Overlay:
             path = f"/lesson/{lesson}"
         if (assigned := session.state[LessonPart].assigned) is not None:
             path = f"/assignment/{assigned.key}"
+        if session.state[Preview].before is not None:
+            path = "/"  # of one's own files others have none
         notes = {
             "path": path,
             "arm": name_of(robot),

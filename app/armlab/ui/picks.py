@@ -4,10 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from armlab.content.lessons import hurry, lessons_read
 from armlab.errors import ContentError
 from armlab.ui.form import Form, Pressed
 from armlab.ui.html import Markup, tag
 from armlab.ui.markup import verdict_box
+
+READING = "The lessons are being read …"
+
+
+def lessons_to_come() -> str:
+    """Return what a page of lessons says until all have been read, which takes seconds, and have them read faster."""
+    if lessons_read() is not None:
+        return ""
+    hurry()
+    return READING
 
 
 def pick(form: Form, cell: str, action: Pressed, name: str, aside: str, about: str, here: bool) -> Markup:

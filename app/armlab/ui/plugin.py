@@ -66,6 +66,10 @@ class Panel:
         points and plane when this is another, and not already when they move along with the arm.
     outside : callable
         ``outside()`` returns what it shows besides the state; ``show`` is called also when this is another object.
+    waits : callable
+        ``waits()`` returns a sentence that stands in place of the page as long as what it shows is not there yet.
+    apart : bool
+        Whether it has nothing to do with the arm, which stands in the scene all the same.
     """
 
     watches: tuple[type[Part], ...]
@@ -78,13 +82,21 @@ class Panel:
     faces: Callable[[State], Facing | None] = lambda state: None
     looks: Callable[[State], Hashable] = lambda state: None
     outside: Callable[[], object] = lambda: None
+    waits: Callable[[], str] = lambda: ""
+    apart: bool = False
+
+
+def without_the_arm(opened: Collection[Panel]) -> bool:
+    """Return whether there are open panels, and none of them has to do with the arm."""
+    return bool(opened) and all(panel.apart for panel in opened)
 
 
 def wish_of(state: State, opened: Iterable[Panel]) -> Wish:
     """Return what open panels want of the camera in a state; of several planes the first is looked at."""
     opened = tuple(opened)
     faced = (facing for panel in opened if (facing := panel.faces(state)) is not None)
-    return Wish(np.vstack([NOTHING, *(panel.around(state) for panel in opened)]), next(faced, None))
+    points = np.vstack([NOTHING, *(panel.around(state) for panel in opened)])
+    return Wish(points, next(faced, None), len(points) > 0 and any("arm" in panel.hides for panel in opened))
 
 
 @dataclass(frozen=True)

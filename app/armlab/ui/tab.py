@@ -102,9 +102,9 @@ class Tab:
             Also when it is the one shown, over a typed text.
         """
         page = self.pages[self._page_of(state)]
-        if self._cover(page, state):
-            return
         panel = whole_panel(page.key)
+        if self._cover(page, state, "" if panel is None else panel.waits()):
+            return
         if panel is None:
             self._tell_broken(page)
             return
@@ -135,9 +135,9 @@ class Tab:
             if self._gui.tray is not None:
                 self._gui.tray.follow()
 
-    def _cover(self, page: Page, state: State) -> bool:
-        """Show a sentence instead of a page that is closed, or would show the answer to a prediction."""
-        says = COVERED if state[LessonPart].hides and not page.always else ""
+    def _cover(self, page: Page, state: State, waits: str) -> bool:
+        """Show a sentence instead of a page that waits, is closed, or would show the answer to a prediction."""
+        says = COVERED if state[LessonPart].hides and not page.always else waits
         if page.key in hidden_panels(state):
             says = CLOSED
         if says and self._built != says:

@@ -32,7 +32,7 @@ from armlab.ui.lesson.dock import LessonDock
 from armlab.ui.notices import Notices
 from armlab.ui.overlay import Overlay, Screen
 from armlab.ui.pace import Pace
-from armlab.ui.plugin import Panel, hidden_layers, layers, whole_panel, wish_of
+from armlab.ui.plugin import Panel, hidden_layers, layers, whole_panel, wish_of, without_the_arm
 from armlab.ui.search.dialog import SearchDialog
 from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
@@ -185,11 +185,11 @@ class View:
                 tab.show_head(state)
 
     def _show_overlay(self) -> None:
-        window = self._window(self.session.state)
+        window = self._window(state := self.session.state)
         if window.asked != self._asked:
             self._asked = window.asked
             self._overlay.open_tab(pages()[window.wanted].title)
-        self._overlay.show("gizmo" not in self._hidden(self.session.state), self._is_coming())
+        self._overlay.show("gizmo" not in self._hidden(state), self._is_coming(), without_the_arm(self._opened(state)))
 
     def _is_coming(self) -> bool:
         """Return whether the picture of the present arm is still being made."""

@@ -155,10 +155,10 @@ def test_the_page_says_the_worst_case_its_direction_and_who_contributes_most():
     state = opened()
     units = units_of(state)
     text = str(worst_markup(state, units))
-    assert "The tool: within 0.0279 mm and 0.0035°" in text
-    assert "Farthest along (0.54, 0.39, 0.75) or against it" in text
-    assert "To the position joint 1 contributes most by itself, 0.0116 mm" in text
-    assert "To the orientation 6 joints contribute 0.0009° each" in text
+    assert "The tool is known within 0.0279 mm and 0.0035°" in text
+    assert "off most along (0.54, 0.39, 0.75) or the opposite" in text
+    assert "Joint 1 contributes most to the position, 0.0116 mm" in text
+    assert "6 joints contribute most to the orientation, 0.0009° each" in text
     assert "0.00374 mm" in str(joined(shares_markup(state, units)))
     both = str(compared_markup(state, units))
     assert "2⁶ = 64 corners" in both

@@ -15,7 +15,7 @@ from armlab.benches.drive.motor.state import CLIP_KEY, Motor
 from armlab.benches.drive.motor.twins import twins_of
 from armlab.benches.drive.motor.ui.blocks import diagram
 from armlab.benches.drive.motor.ui.form import constants_markup, inputs_markup
-from armlab.benches.drive.motor.ui.poles import plane, poles_markup
+from armlab.benches.drive.motor.ui.poles import functions_markup, plane, poles_markup
 from armlab.benches.drive.motor.ui.powers import powers_markup, units_markup
 from armlab.benches.drive.motor.ui.scene import slowed, torque_marks
 from armlab.benches.drive.motor.ui.twins import state_markup
@@ -229,7 +229,7 @@ def test_the_poles_are_told_with_their_approximations():
     text = said(poles_markup(opened()[Motor]))
     assert "−578.4" in text
     assert "3.74 %" in text
-    assert "105.2 times as fast" in text
+    assert "105.2 times as fast" in said(functions_markup(opened()[Motor]))
     swinging = said(poles_markup(opened(ChooseMotorExample("swinging"))[Motor]))
     assert "−5.1 + 49.76 j" in swinging
     assert "oscillating: damping ratio 0.102" in swinging

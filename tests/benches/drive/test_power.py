@@ -73,7 +73,7 @@ def test_the_picture_is_to_scale():
 
 def test_the_table_says_what_the_speeds_mean():
     text = str(joined(table_markup(BareForm(), opened()[Power])))
-    assert "The speeds mean a gear of 100." in text
+    assert "From these speeds follows a gear ratio of 100." in text
     assert "60.56 %" in text
     assert "advances" in str(joined(table_markup(BareForm(), opened(Set(Power, "kind", "linear"))[Power])))
     assert "a piston of" in str(joined(table_markup(BareForm(), opened(Set(Power, "kind", "hydraulic"))[Power])))

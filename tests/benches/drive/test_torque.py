@@ -12,7 +12,7 @@ from armlab.benches.drive.torque.facts import FACTS
 from armlab.benches.drive.torque.sampled import curve, sampled_of
 from armlab.benches.drive.torque.state import CLIP_KEY, TURN, Torque, present_angle
 from armlab.benches.drive.torque.ui.model import brushes_glb, coil_glb, shaft_glb
-from armlab.benches.drive.torque.ui.numbers import now_markup, turn_markup
+from armlab.benches.drive.torque.ui.numbers import check_markup, now_markup, turn_markup
 from armlab.benches.drive.torque.ui.scene import marks_of
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -90,6 +90,9 @@ def test_what_is_said_of_a_turn():
     assert "at every multiple of π" in str(joined(turn_markup(opened())))
     assert "Mean torque of a turn: 0 N m" in str(joined(turn_markup(opened(ChooseTorqueExample("unswitched")))))
     assert "No current, no torque" in str(joined(turn_markup(opened(Set(Torque, "current", 0.0)))))
+    assert "157.1 %" in str(check_markup(opened()))
+    assert check_markup(opened(ChooseTorqueExample("unswitched"))) is None
+    assert check_markup(opened(Set(Torque, "current", 0.0))) is None
     assert value(opened(Set(Torque, "current", 0.0)), "constant") is None
     text = str(joined(now_markup(opened(ChooseTorqueExample("two")))))
     assert "all other coils" in text

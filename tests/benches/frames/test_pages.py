@@ -170,8 +170,8 @@ def test_a_direction_that_is_zero_is_refused_at_its_field():
 def test_the_pitch_is_told_for_a_whole_turn_and_is_infinite_for_a_shift():
     assert "480.0 mm a turn" in said(screw_form, ChooseScrewExample("bolt"))
     assert "∞" in said(screw_form, ChooseScrewExample("slide"))
-    assert "both ways are the same" in said(ways_markup, ChooseScrewExample("slide"))
-    assert "turned alike on both ways" in said(ways_markup)
+    assert "both paths are the same" in said(ways_markup, ChooseScrewExample("slide"))
+    assert "the same orientation on both paths" in said(ways_markup)
 
 
 def test_a_solution_is_chosen_by_its_name_and_misses_its_angle_in_degrees():

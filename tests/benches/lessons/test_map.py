@@ -1,5 +1,6 @@
 """The map of the course: what it says of each lesson, what can be pressed, and that it follows files and progress."""
 
+import asyncio
 import re
 
 import pytest
@@ -9,6 +10,7 @@ from armlab.content.course import Chapter, Course
 from armlab.content.lessons import lessons
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.way import Standing, Way
+from armlab.ui import picks
 from support.forms import BareForm
 from support.lab import running_lab
 from support.own_lessons import PWN, in_lesson, lesson, piece, write
@@ -171,6 +173,25 @@ def test_the_end_of_a_lesson_says_what_one_can_do_now_and_leads_to_the_next(taug
         await browser.until(lambda: "4 to do" in browser.html())
         assert "lesson-onward" not in browser.html(), "there is none after it"
         assert "You can now" not in browser.html()
+        await browser.close()
+
+    run(main())
+
+
+def test_the_page_says_that_lessons_are_being_read_and_shows_them_when_they_are(taught, monkeypatch):
+    url, folder = taught
+
+    async def main():
+        browser = await student(url)
+        with monkeypatch.context() as unread:
+            unread.setattr(picks, "lessons_read", lambda: None)
+            opening = asyncio.create_task(browser.open("lessons"))
+            await browser.until(lambda: picks.READING in browser.html())
+            assert "Mine My course" not in browser.html()
+        write(folder, late=lesson(title="Late one"))
+        await opening
+        await browser.until(lambda: "Late one" in browser.html())
+        assert picks.READING not in browser.html()
         await browser.close()
 
     run(main())

@@ -105,7 +105,7 @@ def test_the_diagram_has_the_numbers_and_the_formula_of_the_arm():
     assert "n = 2" in text
     assert "m = 2" in text
     assert "30.0°" in text
-    assert "a few q" in text
+    assert "a few solutions q" in text
     assert asked(lambda form: joined(maps_markup(form, state)), "task", "xyz") == (Set(Spaces, "task", "xyz"),)
     assert asked(lambda form: joined(maps_markup(form, state)), "task", "own") == (Set(Spaces, "task", "own"),)
 

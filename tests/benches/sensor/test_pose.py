@@ -143,7 +143,7 @@ def re_cells(page):
 
 def test_what_is_said_of_the_figures():
     page = Filled("pose_accuracy")
-    assert "Repeats better than it is accurate" in page.text
+    assert "More repeatable than accurate" in page.text
     page.fill("example", "either_side")
     assert "Accurate on the mean, not repeatable" in page.text
     assert "with n = 30" in page.text

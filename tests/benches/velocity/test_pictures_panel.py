@@ -210,7 +210,7 @@ def test_a_press_in_the_square_moves_the_arm_and_other_arms_are_refused(url):
         await browser.close()
         other = await student(url, path="/robot/puma560")
         await other.open("velocity", "pictures")
-        await other.until(lambda: "axes are parallel" in other.html())
+        await other.until(lambda: "parallel axes" in other.html())
         assert "so-map" not in other.html()
         await other.close()
 

@@ -59,8 +59,8 @@ def test_the_card_says_which_joint_works_or_why_none_does():
     assert "carries" in said
     state = put("press")
     kind, head, said = verdict(state.derived(balance), state[Joints].arm.revolute)
-    assert head == "The largest: joint 3"
-    assert said == "τ₃ = 30.00 N. Zero for joints 1, 2 and 4."
+    assert head == "Joint 3 needs the most"
+    assert said == "τ₃ = 30.00 N. Joints 1, 2 and 4 need none."
     nothing = apply(state, ReleaseWrench())
     assert verdict(nothing.derived(balance), state[Joints].arm.revolute)[1] == "No wrench"
 
@@ -135,7 +135,7 @@ def test_the_page_shows_torques_and_takes_a_wrench(url):
     async def main():
         browser = await student(url, path="/robot/planar_2r")
         await browser.open("statics")
-        await browser.until(lambda: "The largest: joint" in browser.html())
+        await browser.until(lambda: "needs the most" in browser.html())
         await browser.press("example", "along")
         await browser.until(lambda: "No torque needed" in browser.html())
         await browser.press("force 0", "much")
@@ -146,7 +146,7 @@ def test_the_page_shows_torques_and_takes_a_wrench(url):
         assert not browser.notices
         await browser.press("force 0", "0")
         await browser.press("force 1", "20")
-        await browser.until(lambda: "The largest: joint" in browser.html())
+        await browser.until(lambda: "needs the most" in browser.html())
         await browser.press("displacement")
         await browser.until(lambda: "✓" in browser.html())
         assert any(name.endswith("/statics/force/shaft") for name in browser.nodes)

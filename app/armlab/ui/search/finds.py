@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from armlab.content.index import Entry, search, taught_in
-from armlab.content.lessons import lessons, lessons_read
+from armlab.content.lessons import lessons, lessons_read, read_unhurried
 from armlab.session.panel_commands import hidden_panels
 from armlab.session.state import State
 from armlab.ui.search.offers import LESSONS, hidden, things
@@ -26,4 +26,5 @@ def find(query: str, state: State) -> list[Entry]:
 
 def prepare() -> None:
     """Make the index of the lab, so that nobody waits for it: reads all lessons and imports all of kin."""
+    read_unhurried()
     search("index", things=things(), taught=taught_in(lessons()))

@@ -37,16 +37,28 @@ def pose_at(R: Floats, centre: Floats) -> Floats:
     return pose
 
 
+def towards_eye(state: State) -> Floats:
+    """Return the unit vector (3,) towards the eye in the home view of the arm."""
+    camera = state[RobotPart].robot.camera
+    azimuth, elevation = math.radians(camera.azimuth_deg), math.radians(camera.elevation_deg)
+    c = math.cos(elevation)
+    return np.array([c * math.cos(azimuth), c * math.sin(azimuth), math.sin(elevation)])
+
+
 def sides_of(state: State) -> tuple[tuple[Floats, Floats], float]:
     """Return the middles of two bodies side by side in the home view of the arm, (3,) each, and their radius."""
     centre, radius = stage_of(state)
+    right = _right(state)
+    return (centre - 0.95 * radius * right, centre + 0.95 * radius * right), 0.75 * radius
+
+
+def _right(state: State) -> Floats:
     azimuth = math.radians(state[RobotPart].robot.camera.azimuth_deg)
-    right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
-    return (centre - 1.05 * radius * right, centre + 1.05 * radius * right), 0.75 * radius
+    return np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
 
 
 def around_both(state: State) -> Floats:
-    """Return the corners of what belongs in the picture of two bodies, (4, 3)."""
+    """Return the ends of what belongs in the picture of two bodies, (4, 3)."""
     (one, other), radius = sides_of(state)
-    corner = 1.45 * radius * np.ones(3)
-    return np.array([one - corner, one + corner, other - corner, other + corner])
+    aside, up = 1.42 * radius * _right(state), np.array([0.0, 0.0, 1.45 * radius])
+    return np.array([one - aside, one - up, other + aside, other + up])

@@ -24,6 +24,8 @@ FACTS = Facts(
         "vector": Fact("the vector p", lambda s: s[Meanings].p, kind="numbers"),
         "image": Fact("R p", image_of, kind="numbers"),
         "axis": Fact("the axis of an elementary rotation", lambda s: _of(s, "axis"), kind="text"),
-        "alpha": Fact("the angle of the vector in the plane across that axis", lambda s: _of(s, "alpha"), "rad"),
+        "alpha": Fact(
+            "the angle of the vector in the plane perpendicular to that axis", lambda s: _of(s, "alpha"), "rad"
+        ),
     },
 )

@@ -88,7 +88,7 @@ EXAMPLES = Registry(
             X,
             Z,
             (180.0, 180.0),
-            "Two half turns about axes across each other commute, although they are large: both orders are a half "
+            "Two half turns about perpendicular axes commute, although they are large: both orders are a half "
             "turn about y.",
         ),
     ),

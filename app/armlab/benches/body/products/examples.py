@@ -97,7 +97,7 @@ EXAMPLES = Registry(
             2,
             3,
             "sin(α) sin(β) cos(α) - cos(α) sin(γ)",
-            "An angle is another one in the formula in the field⟦: it is the one that 3.103 prints⟧.",
+            "One angle in the formula in the field is wrong⟦: it is the one that 3.103 prints⟧.",
         ),
         ProductExample(
             "two",

@@ -63,7 +63,7 @@ EXAMPLES = part_examples(
         "weight",
         "The same load against a weight",
         Gears(load_torque=36.0, shown="best"),
-        "A torque of 36 N m that must be held besides moves the best ratio up, from 20 to 40.",
+        "Another 36 N m, which must be held, move the best ratio up, from 20 to 40.",
     ),
     PartExample(
         "falling",

@@ -45,7 +45,7 @@ KINDS = Registry(
             "97–99",
             "3–20′",
             "yes",
-            "Parallel shafts: they change speed and torque, and carry the motion to an axis beside. Large ratios take "
+            "Parallel shafts: they change speed and torque, and carry the motion to a parallel axis. Large ratios take "
             "several stages.",
             "Deformation of the teeth, backlash in every mesh, noise.",
         ),
@@ -66,8 +66,8 @@ KINDS = Registry(
             "20–50",
             "0.05–0.3 mm",
             "mostly no",
-            "It makes a slide of a turn, for prismatic joints. With plain threads the load stays where it is without a "
-            "brake.",
+            "It turns a rotation into a translation, for prismatic joints. With plain threads the load stays where it "
+            "is without a brake.",
             "Friction, elasticity, backlash of the nut.",
         ),
         Kind(

@@ -82,7 +82,7 @@ EXAMPLES = Registry(
         DriveExample(
             "fine",
             "19 bits at the joint",
-            "2¹⁹ = 524 288 counts in a turn of the joint itself: fine without a gear, and blind to no backlash. Good "
+            "2¹⁹ = 524 288 counts in a turn of the joint itself: fine without a gear, and it sees all backlash. Good "
             "robots have such an encoder.",
             100.0,
             524_288.0,

@@ -17,7 +17,7 @@ from armlab.session.state import PartType, State
 
 CLIP_KEY = "motor"
 
-SHOWN = {"run": "Run", "blocks": "Blocks, poles", "power": "Power", "state": "State"}
+SHOWN = {"run": "Run", "blocks": "Blocks", "poles": "Poles", "power": "Power", "state": "State"}
 
 TURN = 2.0 * math.pi
 

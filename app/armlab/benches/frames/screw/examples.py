@@ -52,8 +52,8 @@ EXAMPLES = Registry(
             "Two poses in space",
             ((0.5, 0.0, 0.1), STILL),
             ((-0.1, 0.55, 0.5), (20.0, -10.0, 120.0)),
-            "Whatever two poses you choose: there is a line about which the one turns, and along which it slides, to "
-            "become the other. On the straight way the body turns just the same.",
+            "Whichever two poses you choose, there is a line about which a body turns and along which it slides from "
+            "one to the other. On the straight path it turns in the same way.",
         ),
         ScrewExample(
             "bolt",

@@ -68,8 +68,8 @@ EXAMPLES = Registry(
             SHARES,
             25.0,
             0.0,
-            "In the frame of the table nothing has changed. Only the pose of the table in the world is another one, "
-            "and with it what the arm is asked for.",
+            "In the frame of the table nothing has changed. Only the pose of the table in the world has changed, and "
+            "with it the pose that the arm has to reach.",
         ),
         TableExample(
             "touch",

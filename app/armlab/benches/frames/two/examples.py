@@ -60,7 +60,7 @@ EXAMPLES = Registry(
             "B has three links of 1 m",
             "three_links",
             1.0,
-            "Three joints have just what position and angle of the tool ask for: two solutions, elbow up and down.",
+            "Position and angle of the tool are three numbers, and B has three joints: it has two solutions.",
         ),
         TwoExample(
             "two",

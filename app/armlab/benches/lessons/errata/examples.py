@@ -67,7 +67,7 @@ EXAMPLES: Registry[ErrataExample] = Registry(
             "which_axis",
             "Which axis belongs to which joint",
             "4.1a",
-            "In blue the axis about which the joint turns, in red the one that the text before 4.10 names. A table "
+            "The axis about which the joint turns is blue; the one that the text before 4.10 names is red. A table "
             "filled in by it describes another arm.",
             "puma560",
         ),

@@ -91,7 +91,7 @@ EXAMPLES: Registry[Example] = Registry(
             "by_length",
             "The same curve by its length",
             "It is the same curve with the same κ, but |p′| is 1 everywhere: p′ is the tangent itself, and p″ = κ n is "
-            "across it.",
+            "perpendicular to it.",
             _typed("6s+2", "5s^2", "-8s", by_length=True, arrows=True),
         ),
         Example(

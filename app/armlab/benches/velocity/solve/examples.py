@@ -92,7 +92,8 @@ EXAMPLES: Registry[Example] = Registry(
             "elbow_3r",
             (20.0, 122.0053832080835, -90.0),
             (0.0, 0.0, 0.2),
-            "Shoulder singularity: joint 1 turns and the tool stays, so no v across the plane of the arm is reached.",
+            "Shoulder singularity: joint 1 turns and the tool stays, so no v perpendicular to the plane of the arm is "
+            "reached.",
         ),
         Example(
             "elbow_stretched",

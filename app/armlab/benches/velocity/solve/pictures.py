@@ -61,11 +61,11 @@ def refusal(state: State) -> str:
     if arm.n < 2:
         return "The pictures need two joints; this arm has one."
     if not suits(arm):
-        return "The pictures are of two joints of an arm whose axes are parallel."
+        return "This page draws the speeds of two joints as points of a plane. It needs an arm with parallel axes."
     first, second = state[Solve].pair
     for k in (first, second):
         if not arm.revolute[k] and not _moves_in_plane(arm, k):
-            return f"Joint {k + 1} slides across the plane of the others: choose another."
+            return f"Joint {k + 1} slides out of the plane of the others: choose another."
     return ""
 
 

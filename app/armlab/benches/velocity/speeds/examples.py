@@ -54,8 +54,8 @@ EXAMPLES: Registry[Example] = Registry(
             "planar_2r",
             _degrees(10.0, 100.0),
             _degrees(40.0, 50.0),
-            "Each joint moves the tool across the line from its axis to the tool; both parts, put tip to tail, are v. "
-            "⟦The columns of J are the j₁, j₂ of the notes, which 1.18 writes as rows.⟧",
+            "Each joint moves the tool perpendicular to the line from its axis to the tool; put tip to tail, both "
+            "parts are v. ⟦The columns of J are the j₁, j₂ of the notes, which 1.18 writes as rows.⟧",
         ),
         Example(
             "kernel",
@@ -81,8 +81,8 @@ EXAMPLES: Registry[Example] = Registry(
             "planar_2r",
             _degrees(30.0, 70.0),
             _degrees(30.0, -60.0),
-            "The points of link 2 have different velocities and one ω; their difference ω × r₁₂ is across the line "
-            "between them, so that they stay as far apart as they are.",
+            "The points of link 2 have different velocities and one ω; their difference ω × r₁₂ is perpendicular "
+            "to the line between them, so that they stay as far apart as they are.",
             {
                 "marks": frozenset(("points",)),
                 "unfolded": frozenset(("points",)),

@@ -77,6 +77,6 @@ def _sum(steps: Steps) -> Inside:
         tag(
             "p",
             f"cos θ = {number(cosine, 4)}, sin θ = {number(sine, 4)}. From the product of the three steps it differs "
-            f"by {scientific(away)} at most. Any other n across r makes another C and the same R.",
+            f"by {scientific(away)} at most. Any other n perpendicular to r gives another C and the same R.",
         ),
     )

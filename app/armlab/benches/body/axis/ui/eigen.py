@@ -53,7 +53,7 @@ def _vectors(found: Forms, inverse: Inverse) -> Markup:
     said = f"R r = r for r = ({components(found.axis)}): the largest difference of a component is {scientific(kept)}. "
     if inverse.half:
         return tag(
-            "p", said, "At half a turn both other eigenvalues are −1, and every vector across r is an eigenvector."
+            "p", said, "At half a turn both other eigenvalues are −1, and every vector perpendicular to r is one."
         )
     return tag("p", said, "The other two eigenvectors are complex: no other direction of space is kept.")
 

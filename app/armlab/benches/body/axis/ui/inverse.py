@@ -78,7 +78,7 @@ def _solutions(found: Inverse, state: State) -> Markup:
     ]
     table = tag("table.kit-points", head_line("θ", "r"), rows)
     if found.half:
-        why = "Half a turn: sin θ = 0, and R = 2 r rᵀ − I gives r up to its sign: each r turns by +180° or −180° alike."
+        why = "Half a turn: sin θ = 0, and R = 2 r rᵀ − I gives r up to its sign: +180° and −180° about r are the same."
     else:
         why = "Two solutions, one for each sign of the root: the opposite turn about the opposite axis."
     return tag("div", tag("h3", "Both solutions"), table, tag("p.dim", why))

@@ -43,6 +43,9 @@ from armlab.ui.units import Units, typed_numbers, units_of
 UNIT = 1e-9
 """Difference of a length from 1 up to which a quaternion is of unit length."""
 
+TINY = 1e-3
+"""Size below which an entry is written with four significant digits, which four decimals would not show."""
+
 HALF = 1e-6
 """Distance from half a turn, radians, within which both axes are as good."""
 
@@ -184,7 +187,7 @@ def _entry(form: Form, shown: np.ndarray, i: int, j: int) -> Markup:
         values = typed_numbers(text, where, 9, "the matrix")
         return SetBodyMatrix(tuple(values)) if len(values) == 9 else SetBodyEntry(i, j, values[0])
 
-    return form.field(f"R {i}{j}", readable(float(shown[i, j]), 4), where, taken)
+    return form.field(f"R {i}{j}", _written(float(shown[i, j])), where, taken)
 
 
 def _distance(form: Form, found: Forms) -> Inside:
@@ -209,6 +212,11 @@ def _distance(form: Form, found: Forms) -> Inside:
     )
 
 
+def _written(value: float) -> str:
+    """Return an entry with four decimals, as its neighbours have; a whole or a tiny one in few digits."""
+    return readable(value, 4) if abs(value) < TINY or value == round(value) else number(value, 4)
+
+
 def _fields(
     form: Form,
     cell: str,
@@ -225,6 +233,6 @@ def _fields(
             found = typed_numbers(text, names[k], len(names), of)
             return all_(tuple(found)) if len(found) > 1 else one(k, found[0])
 
-        return form.field(f"{cell} {k}", readable(float(values[k]), 4), names[k], taken)
+        return form.field(f"{cell} {k}", _written(float(values[k])), names[k], taken)
 
     return [field(k) for k in range(len(names))]

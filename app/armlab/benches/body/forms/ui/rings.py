@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 
 import numpy as np
@@ -30,6 +31,10 @@ BEARING = 0.034
 BEYOND = 1.16
 """Ends of the drawn axes, in radii of the outermost ring."""
 
+BESIDE = 0.8
+"""Distance of the end of an axis from the middle of the picture of the rings, below which its name stands beside them,
+in the same."""
+
 
 class Rings:
     """Three rings, moved as the body turns."""
@@ -52,8 +57,11 @@ class Rings:
         self._axes = Sketch(canvas, "body/axes", 0.6)
         self._names = [Named(canvas, f"body/ring_name{turn}") for turn in range(3)]
 
-    def show(self, rings: tuple[Ring, ...], names: list[str], centre: Floats) -> None:
-        """Show rings, from the outermost one, with the names of the turns in order; no rings hide all."""
+    def show(self, rings: tuple[Ring, ...], names: list[str], centre: Floats, eye: Floats) -> None:
+        """Show rings, from the outermost one, with the names of the turns in order; no rings hide all.
+
+        ``eye`` is the unit vector towards the eye at home, for which no name lies over the body.
+        """
         shown = {(place, ring.turn): ring for place, ring in enumerate(rings)}
         for place, colours in enumerate(self._nodes):
             for turn, node in enumerate(colours):
@@ -67,10 +75,18 @@ class Rings:
         ]
         self._axes.draw(Marks(strokes=strokes))
         for ring, end in zip(rings, ends, strict=True):
-            self._names[ring.turn].show(names[ring.turn], centre + 1.06 * end)
+            self._names[ring.turn].show(names[ring.turn], centre + beside_the_body(1.06 * end, eye, self._radius))
         if not rings:
             for name in self._names:
                 name.show("", centre)
+
+
+def beside_the_body(end: Floats, eye: Floats, radius: float) -> Floats:
+    """Return the end of an axis, or a point beside the rings where the axis points to the eye or away from it."""
+    if float(np.linalg.norm(end - (end @ eye) * eye)) > BESIDE * radius:
+        return end
+    right = np.array([-eye[1], eye[0], 0.0]) / math.hypot(eye[0], eye[1])
+    return math.copysign(BEYOND * radius, float(end @ right)) * right
 
 
 @lru_cache(maxsize=9)

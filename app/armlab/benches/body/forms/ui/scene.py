@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.body.forms.gimbal import rings_of
 from armlab.benches.body.forms.rotation import Forms, forms_of
-from armlab.benches.body.forms.stage import pose_at, stage_of
+from armlab.benches.body.forms.stage import pose_at, stage_of, towards_eye
 from armlab.benches.body.forms.state import Body
 from armlab.benches.body.forms.ui.base import BaseFrame
 from armlab.benches.body.forms.ui.handle import body_handle
@@ -49,7 +49,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
         block.show(pose_at(found.R, centre))
         angles = found.triples.shown
         shown = rings_of(part.axes, part.fixed, angles) if part.rings else ()
-        rings.show(shown, ring_names(part, angles, units), centre)
+        rings.show(shown, ring_names(part, angles, units), centre, towards_eye(state))
         lost.draw(lost_marks(found, centre, radius, DARK.on(state)))
         handle(state)
 

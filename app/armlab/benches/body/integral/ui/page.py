@@ -36,7 +36,7 @@ from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
-HEIGHT = 80
+HEIGHT = 118
 
 EN_SPACE = "\N{EN SPACE}"
 

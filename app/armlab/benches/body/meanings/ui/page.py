@@ -105,7 +105,7 @@ def _elementary(form: Form, state: State) -> Markup:
     chips = form.chips("elementary", names, chosen, "Turn about this axis by the present angle", TurnElementary)
     head = row("Elementary", chips)
     if found is None:
-        return joined(head, tag("p.dim", "Choose one to see what it does in the plane across its axis."))
+        return joined(head, tag("p.dim", "Choose one to see what it does in the plane perpendicular to its axis."))
     one, other = found.plane[0], found.plane[1]
     alpha, theta = units.angle(found.alpha), units.angle(found.theta)
     turned = units.angle(found.alpha + found.theta)

@@ -141,7 +141,7 @@ def ends_markup(state: State) -> Inside:
     ratio = number(found.apart / found.rule, 3) if found.rule > 0.0 else "–"
     rows: list[tuple[Inside, Inside]] = [
         ("angle between the ends", angle_text(found.apart, state)),
-        ((mathml(r"\theta_a\theta_b|a\times b|"), f", of which the angle is {ratio}"), angle_text(found.rule, state)),
+        ((mathml(r"\theta_a\theta_b|a\times b|"), f"; the angle is {ratio} of it"), angle_text(found.rule, state)),
         ("largest difference of an entry from I + S(dφ)", scientific(found.beyond, 2)),
     ]
     if found.apart < SAME:
@@ -163,8 +163,8 @@ def _alike(state: State) -> str:
         return "One of the rotations is none."
     cross = np.linalg.norm(np.cross(part.a, part.b))
     if cross < 1e-9 * math.hypot(*part.a) * math.hypot(*part.b):
-        return "Both axes are one line: the angles add, in either order."
-    return "These two happen to commute: half turns about axes across each other, or whole turns."
+        return "Both axes are one line, so the angles add in either order."
+    return "These two happen to commute: half turns about perpendicular axes, or whole turns."
 
 
 def angle_text(value: float, state: State) -> Markup:

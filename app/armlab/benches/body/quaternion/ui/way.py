@@ -24,7 +24,7 @@ from armlab.ui.widgets import Gui
 
 COLOURS: dict[str, Rgb] = {"slerp": BLUE, "line": GREEN, "euler": VERMILLION}
 
-HEIGHT = 100
+HEIGHT = 114
 
 HALF = 1e-9
 """Scalar product of two unit quaternions below which they are half a turn apart."""

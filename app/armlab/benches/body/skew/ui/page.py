@@ -72,7 +72,7 @@ def _split(form: Form, state: State) -> Inside:
         pairs(rows),
         tag(
             "p.dim",
-            "A skew matrix turns x into S x across x, so xᵀS x is the number 0, for every x"
+            "A skew matrix turns x into S x, perpendicular to x, so xᵀS x is the number 0, for every x"
             "⟦; 3.41 prints a vector⟧. Only the symmetric part counts.",
         ),
     )

@@ -214,4 +214,4 @@ def _eigen(found: Found) -> Markup:
     return tag("p.exp-eigen", joined(said, between=tag("br")))
 
 
-PANEL = Panel((Exponential,), build, rebuilds=(Notation,))
+PANEL = Panel((Exponential,), build, rebuilds=(Notation,), apart=True)

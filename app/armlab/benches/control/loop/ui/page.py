@@ -148,4 +148,4 @@ def _numbers(part: Loop, units: Units) -> Markup:
     return pairs(rows)
 
 
-PANEL = Panel((Loop, Timeline), build, rebuilds=(Notation,))
+PANEL = Panel((Loop, Timeline), build, rebuilds=(Notation,), apart=True)

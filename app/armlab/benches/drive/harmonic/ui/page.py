@@ -114,7 +114,7 @@ def _counted(state: State, units: Units) -> Inside:
         tag(
             "p.dim",
             "The same number of teeth of both comes past a lobe, one by one. But the flexspline has "
-            f"{drive.difference} fewer on its circumference, and is through with them earlier.",
+            f"{drive.difference} fewer on its circumference, and comes to the end of them earlier.",
         ),
     )
 

@@ -27,24 +27,12 @@ def worst_markup(state: State, units: Units) -> Markup:
     """Return the worst case of position and of orientation, and the joint that contributes most."""
     found, arm = state.derived(errors_of), state[Drives].arm
     position, turned = found.position, found.orientation
-    head = f"The tool: within {small(units, position.size, False)} and {small(units, turned.size, True)}"
-    return verdict_box(
-        "ok", head, tag("p", _where(found, arm)), _most(found, arm, units), _check(state, units), sign="±"
-    )
+    head = f"The tool is known within {small(units, position.size, False)} and {small(units, turned.size, True)}"
+    return verdict_box("ok", head, tag("p", _where(found, arm)), _most(found, arm, units), sign="±")
 
 
 def _joints(numbers: list[str]) -> str:
     return f"joint{'s' if len(numbers) > 1 else ''} {', '.join(numbers)}"
-
-
-def _check(state: State, units: Units) -> Markup:
-    """Return how far forward kinematics is from what J says."""
-    both = state.derived(compared)
-    apart = small(units, both.position_apart, False), small(units, both.orientation_apart, True)
-    return tag(
-        "p",
-        f"All this is by J. Forward kinematics of the same joint errors differs by at most {apart[0]} and {apart[1]}.",
-    )
 
 
 def _where(found: ToolErrors, arm: Arm) -> str:
@@ -56,10 +44,10 @@ def _where(found: ToolErrors, arm: Arm) -> str:
     other = [str(i + 1) for i in range(arm.n) if moving[i] and found.position.signs[i] < 0]
     if not one or not other:
         every = "all joints" if moving.all() else _joints(one or other)
-        sides = f"{every} to one side"
+        sides = f"{every} err in one sense"
     else:
-        sides = f"{_joints(one)} to one side and {_joints(other)} to the other"
-    return f"Farthest along ({towards}) or against it, with {sides}."
+        sides = f"{_joints(one)} err in one sense and {_joints(other)} in the other"
+    return f"The position is off most along ({towards}) or the opposite direction, when {sides}."
 
 
 def _most(found: ToolErrors, arm: Arm, units: Units) -> Markup | None:
@@ -76,8 +64,8 @@ def _leader(shares: NDArray[np.float64], what: str, units: Units, revolute: bool
     if most <= NOTHING:
         return ""
     if len(leaders) > 1:
-        return f"To the {what} {len(leaders)} joints contribute {small(units, most, revolute)} each, the most. "
-    return f"To the {what} joint {leaders[0] + 1} contributes most by itself, {small(units, most, revolute)}. "
+        return f"{len(leaders)} joints contribute most to the {what}, {small(units, most, revolute)} each. "
+    return f"Joint {leaders[0] + 1} contributes most to the {what}, {small(units, most, revolute)}. "
 
 
 def shares_markup(state: State, units: Units) -> Inside:

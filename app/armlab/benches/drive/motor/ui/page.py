@@ -11,7 +11,7 @@ from armlab.benches.drive.motor.ui.blocks import diagram
 from armlab.benches.drive.motor.ui.form import constants_markup, inputs_markup
 from armlab.benches.drive.motor.ui.model import around_motors
 from armlab.benches.drive.motor.ui.plots import Plots, Responses
-from armlab.benches.drive.motor.ui.poles import poles_markup
+from armlab.benches.drive.motor.ui.poles import functions_markup, poles_markup
 from armlab.benches.drive.motor.ui.powers import powers_markup, units_markup
 from armlab.benches.drive.motor.ui.twins import field_markup, state_markup
 from armlab.benches.drive.power.ui.typed import typed
@@ -69,7 +69,9 @@ def _clock(form: Form, state: State) -> Markup:
 def _markup(form: Form, state: State, units: Units) -> Inside:
     part, now = state[Motor], moment_of(state)
     if part.shown == "blocks":
-        return diagram(part.motor, now, units), poles_markup(part)
+        return diagram(part.motor, now, units), functions_markup(part)
+    if part.shown == "poles":
+        return poles_markup(part)
     if part.shown == "power":
         return powers_markup(state), fold("k in other units", units_markup(state))
     if part.shown == "state":

@@ -32,13 +32,13 @@ class Plots:
         dotted = (2, 3)
         self._seen = (
             plot(
-                "Current; dotted: where it ends, A",
+                "Current, A (dotted: final value)",
                 "current",
                 Curve("i, A", VERMILLION),
                 Curve("i at the end, A", GREY, 1.2, dash=dotted),
             ),
             plot(
-                "Speed; dotted: where it ends, rad/s",
+                "Speed, rad/s (dotted: final value)",
                 "speed",
                 Curve("ω, rad/s", GREEN),
                 Curve("ω at the end, rad/s", GREY, 1.2, dash=dotted),
@@ -97,7 +97,7 @@ class Responses:
     def show(self, state: State) -> None:
         """Show the responses of the motor, while its poles are looked at."""
         part = state[Motor]
-        on = part.shown == "blocks"
+        on = part.shown == "poles"
         self._fold.visible(on)
         for plot in self._plots:
             plot.on = on

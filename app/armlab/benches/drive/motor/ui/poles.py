@@ -14,7 +14,7 @@ from armlab.ui import svg
 from armlab.ui.chart import Chart
 from armlab.ui.format import mathml, number, pairs
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.markup import fold, verdict_box
+from armlab.ui.markup import verdict_box
 from armlab.ui.tables import head_line, line
 
 WIDTH, TALL, LEFT, BOTTOM = 320.0, 112.0, 34.0, 18.0
@@ -27,11 +27,11 @@ CROSS = 4.5
 """Half size of the cross of a pole, pixels."""
 
 
-def poles_markup(part: Motor) -> Inside:
-    """Return both transfer functions with their numbers, the plane, and the table of poles and time constants."""
+def functions_markup(part: Motor) -> Inside:
+    """Return both transfer functions, with their gains and numbers."""
     motor = part.motor
     a, b, c = (amount(value) for value in motor.denominator)
-    numbers = f"ω/v_a = {amount(motor.k)} / ({a} s² + {b} s + {c}); the angle has the pole 0 besides."
+    numbers = f" = {amount(motor.k)} / ({a} s² + {b} s + {c}). The angle has one more pole, 0."
     gains = pairs(
         [
             (("steady ω for 1 V, ", mathml(r"k/(R_aF_m+k^2)")), amount(motor.voltage_gain, "rad/s")),
@@ -41,11 +41,15 @@ def poles_markup(part: Motor) -> Inside:
     return (
         tag("div.eq.small.mo-eq", mathml(VOLTAGE)),
         tag("div.eq.small.mo-eq", mathml(LOAD)),
-        plane(motor),
-        _table(motor),
-        _verdict(motor),
-        fold("Gains, and the chain without back-EMF", gains, tag("p.dim", numbers), tag("p.dim", _open_chain(motor))),
+        tag("p.dim", "ω/v", tag("sub", "a"), numbers),
+        gains,
+        tag("p.dim", _open_chain(motor)),
     )
+
+
+def poles_markup(part: Motor) -> Inside:
+    """Return the plane, and the table of poles and time constants."""
+    return plane(part.motor), _table(part.motor), _verdict(part.motor)
 
 
 def _open_chain(motor: DcMotor) -> str:
@@ -53,7 +57,7 @@ def _open_chain(motor: DcMotor) -> str:
     without = f"{amount(motor.open_gain, 'rad/s')} for each volt, {amount(ratio)} times as fast"
     end = "without end" if motor.F == 0.0 else without
     return (
-        f"k ω is a loop inside the motor and no input: the chain of both parts without it, k/(R F), would turn {end}."
+        f"k ω is a loop inside the motor and no input. Without it, the chain of both parts, k/(R F), would turn {end}."
         "⟦ The text after 2.19 calls the back-EMF an external input; 2.14 mixes s and t on its right side, 2.15 is "
         "right.⟧"
     )
@@ -122,8 +126,8 @@ def _table(motor: DcMotor) -> Markup:
         tag("table.kit-points.mo-poles", head, rows),
         tag(
             "p.dim",
-            "○ −1/τ are approximations: they are the poles where the electrical time constant is far below the "
-            "mechanical one, and nothing of the kind where the poles are complex. × are the poles.",
+            "× are the poles. ○ are the approximations −1/τ: they are close where the electrical time constant is far "
+            "below the mechanical one, and mean nothing where the poles are complex.",
         ),
     )
 

@@ -16,9 +16,10 @@ from armlab.ui.tables import head_line, line
 from armlab.ui.units import units_of
 
 SYSTEM = (
-    r"\dot x=\begin{bmatrix}-\frac{R_a}{L_a}&-\frac{k}{L_a}&0\\\frac{k}{I_m}&-\frac{F_m}{I_m}&0\\0&1&0\end{bmatrix}x"
-    r"+\begin{bmatrix}\frac{1}{L_a}&0\\0&-\frac{1}{I_m}\\0&0\end{bmatrix}\begin{bmatrix}v_a\\\tau_{load}\end{bmatrix}"
+    r"\dot x=\begin{bmatrix}-R_a/L_a&-k/L_a&0\\k/I_m&-F_m/I_m&0\\0&1&0\end{bmatrix}x",
+    r"{}+\begin{bmatrix}1/L_a&0\\0&-1/I_m\\0&0\end{bmatrix}\begin{bmatrix}v_a\\\tau_{load}\end{bmatrix}",
 )
+"""The equation in two lines."""
 
 PRINTED, RIGHT = r"(\dot i_a,\ddot\theta,\dot\theta)", r"(i_a,\omega,\theta)"
 
@@ -40,7 +41,7 @@ def state_markup(state: State) -> Inside:
         for name, each in (("first", one), ("second", other))
     ]
     return (
-        tag("div.eq.small.mo-system", mathml(SYSTEM)),
+        tag("div.eq.small.mo-system", mathml(SYSTEM[0]), tag("br"), mathml(SYSTEM[1])),
         tag("table.kit-points", head_line("motor", "i, A", "ω, rad/s", "θ"), rows),
         _compared(state),
         _verdict(state),

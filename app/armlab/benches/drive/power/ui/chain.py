@@ -78,9 +78,9 @@ def _whole(chain: Chain) -> Markup:
 def _ratio(chain: Chain) -> str:
     """Return the ratio that the typed speeds mean, with what they have in place of one."""
     if chain.kind.key == "rotary":
-        return f" The speeds mean a gear of {amount(chain.passed[2].flow / chain.passed[3].flow)}."
+        return f" From these speeds follows a gear ratio of {amount(chain.passed[2].flow / chain.passed[3].flow)}."
     last = chain.passed[-1].flow
     if chain.kind.key == "linear":
         lead = 2.0 * math.pi * last / chain.passed[2].flow
-        return f" The speeds mean a screw that advances {amount(1e3 * lead)} mm a turn."
+        return f" From these speeds follows a screw that advances {amount(1e3 * lead)} mm a turn."
     return f" Flow and speed mean a piston of {amount(1e4 * chain.passed[2].flow / last)} cm²."

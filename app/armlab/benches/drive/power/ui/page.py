@@ -49,4 +49,4 @@ def _markup(form: Form, part: Power, units: Units) -> Inside:
     return comparison_markup(form, part)
 
 
-PANEL = Panel((Power,), build, rebuilds=(Notation,))
+PANEL = Panel((Power,), build, rebuilds=(Notation,), apart=True)

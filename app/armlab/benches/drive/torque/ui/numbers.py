@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 
 from armlab.benches.drive.quantities import prefixed
-from armlab.benches.drive.torque.sampled import Sampled, sampled_of
+from armlab.benches.drive.torque.sampled import sampled_of
 from armlab.benches.drive.torque.state import Torque
 from armlab.kin.drive.coils import ripple
 from armlab.session.amounts import amount
 from armlab.session.state import State
 from armlab.ui.format import mathml, pairs, scientific
-from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import verdict_box
 from armlab.ui.units import units_of
 
@@ -36,7 +36,7 @@ def now_markup(state: State) -> Markup:
 
 
 def turn_markup(state: State) -> Markup:
-    """Return the verdict on the torque over a turn, and how both ways to it agree."""
+    """Return the verdict on the torque over a turn."""
     part, found = state[Torque], state.derived(sampled_of)
     least, largest, mean = part.torques
     if part.coil.peak == 0.0:
@@ -58,16 +58,21 @@ def turn_markup(state: State) -> Markup:
         f"mean is k = {prefixed(mean / abs(part.current), 'N m/A')}, the constant of the motor."
     )
     kind = "warn" if part.coils < 3 else "ok"
-    return joined(verdict_box(kind, head, tag("p", body)), _check(part, found))
+    return verdict_box(kind, head, tag("p", body))
 
 
-def _check(part: Torque, found: Sampled) -> Markup:
+def check_markup(state: State) -> Markup | None:
+    """Return how the formula of the ripple agrees with the sum of the coils; nothing where there is no mean torque."""
+    part, found = state[Torque], state.derived(sampled_of)
+    if part.coil.peak == 0.0 or not part.switched:
+        return None
     sampled = (found.largest - found.least) / abs(found.mean)
     away = abs(sampled - ripple(part.coils))
     return tag(
         "p.dim",
         mathml(RIPPLE),
-        f"; 7200 angles of the sum of the coils give {amount(100.0 * sampled)} %, {scientific(100.0 * away)} % away.",
+        f" by the formula. The sum of the coils at 7200 angles gives {amount(100.0 * sampled)} %, which differs by "
+        f"{scientific(100.0 * away)} %.",
     )
 
 

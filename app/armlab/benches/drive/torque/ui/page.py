@@ -7,7 +7,7 @@ from armlab.benches.drive.torque.examples import EXAMPLES, ChooseTorqueExample
 from armlab.benches.drive.torque.state import CLIP_KEY, Torque
 from armlab.benches.drive.torque.ui.form import form_markup
 from armlab.benches.drive.torque.ui.model import HALF
-from armlab.benches.drive.torque.ui.numbers import model_words, now_markup, turn_markup
+from armlab.benches.drive.torque.ui.numbers import check_markup, model_words, now_markup, turn_markup
 from armlab.benches.drive.torque.ui.plots import Plots
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import Timeline
@@ -24,10 +24,10 @@ HIDES = (*OF_THE_ARM, "gizmo", "gap")
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Build the fields, the film, the numbers and the plots."""
+    """Build the fields, the film, the plots and the numbers."""
     units = units_of(state)
-    head, timing, told = gui.form(post), gui.form(post), gui.html()
-    plots, now = Plots(gui, units), gui.html()
+    head, timing = gui.form(post), gui.form(post)
+    plots, told = Plots(gui, units), gui.html()
 
     def show(state: State) -> None:
         part = state[Torque]
@@ -37,9 +37,13 @@ def build(gui: Gui, state: State, post: Post) -> Show:
                 form_markup(head, part, units),
             )
         timing.show(clock(timing, state, CLIP_KEY, part.end))
-        told.show(turn_markup(state))
         plots.show(state)
-        now.show(now_markup(state), fold("What the model leaves out", model_words()))
+        told.show(
+            turn_markup(state),
+            now_markup(state),
+            check_markup(state),
+            fold("What the model leaves out", model_words()),
+        )
 
     return show
 

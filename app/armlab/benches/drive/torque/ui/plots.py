@@ -27,9 +27,9 @@ class Plots:
         self._factor = units.factor(True)
         unit = units.angle_unit
         curves = [
-            Curve("one coil, N m", ORANGE, 1.2, dash=(4, 3)),
-            Curve("mean, N m", GREY, 1.2, dash=(2, 3)),
-            Curve("τ of all coils, N m", BLUE, 2.0),
+            Curve("one coil", ORANGE, 1.2, dash=(4, 3)),
+            Curve("mean", GREY, 1.2, dash=(2, 3)),
+            Curve("all coils", BLUE, 2.0),
         ]
         self._torque = Plot(gui, "Torque over a turn, N m", f"θ, {unit}", curves, "torque_of_coils", height=HEIGHT)
         self._theta = Plot(

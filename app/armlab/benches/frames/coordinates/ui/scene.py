@@ -36,6 +36,9 @@ AXES = 2.2
 ARC, BALL = 1.1, 0.12
 """Radius of the arcs of angles, and of the point, in the same."""
 
+BELOW = 0.75
+"""Distance of the name of r below its line, clear of those of h and theta, in radii of the arcs."""
+
 THICK, AXIS, FINE = 0.7, 0.6, 0.35
 """Thickness of lengths and arcs, axes, and circles, in usual thicknesses for axes of the usual length."""
 
@@ -123,7 +126,7 @@ def drawn(shown: str, found: Where, radius: float, ink: Rgb) -> tuple[list[Segme
     if shown == "cylindrical":
         lines += [(np.zeros(3), foot, COLOURS["r"]), (foot, found.p, COLOURS["h"])]
         fine += arc(np.array([0.0, 0.0, found.h]), foot, Z, 2.0 * math.pi, ink)
-        at_r = None if found.on_axis else 0.6 * foot
+        at_r = None if found.on_axis else 0.55 * foot - BELOW * radius * Z
         return _long(lines), _long(fine), (at_r, at_theta, 0.5 * (foot + found.p) if abs(found.h) > radius else None)
     lines.append((np.zeros(3), found.p, COLOURS["r"]))
     fine.append((foot, found.p, ink))

@@ -141,7 +141,7 @@ def ways_markup(form: Form, state: State) -> Inside:
         part.straight,
     )
     return (
-        tag("h3", "Against the straight way ", tag("span.copies", chip)),
+        tag("h3", "Compared with the straight path ", tag("span.copies", chip)),
         pairs(_compared(found, part_of(state), units)),
         tag("p.dim", _said(found)),
         fold("Twist", _twist(found)),
@@ -151,18 +151,18 @@ def ways_markup(form: Form, state: State) -> Inside:
 def _compared(found: Ways, s: float, units: Units) -> list[tuple[Inside, Inside]]:
     apart = float(np.linalg.norm(found.at(s)[:3, 3] - found.straight(s)[:3, 3]))
     return [
-        ("way of the origin on the screw", units.length(found.length)),
-        ("straight way", units.length(found.chord)),
-        ("apart at present", units.length(apart)),
+        ("path of the origin on the screw", units.length(found.length)),
+        ("straight path", units.length(found.chord)),
+        ("distance between them now", units.length(apart)),
     ]
 
 
 def _said(found: Ways) -> str:
     if found.screw.kind in ("none", "translation"):
-        return "Without a turn both ways are the same."
+        return "Without a rotation both paths are the same."
     return (
-        "At every time the body is turned alike on both ways: the angles of exp(s [S]) and of slerp grow evenly about "
-        "one axis. They differ in the place only."
+        "At every time the body has the same orientation on both paths: the angles of exp(s [S]) and of slerp grow "
+        "evenly about one axis. Only the positions differ."
     )
 
 

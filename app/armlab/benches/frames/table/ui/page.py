@@ -162,9 +162,9 @@ def _actions(form: Form, state: State) -> Markup:
 
 def _verdict(state: State, asked: Asked) -> Markup:
     units, task = units_of(state), state[Joints].arm.task
-    told = f"It is {units.length(asked.away)} away and turned by {units.angle(asked.turned)} against it."
+    told = f"It is {units.length(asked.away)} from there, and its orientation differs by {units.angle(asked.turned)}."
     partial_ = task.rotation != "full" or task.position != "xyz"
-    free = tag("p", f"This arm controls {task.title} of its tool; the rest is as it comes.") if partial_ else None
+    free = tag("p", f"This arm controls {task.title} of its tool; the rest cannot be chosen.") if partial_ else None
     if asked.away < NEAR and asked.turned < ALIGNED:
         return verdict_box("ok", "The tool is above the object", tag("p", told), free)
     if asked.away < NEAR:

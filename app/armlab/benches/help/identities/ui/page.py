@@ -123,4 +123,4 @@ def _draw(plots: list[Plot], state: State) -> None:
         imaginary.cursor(found.at)
 
 
-PANEL = Panel((Identities,), build, rebuilds=())
+PANEL = Panel((Identities,), build, rebuilds=(), apart=True)

@@ -50,6 +50,11 @@ from armlab.ui.widgets import Gui
 
 LIMITS = {"none": "Not kept", "clamp": "Kept"}
 KEPT = "Whether each step is stopped at the joint limits"
+MAP = (
+    "Each point of the map is a start, with the values of the two joints on its axes. Its colour tells to which "
+    "solution the method converges from there, and in how many steps."
+)
+CLICK = "Click a point of the map to see its iterations as a film."
 WHAT_TO_DO = "Choose a task vector that contains a joint, or hold joints on the page Joints."
 
 
@@ -214,7 +219,9 @@ def _action(form: Form, state: State) -> Inside:
     press = form.button("draw", "Draw", DrawBasins(), "main", off=bool(why))
     if why:
         return verdict_box("no", "No map", f"{capitalised(why)}. {WHAT_TO_DO}"), tag("div.bar", press)
-    return tag("div.bar", press, tag("span.dim", "Click the map: a film begins."))
+    if part.map is None:
+        return tag("p.dim", MAP), tag("div.bar", press)
+    return tag("div.bar", press, tag("span.dim", CLICK))
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:

@@ -97,4 +97,4 @@ def _plain(value: float, decimals: int) -> str:
     return number(value, decimals) if 10.0 ** (1 - decimals) <= abs(value) < 1e4 else scientific(value, 3)
 
 
-PANEL = Panel((Newton1D, Timeline), build, rebuilds=(Notation,))
+PANEL = Panel((Newton1D, Timeline), build, rebuilds=(Notation,), apart=True)

@@ -54,14 +54,14 @@ def _by_angle(R: Floats) -> tuple[Floats, str] | str:
     found = float(angle_by_atan2(R, 0.5))
     return (
         np.asarray(rotation_from_axis_angle(axis, found)),
-        "The tool's axes, in blue, and in red those of a turn about the same axis by the printed angle.",
+        "The tool's axes are blue; those of a turn about the same axis by the printed angle are red.",
     )
 
 
 def _by_quaternion(R: Floats) -> tuple[Floats, str] | str:
     return (
         matrix_of(by_signs(R, (2, 1))),
-        "The tool's axes, in blue, and in red those of the quaternion with the printed sign.",
+        "The tool's axes are blue; those of the quaternion with the printed sign are red.",
     )
 
 
@@ -74,7 +74,7 @@ def _by_rpy(row: int, column: int) -> Written:
         else:
             printed[1, 2] = math.sin(yaw) * math.sin(pitch) * math.cos(yaw) - math.cos(yaw) * math.sin(roll)
         axis = "xyz"[column]
-        return printed, f"The {axis} axis of the tool, in blue, and in red as its roll, pitch and yaw would give it."
+        return printed, f"The {axis} axis of the tool is blue; as its roll, pitch and yaw would give it, it is red."
 
     return written
 
@@ -83,7 +83,7 @@ def _by_zxz(R: Floats) -> tuple[Floats, str] | str:
     phi, theta, psi = euler_angles(R, "zxz").solutions[0]
     printed = R.copy()
     printed[1, 0] = math.sin(phi) * math.sin(psi) + math.cos(phi) * math.cos(theta) * math.sin(psi)
-    return printed, "The x axis of the tool, in blue, and in red as its ZX′Z″ angles would give it."
+    return printed, "The x axis of the tool is blue; as its ZX′Z″ angles would give it, it is red."
 
 
 def _singular_zxz(R: Floats) -> tuple[Floats, str] | str:
@@ -94,7 +94,7 @@ def _singular_zxz(R: Floats) -> tuple[Floats, str] | str:
     phi = math.atan2(R[1, 0], R[0, 0])  # with psi = 0
     return (
         np.asarray(rotation_about("z", phi)),
-        "The tool points straight down: θ = π. In red the axes of R_z(φ + ψ), which is a turn about z only.",
+        "The tool points straight down: θ = π. The axes of R_z(φ + ψ), which is a turn about z only, are red.",
     )
 
 

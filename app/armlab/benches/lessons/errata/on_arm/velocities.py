@@ -28,7 +28,7 @@ def _last_column(arm: Arm, q: Floats) -> Drawn | Unfit:
     J = np.asarray(arm.jacobian(q), dtype=np.float64)[:3]
     right, last = J @ speeds, J[:, -1] * speeds[-1]
     return Drawn(
-        f"All joints move, those that turn with {TURNING:g} rad/s. The velocity of the tool in blue, and in red "
+        f"All joints move, those that turn with {TURNING:g} rad/s. The velocity of the tool is blue; red is that "
         f"without the part of joint {arm.n}, whose vector is said to be 0.",
         float(np.linalg.norm(last)),
         "m/s",
@@ -64,7 +64,7 @@ def _error_rate(arm: Arm, q: Floats) -> Drawn | Unfit:
     point = np.asarray(arm.position(q), dtype=np.float64)
     return Drawn(
         f"Each joint is {OFF:g} rad (sliding ones {OFF * SLIDING:g} m) from where it is to be, and K = {GAIN:g} 1/s. "
-        "How the error of the tool changes, in blue, and in red without the gain.",
+        "The change of the tool's error is blue; without the gain it is red.",
         float(np.linalg.norm(printed - right)),
         "m/s",
         arrows(point, (printed, right), arm, ("printed", "ėₚ")),

@@ -13,7 +13,7 @@ from armlab.benches.lessons.errata.ui.listed import entries, filters
 from armlab.benches.lessons.errata.ui.practice import Spotting, view_chips
 from armlab.benches.lessons.errata.ui.scene import around
 from armlab.content.errata_sheet import FORMATS, sheet
-from armlab.content.lessons import lessons
+from armlab.content.lessons import lessons_read
 from armlab.session.parts.errata_practice import Practice
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
@@ -23,6 +23,7 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, tag
 from armlab.ui.markup import fold
+from armlab.ui.picks import lessons_to_come
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.widgets import Gui
 
@@ -72,5 +73,10 @@ def _save(gui: Gui, key: str) -> None:
 
 
 PANEL = Panel(
-    (Errata, Practice, Joints, RobotPart, Notation), build, rebuilds=(Notation,), around=around, outside=lessons
+    (Errata, Practice, Joints, RobotPart, Notation),
+    build,
+    rebuilds=(Notation,),
+    around=around,
+    outside=lessons_read,
+    waits=lessons_to_come,
 )

@@ -7,7 +7,7 @@ from functools import partial
 from armlab.benches.lessons.index.ui.assignments import listed
 from armlab.benches.lessons.index.ui.map import Map
 from armlab.content.lesson_head import time_said
-from armlab.content.lessons import Lessons, lessons
+from armlab.content.lessons import Lessons, lessons, lessons_read
 from armlab.session.hand_in import MOST
 from armlab.session.lesson_commands import ChooseCourse
 from armlab.session.parts.lesson import LessonPart
@@ -17,7 +17,7 @@ from armlab.ui.form import Form
 from armlab.ui.html import Inside, tag
 from armlab.ui.lesson.load import load_work
 from armlab.ui.markup import on_paper, row
-from armlab.ui.picks import broken_files
+from armlab.ui.picks import broken_files, lessons_to_come
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.search.markup import search_button
 from armlab.ui.widgets import Gui
@@ -70,4 +70,4 @@ def _told(way: Way, found: Lessons) -> str:
     return f"{done}, {minutes} left" if minutes else done
 
 
-PANEL = Panel((LessonPart,), build, rebuilds=(), outside=lessons)
+PANEL = Panel((LessonPart,), build, rebuilds=(), outside=lessons_read, waits=lessons_to_come)

@@ -23,8 +23,10 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         nonlocal as_text
         as_text = not as_text
 
-    problem, knots, curves = gui.form(post), gui.form(post), gui.form(post)
-    judged, plots, numbers = gui.html(), Plots(gui, state), gui.html()
+    problem, knots = gui.form(post), gui.form(post)
+    plots, curves, judged = Plots(gui, state), gui.form(post), gui.html()
+    plots.derivatives()
+    numbers = gui.html()
     with gui.fold("Limits and minimum time"):
         limits, fast = gui.form(post), gui.form(post)
     solved, rules = gui.html(), gui.form(post)
@@ -45,4 +47,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-PANEL = Panel((Curves,), build, rebuilds=(Notation,))
+PANEL = Panel((Curves,), build, rebuilds=(Notation,), apart=True)

@@ -116,14 +116,17 @@ class CurvePlot(Plot):
 
 
 class Plots:
-    """All four plots."""
+    """All four plots: that of q is there at once, those of its derivatives where `derivatives` is called."""
 
     def __init__(self, gui: Gui, state: State) -> None:
-        of = state[Curves].unit
-        self._plots = [CurvePlot(gui, 0, of)]
-        with gui.fold("Rate, acceleration and jerk"):
-            self._plots += [CurvePlot(gui, order, of) for order in (1, 2, 3)]
+        self._gui, self._of = gui, state[Curves].unit
+        self._plots = [CurvePlot(gui, 0, self._of)]
         self._shown: object = None
+
+    def derivatives(self) -> None:
+        """Add the plots of the derivatives."""
+        with self._gui.fold("Rate, acceleration and jerk"):
+            self._plots += [CurvePlot(self._gui, order, self._of) for order in (1, 2, 3)]
 
     def show(self, part: Curves) -> None:
         """Show the curves if they have changed."""

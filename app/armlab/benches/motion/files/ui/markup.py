@@ -113,9 +113,8 @@ def import_markup(form: Form, state: State, shown: Shown, page: Page) -> Markup:
     chosen = tag("input", type="file", accept=".csv,.tsv,.txt,.dat,.json", data_most=MOST_BYTES, **bound)
     load = tag("label.chip", "Read file", chosen, title="The lab reads the file and sends it nowhere else")
     says = (
-        f"A plan in JSON, or a table: time and q1 to q{n}. Units are those of the header (q1_deg, q1 [rad]); "
-        f"without units, s, rad and m. "
-        f"At most {MOST_ROWS} rows, {MOST_BYTES / 1e6:g} MB."
+        f"The file is a plan in JSON, or a table of time and q1 to q{n}. The header gives units (q1_deg, q1 [rad]); "
+        f"without any they are s, rad and m. At most {MOST_ROWS} rows, {MOST_BYTES / 1e6:g} MB."
     )
     outcome, motion = _outcome(shown, "import"), _recorded(form, state, shown, page)
     return joined(tag("h3", "Read"), tag("div.bar", load), outcome, motion, tag("p.dim", says))

@@ -51,8 +51,8 @@ def marked(name: str, colour: Rgb) -> Markup:
 def form_markup(form: Form, part: Laws) -> Markup:
     """Return timing and laws."""
     laws = [_law(form, part, i) for i in range(len(part.entries))]
-    add = form.chip("add", "+ Add a law", AddLaw(), "Up to three at once") if len(part.entries) < MOST_LAWS else None
-    return joined(_timing(form, part), tag("h3", "Laws"), laws, add)
+    add = form.chip("add", "+ Law", AddLaw(), "Up to three at once") if len(part.entries) < MOST_LAWS else None
+    return joined(_timing(form, part), tag("h3", "Laws ", tag("span.copies", add)), laws)
 
 
 def head_markup(form: Form, part: Laws) -> Markup:
@@ -73,7 +73,8 @@ def _timing(form: Form, part: Laws) -> Markup:
     given = {field.key: getattr(timing, field.key) for field in shown}
     options = option_form(form, "t-", shown, given, SetQuantity)
     names = ", ".join(f"{field.symbol}: {field.title.partition(';')[0]}" for field in shown)
-    return joined(tag("h3", "Timing"), tag("div.bar", how), tag("div.options.law-short", options), tag("p.dim", names))
+    head = tag("h3", "Timing ", tag("span.copies", how))
+    return joined(head, tag("div.options.law-short", options), tag("p.dim", f"{names}."))
 
 
 def _law(form: Form, part: Laws, i: int) -> Markup:

@@ -47,4 +47,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-PANEL = Panel((Laws, Timeline), build, rebuilds=(Notation,))
+PANEL = Panel((Laws, Timeline), build, rebuilds=(Notation,), apart=True)

@@ -163,7 +163,8 @@ def marks(form: Form, state: State) -> Markup:
     scaled = None
     if stage.model:
         size = f"1 : {trimmed(stage.ratio, 1)}"
-        scaled = tag("p.dim", f"Far beyond the arm: drawn as a model {size} beside it, with the axes at its origin.")
+        said = f"The curve is far too large for the arm, so a model {size} of it is drawn beside the arm."
+        scaled = tag("p.dim", said)
     return joined(tag("div.bar", tag("span.dim", "In the scene"), frame, arrows), scaled)
 
 

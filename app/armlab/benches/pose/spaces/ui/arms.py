@@ -42,8 +42,10 @@ def arms_markup(form: Form, state: State) -> Inside:
         hint = "Put this arm on the table; undo brings the present one back"
         offers = [form.chip(f"arm {key}", catalogue()[key].name, ChooseRobot(key), hint) for key in suited()]
         return (
-            verdict_box("todo", "Not for this arm", tag("p", f"It takes a planar arm of three joints: {why}.")),
-            tag("h3", "Go on with"),
+            verdict_box(
+                "todo", "Not for this arm", tag("p", f"This view needs a planar arm with three joints: {why}.")
+            ),
+            tag("h3", "Choose such an arm"),
             tag("div.bar", offers),
         )
     part, units, twins = state[Spaces], units_of(state), state.derived(twins_of)

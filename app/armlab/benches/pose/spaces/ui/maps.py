@@ -67,7 +67,7 @@ def _diagram(state: State, found: Maps, units: Units) -> Markup:
         _space("Actuation space", f"{found.n} motors", tag("p.dim", "A motor drives each joint, most through gears.")),
         _arrow(tag("b", "gears"), "here the lab commands q itself"),
         _space("Joint space", f"n = {found.n}", _values(q)),
-        _arrow(tag("b", "r = f", tag("sub", "r"), "(q)"), "direct kinematics; back: inverse"),
+        _arrow(tag("b", "r = f", tag("sub", "r"), "(q)"), "direct kinematics; the way back is inverse"),
         _space("Task space", f"m = {found.m}", _values(r)),
     )
 
@@ -118,7 +118,7 @@ def _card(found: Maps) -> Markup:
 def _said(found: Maps) -> str:
     n, m = found.n, found.m
     if found.kind == "square":
-        return f"{n} joints and {m} numbers: to most r belong a few q, or none. The page Solutions lists them."
+        return f"{n} joints and {m} numbers: most r have a few solutions q, or none. The page Solutions lists them."
     if found.kind == "redundant":
         what = "a curve" if found.spare == 1 else f"a set of dimension {found.spare}"
         return f"{n} joints and {m} numbers: to one r within reach belongs {what} of q, and the arm may choose."

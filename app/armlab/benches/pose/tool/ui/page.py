@@ -73,7 +73,7 @@ def _position(pair: Pair, units: Units) -> Inside:
         tag("tr", tag("th", name), [tag("td", tag("i", letter), f" {text}") for letter, text in cells])
         for name, cells in rows
     ]
-    note = "θ about z from x; spherical φ down from z."
+    note = "θ is the angle about z, from x; the spherical φ is the angle from z."
     if at_origin:
         note = "At the origin θ and φ are not defined."
     elif r < ON_AXIS:

@@ -126,4 +126,4 @@ def _amount(value: float, unit: str) -> str:
     return f"{trimmed(value / 1e9, 1)} billion $" if unit == "$" else robots(value)
 
 
-PANEL = Panel((Market,), build, rebuilds=(Notation,))
+PANEL = Panel((Market,), build, rebuilds=(Notation,), apart=True)

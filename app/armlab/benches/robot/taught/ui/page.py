@@ -28,6 +28,8 @@ GOALS = {"table": "from the table", "taught": "taught"}
 
 FORMULAS = r"AP=|\bar p-p_c|,\quad l_j=|p_j-\bar p|,\quad RP=\bar l+3\,S_l"
 
+FINDS = "A peg does if it misses by no more than clearance and compliance together."
+
 MANY = 3.0
 """Ratio of accuracy and repeatability from which one is told to be many times the other."""
 
@@ -97,8 +99,8 @@ def peg_markup(form: Form, part: TaughtGoal, visits: Visits, units: Units) -> In
     entered = visits.entered(part.clearance, part.yields)
     return (
         tag("h3", "A peg along z of the tool"),
-        tag("div.kit-numbers", [_field(form, part, name, units) for name in ("clearance", "yields")]),
-        tag("p", tag("b", f"{entered} of {part.visits} pegs"), " find their hole: they miss it by no more than both."),
+        tag("div.ac-fields", [_field(form, part, name, units) for name in ("clearance", "yields")]),
+        tag("p", tag("b", f"{entered} of {part.visits} pegs"), f" find their hole. {FINDS}"),
     )
 
 

@@ -183,7 +183,9 @@ def _verdict(part: Curve) -> Markup:
     floor = 0.5 * (sensor.hysteresis + sensor.resolution) + 3.0 * sensor.noise
     if left > 1.5 * floor + 1e-9:
         return verdict_box(
-            "warn", head, f"A polynomial of degree {part.degree} has not the shape of the curve: raise the degree."
+            "warn",
+            head,
+            f"A polynomial of degree {part.degree} does not have the shape of the curve: raise the degree.",
         )
     if floor < 1e-9:
         return verdict_box("ok", head, "The polynomial is the curve.")
@@ -207,4 +209,4 @@ def _raised(power: int) -> str:
     return str(power).translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
-PANEL = Panel((Curve,), build, rebuilds=(Notation,))
+PANEL = Panel((Curve,), build, rebuilds=(Notation,), apart=True)

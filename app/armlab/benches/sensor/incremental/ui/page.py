@@ -87,16 +87,19 @@ def _head(form: Form, part: Incremental, found: Now, units: Units) -> Markup:
         row(f"Moves, {unit}", tag("div.se-line.in-moves", moves), hint="Angles one after the other, such as 90 −45 10"),
         row(
             "Speed",
+            tag("div.se-line.in-speed", typed(form, part, "speed", units), tag("i", f"{unit}/s")),
+            hint="Speed of all moves",
+        ),
+        row(
+            "At the end",
             tag(
                 "div.se-line.in-speed",
-                typed(form, part, "speed", units),
-                tag("i", f"{unit}/s, then"),
                 typed(form, part, "shakes", units),
-                "× by",
+                "trembles of",
                 typed(form, part, "shake", units),
-                tag("i", f"{unit} el."),
+                tag("i", f"{unit} of a period"),
             ),
-            hint="Speed of all moves; in the end the disk trembles to and fro",
+            hint="The disk trembles to and fro, by an angle of which 360° are one period of A",
         ),
     )
 

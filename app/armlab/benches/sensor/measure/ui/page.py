@@ -126,4 +126,4 @@ def _verdict(part: Throws, units: Units) -> Markup:
     return verdict_box("no", "Both bias and spread", parts, " Calibration takes away the first, and not the second.")
 
 
-PANEL = Panel((Throws,), build, rebuilds=(Notation,))
+PANEL = Panel((Throws,), build, rebuilds=(Notation,), apart=True)

@@ -47,7 +47,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         said.show(
             _figures(attained, units),
             _verdict(attained),
-            fold("Formulas with their numbers", _formulas(attained, units), opened=True, key="formulas"),
+            fold("Formulas with their numbers", _formulas(attained, units), key="formulas"),
             fold("What each joint adds", _shares(state, attained, units), key="shares"),
         )
 
@@ -116,13 +116,13 @@ def _figures(attained: Attained, units: Units) -> Markup:
 
 def _verdict(attained: Attained) -> Markup:
     """Return which of the two figures is larger, and what stands in the scene."""
-    scene = "In the scene: the attained positions, magnified as the label says; arrow: AP; ball: RP."
+    scene = "The scene shows the attained positions, magnified as its label says; the arrow is AP and the ball RP."
     ap, rp = attained.figures.position.accuracy, attained.figures.position.repeatability
     if ap == rp == 0.0:
         return verdict_box("ok", "No error", scene)
     if ap > rp:
         more = trimmed(ap / rp, 1) if rp > ap / MOST_TIMES_BETTER else "far more than a thousand"
-        head = "Repeats better than it is accurate"
+        head = "More repeatable than accurate"
         return verdict_box("warn", head, f"AP is {more} times RP: calibration would help. {scene}")
     head = "Accurate on the mean, not repeatable"
     return verdict_box("warn", head, f"RP is larger than AP: better encoders and gears would help. {scene}")

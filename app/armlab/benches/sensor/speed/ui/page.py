@@ -129,4 +129,4 @@ class _Run:
         self._plot.show(times, [curve / self._factor for curve in curves])
 
 
-PANEL = Panel((EncoderSpeed,), build, rebuilds=(Notation,))
+PANEL = Panel((EncoderSpeed,), build, rebuilds=(Notation,), apart=True)

@@ -64,7 +64,7 @@ def readings_markup(part: EncoderSpeed, units: Units) -> Markup:
             percent(float(meter.error_by_counts(part.speed))),
             percent(float(meter.error_by_time(part.speed))),
         ),
-        ("old by", seconds(meter.delay_by_counts()), seconds(meter.delay_by_time(part.speed))),
+        ("age of the reading", seconds(meter.delay_by_counts()), seconds(meter.delay_by_time(part.speed))),
     ]
     head = head_line(None, tag("span.sp-counts", "counts in a window"), tag("span.sp-time", "time between counts"))
     return tag(

@@ -41,7 +41,7 @@ def verdict_of(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, str, 
         nothing = "No joint speed moves the tool" if block.key == "translation" else "No joint speed turns the tool"
         return "no", TITLES["singular"], f"{nothing} {along} {lost}."
     slowest, verdict = speed(block, shape.sigma_min), conditioning(shape.inverse_condition, bool(found.lost))
-    ratio = f"Shortest : longest half axis = {number(shape.inverse_condition, 3)}, of the {block.key} alone"
+    ratio = f"For {block.key} alone, the shortest half axis is {number(shape.inverse_condition, 3)} of the longest"
     if verdict == "poor":
         return "warn", TITLES[verdict], f"{ratio}. {along.capitalize()} {direction(least)} only {slowest}."
     if block.m == 1:
@@ -55,7 +55,7 @@ def _every(block: VelocityBlock) -> str:
     if block.m == 3:
         return "In every direction" if block.key == "translation" else "About every axis"
     if block.key == "rotation":
-        return "About every axis across the tool's z"
+        return "About every axis perpendicular to the tool's z"
     return f"In every direction the task controls ({', '.join(task.position)})"
 
 

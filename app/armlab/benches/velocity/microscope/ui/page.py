@@ -41,6 +41,7 @@ AIMS = {
     "across": ("perpendicular", "The direction in which the tool is fastest"),
 }
 
+ALONE = "A velocity of this component alone"
 
 SCALED = "1/s, scaled"
 """Unit of a size in which lengths are divided by the length scale of the arm."""
@@ -58,14 +59,14 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         look = state.derived(looked)
         head.show(head_markup(head, state, units))
-        verdict.show((condition_card(look, state.derived(near), units), drawn_markup(look)))
+        verdict.show(condition_card(look, state.derived(near), units))
         wish.show(wish_markup(wish, look, units))
         drawn.show(tag("h3", "Joint speeds, each method"), bars(look, units))
         methods.show(table(look, methods, units))
         damping.show(damping_markup(damping, look))
         said = scales_words(look)
         note = tag("p.dim", said) if said else None
-        values.show(fold("Singular values and directions", sigma_bars(look), note))
+        values.show((fold("Singular values and directions", sigma_bars(look), note), drawn_markup(look)))
 
     return show
 
@@ -108,7 +109,7 @@ def wish_markup(form: Form, look: Look, units: Units) -> Markup:
     natural = look.natural(look.wish).tolist()
     axes, typed = [], []
     for i, ((name, turns), value) in enumerate(zip(names, natural, strict=True)):
-        axes.append(form.chip(f"along {i}", _symbol(name), AimAlong(i), "A velocity of this component alone"))
+        axes.append(form.button(f"along {i}", with_indices(_symbol(name)), AimAlong(i), "chip", ALONE))
         field = form.field(f"v {i}", units.entry(value, turns), name, partial(_component, i, name, turns, units))
         typed.append(_option(with_indices(name), field, f"{units.unit(turns)}/s"))
     size = form.field(
@@ -125,7 +126,7 @@ def _component(i: int, name: str, turns: bool, units: Units, text: str) -> SetCo
 
 
 def _symbol(name: str) -> str:
-    return name.replace("_", "") if "about" not in name else name.replace("_E", "").replace("ω about ", "ω")
+    return name.replace("_E", "").replace("ω about ", "ω_")
 
 
 def speed_unit(look: Look) -> str:
@@ -141,10 +142,13 @@ def speed_unit(look: Look) -> str:
 def drawn_markup(look: Look) -> Markup:
     """Return what the marks of the scene mean."""
     last = subscript("v", len(look.sigma))
-    return tag(
-        "p.dim",
-        "In the scene: the wanted velocity (blue) and what the selected method reaches (green), the slowest direction "
-        f"(dashed), and at the joints {last}, the unit vector of joint speeds that moves the tool least.",
+    return fold(
+        "What the scene shows",
+        tag(
+            "p.dim",
+            "The wanted velocity is blue, and what the selected method reaches of it is green. The slowest direction "
+            f"is dashed. The arcs at the joints are {last}, the unit vector of joint speeds that moves the tool least.",
+        ),
     )
 
 

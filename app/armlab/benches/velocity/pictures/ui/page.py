@@ -79,8 +79,8 @@ def arms_markup(form: Form, state: State) -> Markup | None:
     simplest = islice(suited().items(), MOST_OFFERED)
     hint = "Put this arm on the table; undo brings the present one back"
     chips = [form.chip(f"arm {key}", name, ChooseRobot(key), hint) for key, name in simplest]
-    drawn = "In the scene: the wanted velocity of the tool, as on the page Inverse velocity."
-    return joined(tag("h3", "Go on with"), tag("div.bar", chips), tag("p.dim", drawn))
+    drawn = "The scene shows the wanted velocity of the tool, as on the page Inverse velocity."
+    return joined(tag("h3", "Choose an arm that has such joints"), tag("div.bar", chips), tag("p.dim", drawn))
 
 
 def head_markup(form: Form, state: State, units: Units) -> Markup | None:

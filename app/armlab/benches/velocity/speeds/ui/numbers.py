@@ -102,7 +102,7 @@ def points_markup(form: Form, state: State) -> Markup:
         tag("div.kit-head", tag("span.dim", "In the frame of"), chooser),
         tag("table.kit-points.ve-points", heads, typed),
         tag("table.ve-table.ve-three", head_line(None, "x", "y", "z", None), lines),
-        tag("p.dim", f"World axes. (ω × r₁₂)·r₁₂ = {number(along, 3)} m²/s: across the line. {OMEGA}"),
+        tag("p.dim", f"World axes. (ω × r₁₂)·r₁₂ = {number(along, 3)} m²/s: perpendicular to the line. {OMEGA}"),
     )
 
 
@@ -178,5 +178,5 @@ def matrix_words(state: State, moving: Moving) -> Inside:
         return "Select an entry, a row or a column to draw it as a vector in the scene."
     if len(still) == 1:
         axis = f"The tool point is on the axis of joint {still[0]}: J"
-        return axis, tag("sub", f"L{still[0]}"), " = 0, it does not move it."
+        return axis, tag("sub", f"L{still[0]}"), " = 0, and this joint does not move it."
     return f"The tool point is on the axes of joints {' and '.join(still)}: their linear halves are 0."

@@ -83,9 +83,13 @@ def verdict(found: Balance, revolute: NDArray[np.bool_]) -> tuple[str, str, str]
     idle = [i + 1 for i, value in enumerate(found.torques) if abs(value) <= found.least[i]]
     best = int(np.argmax(np.abs(found.torques) / np.maximum(found.least, 1e-300)))
     value, unit = float(found.torques[best]), "N m" if revolute[best] else "N"
-    rest = f" Zero for joint{'s' if len(idle) > 1 else ''} {_listed(idle)}." if idle else ""
+    rest = (
+        f" Joint{'s' if len(idle) > 1 else ''} {_listed(idle)} need{'s' if len(idle) == 1 else ''} none."
+        if idle
+        else ""
+    )
     said = f"{subscript('τ', best + 1)} = {number(value, _decimals(abs(value)))} {unit}.{rest}"
-    return "ok", f"The largest: joint {best + 1}", said
+    return "ok", f"Joint {best + 1} needs the most", said
 
 
 def _listed(numbers: list[int]) -> str:

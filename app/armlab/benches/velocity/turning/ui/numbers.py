@@ -42,8 +42,8 @@ OMEGA, RDOT, DOTTED = r"\omega=T\dot{\phi}", r"\dot{R}R^T", r"\dot{%s}"
 
 T_MATRIX = (
     "T is not a rotation matrix⟦, although notes 5.43 call it “the roll pitch yaw matrix”⟧. Its columns are the "
-    "present axes of the three rotations, and φ̇ is not ω. In the scene, beside the arm: the body with its frame, the "
-    "fixed frame (pale), the three axes in the colours of their angles, and ω."
+    "present axes of the three rotations, and φ̇ is not ω. The scene shows the body beside the arm, with the three axes "
+    "in the colours of their angles and with ω; the fixed frame is pale."
 )
 
 ANALYTIC = r"J_\phi=T^{-1}J_A"

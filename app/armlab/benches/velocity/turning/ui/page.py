@@ -20,6 +20,7 @@ from armlab.benches.velocity.turning.ui.numbers import (
     tool_markup,
     views_markup,
 )
+from armlab.benches.velocity.turning.ui.scene import OMEGA
 from armlab.kin.velocity.rates import rate_determinant
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
@@ -42,7 +43,7 @@ ROWS = tuple(with_indices(f"ω_{axis}") for axis in "xyz")
 
 TITLE = joined(mathml("T"), " ", tag("small", "columns are the axes of the turns, in the fixed axes"))
 
-HEIGHT = 100
+HEIGHT = 114
 POINTS = 181
 
 
@@ -105,7 +106,7 @@ def clock_markup(form: Form, state: State) -> Markup:
 def _around(state: State) -> Points:
     """Return a box around the body beside the arm."""
     centre, radius = sphere_of(state)
-    return np.asarray(centre + radius * np.array([[1.0, 1, 1], [-1, -1, -1]]))
+    return np.asarray(centre + OMEGA * radius * np.array([[1.0, 1, 1], [-1, -1, -1]]))
 
 
 PANEL = Panel((Turning, Timeline, Selection, Joints, Velocity), build, rebuilds=(Notation,), around=_around)

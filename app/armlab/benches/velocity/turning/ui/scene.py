@@ -19,6 +19,7 @@ from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.marks import FRAME_LENGTH
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.scene._arrows import pale_frame
+from armlab.ui.scene._block import Block
 from armlab.ui.scene._marks import Marks, Segment, Sketch, Triad
 from armlab.ui.scene._nodes import move, seen
 from armlab.ui.switches import DARK
@@ -26,13 +27,16 @@ from armlab.ui.units import units_of
 
 Floats = NDArray[np.float64]
 
+BODY = 1.3
+"""Size of the block, the radius of a ring around it, in radii."""
+
 AXIS = 1.25
 """Half length of the axis of a turn, in radii."""
 
 OMEGA = 1.6
 """Length of the arrow of the angular velocity `USUAL`, in radii."""
 
-USUAL = 1.0
+USUAL = 0.5
 """Angular velocity that is drawn in full length, rad/s; faster ones are drawn no longer."""
 
 APART = 1.15
@@ -48,6 +52,7 @@ LEAST = 0.02
 def build(canvas: LayerCanvas, state: State) -> Show:
     """Draw one body, or two side by side."""
     bodies = [Triad(canvas, f"turning/body{k}") for k in range(2)]
+    block = Block(canvas, "turning/block", BODY * sphere_of(state)[1])
     fixed = pale_frame(canvas.scene, canvas.path("turning/fixed"), PALE * FRAME_LENGTH * canvas.size, 0.35)
     axes, omega = Sketch(canvas, "turning/axes", 0.7), Sketch(canvas, "turning/omega", 0.8)
 
@@ -55,6 +60,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
         centre, radius = sphere_of(state)
         laws = state[Turning].shown == "laws"
         bodies[1].visible(laws)
+        block.visible(not laws)
         seen(fixed, not laws)
         if laws:
             _show_laws(bodies, state, centre, radius)
@@ -63,6 +69,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
             return
         found = state.derived(turned_of)
         bodies[0].show("", _pose(centre, found.R))
+        block.show(_pose(centre, found.R))
         move(fixed, centre)
         axes.draw(axes_marks(state, centre, radius))
         omega.draw(omega_marks(state, centre, radius))

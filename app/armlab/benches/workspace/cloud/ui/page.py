@@ -199,8 +199,8 @@ def told_markup(
     found = part.found
     if found is None:
         about = (
-            "Random configurations inside the joint limits, each with the position of its tool: the reachable "
-            "workspace "
+            "Press Sample. The lab draws random configurations within the joint limits and marks where the tool is in "
+            "each: the reachable workspace "
         )
         return tag("p.dim", about, "WS", tag("sub", "1"), "⟦ (4.17)⟧.")
     saves = [form.chip(kind, f"Save {kind.upper()}", partial(save, kind), hint) for kind, hint in SAVED.items()]
