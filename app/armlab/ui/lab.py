@@ -13,12 +13,8 @@ from pathlib import Path
 
 import viser
 
-<<<<<<< HEAD
 from armlab.content.languages import keys
-from armlab.content.lessons import add_folder, changed, lessons, lessons_read
-=======
 from armlab.content.lessons import add_folder, changed, hurry, lessons, lessons_read, read_unhurried
->>>>>>> main
 from armlab.content.robots import Robot
 from armlab.kin.ik import methods
 from armlab.session.job import jobs

@@ -217,14 +217,9 @@ def _left(state: State) -> dict[str, State]:
 
 
 def _arrived(state: State, found: State, shelf: Shelf, lesson: str = "") -> State:
-<<<<<<< HEAD
     """Return a stored state with what is the student's own at every place, and this lesson open."""
-    arrived = found.replace(shelf, replace(state[LessonPart], open=lesson), state[Panels], state[LanguagePart])
-=======
-    """Return a stored state with the present windows and progress in lessons, and this lesson open."""
-    stays = state[Panels], state[OwnLessons], state[Preview], state[Teacher]
+    stays = state[Panels], state[OwnLessons], state[Preview], state[Teacher], state[LanguagePart]
     arrived = found.replace(shelf, replace(state[LessonPart], open=lesson), *stays)
->>>>>>> main
     return lesson_followed(state, arrived)
 
 
