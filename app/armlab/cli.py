@@ -50,6 +50,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
     ended: Ended = queue.SimpleQueue()
     try:
+        if options.teacher_key and not options.lessons:
+            raise InputError("--teacher-key: expected a folder for what is loaded, too; add --lessons DIR")
         path = _assigned(options)
     except (ArmlabError, OSError) as error:
         print(f"armlab: {error}", file=sys.stderr)
@@ -63,6 +65,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         lessons=tuple(options.lessons),
         code=options.code or "",
         names=tuple(options.name),
+        teacher_key=options.teacher_key or "",
     )
     try:
         running = start(settings, lambda port: _tell(port, options, ended, path))
@@ -174,6 +177,9 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--lessons", type=Path, action="append", default=[], metavar="DIR", help="a folder of lessons; may be repeated"
     )
+    p.add_argument(
+        "--teacher-key", type=_key, metavar="WORD", help="who has it loads lessons for everybody into the first DIR"
+    )
     p.add_argument("--assignment", type=Path, metavar="FILE", help="an assignment; the addresses that are told open it")
     p.add_argument("--state", type=Path, metavar="DIR", help="where students' work is kept")
     p.add_argument("--version", action="version", version=f"armlab {__version__}")
@@ -205,6 +211,12 @@ def _code(text: str) -> str:
     if not 4 <= len(text.strip()) <= LONGEST:
         raise argparse.ArgumentTypeError(f"expected 4 to {LONGEST} characters, got {len(text.strip())}")
     return text
+
+
+def _key(text: str) -> str:
+    if not 8 <= len(text.strip()) <= LONGEST:
+        raise argparse.ArgumentTypeError(f"expected 8 to {LONGEST} characters, got {len(text.strip())}")
+    return text.strip()
 
 
 def state_folder(chosen: Path | None) -> Path:

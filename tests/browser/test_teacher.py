@@ -1,15 +1,33 @@
-"""A teacher's way in the page: bring the arm to a goal, save it as a lesson, edit the file, see the change."""
+"""A teacher's way in the page: a lesson of the arm as it stands, homework of it, and the work of a class judged."""
 
 import subprocess
 import sys
 
 import pytest
 
+from armlab.cli import main
 from armlab.content.lessons import lessons
+from armlab.content.robots import catalogue
+from armlab.session.assignment_commands import HandIn, OpenAssignment
+from armlab.session.hand_in import hand_in
+from armlab.session.lesson_commands import SignAs, UnlockHint
+from armlab.session.parts.joints import MoveJoint
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.play import problems
+from armlab.session.state import State, apply
 from support.lab import running_lab
 
 pytestmark = pytest.mark.browser
+
+KEY = "the key of this teacher"
+
+HOMEWORK = """title = "Homework 1"
+last_hint_percent = 50
+
+[[tasks]]
+lesson = "evening"
+points = 10
+"""
 
 
 @pytest.fixture(scope="module")
@@ -21,7 +39,7 @@ def folder(tmp_path_factory):
 @pytest.fixture(scope="module")
 def url(tmp_path_factory, folder):
     """A lab with that folder."""
-    with running_lab(tmp_path_factory.mktemp("state"), "planar_2r", lessons=folder) as address:
+    with running_lab(tmp_path_factory.mktemp("state"), "planar_2r", lessons=folder, key=KEY) as address:
         yield address
 
 
@@ -67,3 +85,60 @@ def test_a_state_becomes_a_lesson_that_is_edited_checked_and_reloaded(folder, vi
     assert any("reach_up.md" in str(problem) for problem in lessons().problems)
     student.page.get_by_role("button", name="Right angle").click()
     student.page.get_by_text("Lesson done").wait_for()
+
+
+def load(lab, file, says):
+    """Load a file from the browser."""
+    lab.page.locator('input[data-cell="load-file"]').set_input_files(str(file))
+    lab.waits_for(says)
+
+
+def work_of(number):
+    """Return the work of a student on the homework: odd ones are right, every third one has seen the only hint."""
+    state = State.initial(catalogue()["planar_2r"])
+    for command in (SignAs(f"Student {number}"), OpenAssignment("homework")):
+        state = apply(state, command, 1e9)
+    if number % 3 == 0:
+        state = apply(state, UnlockHint(), 1e9)
+    if number % 2:
+        (goal,) = state[LessonPart].step.solution
+        for joint, value in enumerate(goal.q.tolist()):
+            state = apply(state, MoveJoint(joint, value), 1e9 + 10.0 + 0.37 * number)  # no two take the same time
+    return hand_in(apply(state, HandIn(), 1e9 + 60.0))
+
+
+def test_the_evening_of_a_teacher(folder, visit, capsys, tmp_path):
+    teacher = visit("robot/planar_2r")
+    teacher.page.get_by_role("button", name="Right angle").click()
+    teacher.rest()
+    name, text = saved(teacher, "Evening")
+    write(tmp_path / name, text)
+    write(tmp_path / "homework.toml", HOMEWORK)
+    load(teacher, tmp_path / name, "evening.md")
+    teacher.type_into("teacher-key", KEY)
+    teacher.press("give evening.md")
+    teacher.waits_for("✓ evening.md is there for everybody.")
+    load(teacher, tmp_path / "homework.toml", "Homework 1")
+    teacher.press("preview homework.toml")
+    teacher.waits_for("As a student sees it")
+    teacher.waits_for("Bring the arm there")
+    teacher.press("preview-end")
+    teacher.until(lambda: "evening" in lessons().lessons)
+    teacher.press("give homework.toml")
+    teacher.until(lambda: "homework" in lessons().assignments)
+
+    assert main(["lesson", "sheet", str(folder / "homework.toml")]) == 0
+    told = capsys.readouterr().out
+    assert "The last hint of a step costs 50 % of its points" in told
+    assert "| 1.1 | Evening: Bring the arm there | 10 | 1 | 5 |" in told
+
+    hand_ins = tmp_path / "in"
+    hand_ins.mkdir()
+    for number in range(1, 31):
+        write(hand_ins / f"{number:02d}.json", work_of(number))
+    assert main(["check", str(folder / "homework.toml"), "--state", str(hand_ins)]) == 0
+    lines = [line.split() for line in capsys.readouterr().out.splitlines()]
+    scores = [" ".join(line[-3:]) for line in lines[1:31]]
+    assert [scores.count(score) for score in ("10 of 10", "5 of 10", "0 of 10")] == [10, 5, 15]
+    assert lines[3][3] == "ok+hint"
+    assert lines[-1][0] == "+hint:"

@@ -78,6 +78,8 @@ def test_the_points_of_a_lesson_are_spread_over_its_tasks(own):
         ("due = 2026-11-30T10:00:00Z\n", "", 10, "late_percent: without a date that it is due nothing is late"),
         ("closes = 2026-11-30T12:00:00Z\n", "", 10, "late_percent: it closes when it is due, so nothing can be late"),
         ("pages", "hints = true\npages", 5, "hints: an exam gives no hints"),
+        ("late_percent", "last_hint_percent = 5\nlate_percent", 11, "last_hint_percent: without hints none costs"),
+        ("late_percent", "last_hint_percent = 101\nlate_percent", 11, "last_hint_percent: expected 0 to 100, got 101"),
         ("2026-11-30T08:00:00Z", '"Monday"', 6, r"opens: expected a date or a date with a time such as 2026-11-30, "),
         ("2026-11-30T08:00:00Z", "0001-01-01", 6, "opens: expected a year from 1971 to 9998, got 1"),
         ("attempts = 2", "attempt = 2", 10, "attempt: unknown key; did you mean 'attempts'"),

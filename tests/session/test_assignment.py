@@ -9,6 +9,7 @@ from armlab.content.lessons import changed, lessons
 from armlab.content.robots import catalogue
 from armlab.errors import ContentError, InputError
 from armlab.session.assignment_commands import HandIn, LookAtClock, OpenAssignment, OpenTask, TakeUp
+from armlab.session.errata_links import LookUp
 from armlab.session.hand_in import hand_in, hand_in_name, judge
 from armlab.session.hand_in_assignment import judge_assignment
 from armlab.session.hand_in_class import looked_at_together
@@ -87,6 +88,7 @@ def test_an_exam_is_silent_gives_no_hints_and_counts_what_stands_last(fresh):
     state = exam(fresh)
     assert state[LessonPart].silent
     refused(state, UnlockHint(), "This assignment gives no hints")
+    refused(state, LookUp("5.58"), "The page Errata is closed while this assignment is open")
     state = solved(state)
     assert points(done(state, HandIn())) == 7.0
     # Another answer, and the arm moved on at its step, take the place of what was right.

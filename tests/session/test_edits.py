@@ -299,7 +299,7 @@ def test_back_to_the_table_of_the_file(state):
         (PasteTable("hello\nworld"), "the header"),
         (PasteTable("a, alpha, d, theta\n1, 0, x, q1"), "row 1"),
         (PasteTable("a [m], alpha, d, theta\n1e6, 0, 0, q1"), "row 1, a: expected at most 100 m"),
-        (PasteTable("[[joints]]\ntype = 'R'"), "pasted file: "),
+        (PasteTable("[[joints]]\ntype = 'R'"), "pasted file, line 1: "),
         (PasteTable("a, alpha, d, theta\n1, 0, 0, \ud800"), "UTF-8"),
         (RestoreTable(), "this table does not come from a robot file"),
         (SetPoint((0.0, float("nan"), 0.0)), "tool point, y: expected at most 100 m either way, got nan m"),

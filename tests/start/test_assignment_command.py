@@ -114,3 +114,16 @@ def test_mistakes_and_work_on_something_else_are_told_with_their_file(typed, she
     assert (status, "mine/sheet.toml:1: pages[1]: unknown page 'jionts'; did you mean 'joints'" in out) == (1, True)
     status, _, complaints = typed("check", "mine/gone.toml", "--state", "in")
     assert complaints == "armlab: mine/gone.toml: there is no such file\n"
+
+
+def test_a_course_is_no_assignment(typed, place):
+    (place / "mine" / "course.toml").write_text('title = "C"\n', encoding="utf-8")
+    for command in (("--assignment", "mine/course.toml", "--no-browser"), ("lesson", "sheet", "mine/course.toml")):
+        said = "armlab: mine/course.toml: this is the file of a course; expected an assignment, NAME.toml\n"
+        assert typed(*command) == (1, "", said)
+
+
+def test_the_key_of_the_teacher_needs_a_folder(typed):
+    status, _, complaints = typed("--teacher-key", "long enough", "--no-browser")
+    assert (status, complaints.count("\n")) == (1, 1)
+    assert "add --lessons DIR" in complaints

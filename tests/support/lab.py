@@ -15,11 +15,11 @@ from support.at_rest import OPEN
 
 @contextmanager
 def running_lab(
-    folder: Path | None = None, opening: str = "puma560", labs: int = 0, lessons: Path | None = None
+    folder: Path | None = None, opening: str = "puma560", labs: int = 0, lessons: Path | None = None, key: str = ""
 ) -> Iterator[str]:
-    """Open a lab on a free port, with a teacher's folder of lessons if one is given; yields its address."""
+    """Open a lab on a free port, with a teacher's folder of lessons, and key, if one is given; yields its address."""
     with nullcontext() if lessons is None else library_for_itself():
-        lab = open_lab(folder, opening, labs, lessons=lessons)
+        lab = open_lab(folder, opening, labs, lessons=lessons, key=key)
         try:
             yield f"http://127.0.0.1:{lab.port}/"
         finally:
@@ -31,7 +31,7 @@ def library_for_itself() -> Iterator[None]:
     """Let what is done to the library of this process pass with the end of the block; nothing is read twice for it."""
     shared = lessons_module._library
     own = copy(shared())
-    for name in ("_folders", "_entries", "_good", "_variants", "_courses"):
+    for name in ("_folders", "_entries", "_good", "_variants", "_courses", "_assignments"):
         setattr(own, name, copy(getattr(own, name)))
     lessons_module._library = cache(lambda: own)
     lessons_module._library()
@@ -42,9 +42,15 @@ def library_for_itself() -> Iterator[None]:
 
 
 def open_lab(
-    folder: Path | None = None, opening: str = "puma560", labs: int = 0, port: int = 0, lessons: Path | None = None
+    folder: Path | None = None,
+    opening: str = "puma560",
+    labs: int = 0,
+    port: int = 0,
+    lessons: Path | None = None,
+    key: str = "",
 ) -> Running:
     """Open a lab on a free port, or on this one."""
-    lab = start(Settings("127.0.0.1", [port], opening, folder, labs, (lessons,) if lessons is not None else ()))
+    own = (lessons,) if lessons is not None else ()
+    lab = start(Settings("127.0.0.1", [port], opening, folder, labs, own, teacher_key=key))
     OPEN.add(lab)
     return lab

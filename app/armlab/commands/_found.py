@@ -13,7 +13,7 @@ from armlab.content.assignment import Assignment, amiss, parse_assignment
 from armlab.content.assignments import assignments_in
 from armlab.content.courses import mistakes_in
 from armlab.content.lesson_file import digest_of
-from armlab.content.lesson_folder import ENDING, GUIDE, LESSON, OF_ASSIGNMENT, Source, sources_of
+from armlab.content.lesson_folder import COURSE, ENDING, GUIDE, LESSON, OF_ASSIGNMENT, Source, sources_of
 from armlab.content.lessons import Lesson, Lessons, add_folder, folders_of_the_lab, lessons
 from armlab.content.robots import KEY
 from armlab.errors import ContentError, InputError
@@ -133,6 +133,9 @@ class Place:
         path = Path(os.path.abspath(typed))
         if not path.is_file():
             raise InputError(f"{typed}: there is no such file")
+        if path.name in (COURSE, GUIDE):
+            what = "course" if path.name == COURSE else "guide to a course"
+            raise InputError(f"{typed}: this is the file of a {what}; expected an assignment, NAME{OF_ASSIGNMENT}")
         text = Source(path.stem, shown(path), path, None, None, ()).read()[0]
         found = parse_assignment(path.stem, text, shown(path))
         add_folder(path.parent)

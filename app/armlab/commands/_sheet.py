@@ -42,6 +42,8 @@ def sheet(first: Lesson, variants: Sequence[tuple[int, Lesson]], students: Mappi
     if first.varies and first.listed:
         lines += [f"The numbers of variants are those of the lab; `/lesson/{first.key}/7` opens variant 7.", ""]
     lines += [*_asked(first), ""]
+    if level == 1 and (on_hints := _on_hints(first)):
+        lines += [on_hints, ""]
     columns = _columns(first, students)
     lines += [_row(columns), _row(["---"] * len(columns))]
     lines += [_row([column(number, lesson) for column in columns.values()]) for number, lesson in variants]
@@ -82,6 +84,15 @@ def _asked(lesson: Lesson) -> Iterator[str]:
             yield f"- Step {i + 1}, {escaped(step.title)}{in_first}, is to have {escaped(asked)}"
         if step.question is not None:
             yield f"- Step {i + 1}, {escaped(step.title)}{in_first}: {escaped(plain(step.question.html))}"
+
+
+def _on_hints(lesson: Lesson) -> str:
+    """Return a sentence on the hints of a lesson and on what the last one costs; empty where there are none."""
+    counts = [f"step {i} has {len(step.hints)}" for i, step in enumerate(lesson.steps, start=1) if step.hints]
+    if not counts:
+        return ""
+    costs = "In a lesson no hint costs points; in an assignment the last one of a step costs its `last_hint_percent`."
+    return f"Hints: {', '.join(counts)}. {costs} The table of `armlab check` marks where it was shown."
 
 
 Column = Callable[[int, Lesson], str]

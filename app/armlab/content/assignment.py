@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from types import MappingProxyType
 
-from armlab.content.lesson import Lesson
+from armlab.content.lesson import Lesson, Step
 from armlab.content.lesson_fields import Fields
 from armlab.content.lesson_lines import LessonError, line_of, located
 from armlab.content.reader import Table, shown
@@ -89,6 +89,8 @@ class Assignment:
         How often it can be handed in; 0 for any number.
     late_percent : float
         Part of the points that late work loses.
+    last_hint_percent : float
+        Part of its points that a step loses whose last hint was shown.
     tasks : tuple of Task
     digest : str
         Changes with the text of the file.
@@ -108,6 +110,7 @@ class Assignment:
     minutes: int
     attempts: int
     late_percent: float
+    last_hint_percent: float
     tasks: tuple[Task, ...]
     digest: str
 
@@ -125,6 +128,10 @@ class Assignment:
         """Return when work that was begun at a moment ends; None for never."""
         moments = [begun + 60.0 * self.minutes] if self.minutes else []
         return min([*moments, *([] if self.closes is None else [self.closes])], default=None)
+
+    def lost(self, points: float, step: Step, shown: int) -> float:
+        """Return what a step loses of its points when so many of its hints were shown: nothing but for the last one."""
+        return points * self.last_hint_percent / 100.0 if step.hints and shown >= len(step.hints) else 0.0
 
     def task_of(self, lesson: str) -> Task | None:
         """Return the task with a lesson; None when it has none."""
@@ -166,7 +173,8 @@ def parse_assignment(key: str, text: str, file: str) -> Assignment:
             closes=due if exam and closes is None else closes,
             minutes=top.whole("minutes", 1, MOST_MINUTES) if top.has("minutes") else 0,
             attempts=top.whole("attempts", 1, MOST_ATTEMPTS) if top.has("attempts") else int(exam),
-            late_percent=_percent(top),
+            late_percent=_percent(top, "late_percent"),
+            last_hint_percent=_percent(top, "last_hint_percent"),
             tasks=_tasks(top),
             digest=hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()[:16],
         )
@@ -175,10 +183,10 @@ def parse_assignment(key: str, text: str, file: str) -> Assignment:
     return assignment
 
 
-def _percent(top: Table) -> float:
-    percent = top.number("late_percent", 0.0)
+def _percent(top: Table, key: str) -> float:
+    percent = top.number(key, 0.0)
     if not 0.0 <= percent <= 100.0:
-        raise top.fail("late_percent", f"expected 0 to 100, got {percent:g}")
+        raise top.fail(key, f"expected 0 to 100, got {percent:g}")
     return percent
 
 
@@ -251,6 +259,8 @@ def _worth(table: Table, key: str) -> float:
 def _refuse_contradictions(top: Table, found: Assignment) -> None:
     if found.exam and found.hints:
         raise top.fail("hints", "an exam gives no hints: leave hints away, or exam = true")
+    if found.last_hint_percent and not found.hints:
+        raise top.fail("last_hint_percent", "without hints none costs anything: leave this away, or let hints be given")
     order = [(name, moment) for name in ("opens", "due", "closes") if (moment := getattr(found, name)) is not None]
     for (first, earlier), (name, later) in pairwise(order):
         # An exam closes when it is due unless it says otherwise.

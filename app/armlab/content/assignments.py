@@ -3,24 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass, replace
+from functools import partial
 from importlib.resources.abc import Traversable
 
 from armlab.content.assignment import Assignment, amiss, parse_assignment
 from armlab.content.lesson import Lesson
-from armlab.content.lesson_folder import Source, assignments_of
+from armlab.content.lesson_folder import assignments_of
+from armlab.content.watched import Watched
 from armlab.errors import ContentError
-
-
-@dataclass(frozen=True)
-class _File:
-    """The file of an assignment as it is, and the assignment as it last could be used."""
-
-    source: Source
-    text: str
-    assignment: Assignment | None
-    problem: ContentError | None
-    good: Assignment | None = None
 
 
 class AssignmentFiles:
@@ -30,7 +20,7 @@ class AssignmentFiles:
     """
 
     def __init__(self) -> None:
-        self._files: dict[str, _File] = {}
+        self._files: dict[str, Watched[Assignment]] = {}
         self._twice: list[ContentError] = []
         self._gone: dict[str, Assignment] = {}
 
@@ -47,7 +37,7 @@ class AssignmentFiles:
         folders : iterable of (Traversable, str)
             Folders, and the text before the names of their files in messages.
         """
-        found: dict[str, _File] = {}
+        found: dict[str, Watched[Assignment]] = {}
         twice: list[ContentError] = []
         for source in (source for folder, label in folders for source in assignments_of(folder, label)):
             if source.key in found:
@@ -55,11 +45,7 @@ class AssignmentFiles:
                 problem = f"the assignment {source.key!r} is there already, in {there}; rename this one"
                 twice.append(ContentError(source.file, "", problem))
                 continue
-            before = self._files.get(source.key)
-            if before is not None and (before.source.file, before.source.stamp) == (source.file, source.stamp):
-                found[source.key] = before
-            else:
-                found[source.key] = _read(source, before.good if before is not None else None)
+            found[source.key] = Watched.read(source, self._files.get(source.key), partial(parse_assignment, source.key))
         changed = list(found.items()) != list(self._files.items()) or [*map(str, twice)] != [*map(str, self._twice)]
         self._gone |= {key: file.good for key, file in self._files.items() if key not in found and file.good}
         self._files, self._twice = found, twice
@@ -78,13 +64,10 @@ class AssignmentFiles:
             Keys of all lessons that have a file.
         """
         problems: list[ContentError] = [*self._twice]
-        judged: dict[str, _File] = {}
+        judged: dict[str, Watched[Assignment]] = {}
         for key, file in self._files.items():
-            wrong = [file.problem] if file.problem is not None else []
-            if file.assignment is not None:
-                wrong += amiss(file.assignment, file.text, lessons, known)
+            judged[key], wrong = file.judged(lambda found, text: amiss(found, text, lessons, known))
             problems += wrong
-            judged[key] = file if wrong else replace(file, good=file.assignment)
         self._files = judged
         return {key: file.good for key, file in judged.items() if file.good is not None}, problems
 
@@ -96,12 +79,3 @@ def assignments_in(
     files = AssignmentFiles()
     files.look([(folder, "")])
     return files.judged(lessons, known)
-
-
-def _read(source: Source, good: Assignment | None) -> _File:
-    text = ""
-    try:
-        text, _ = source.read()
-        return _File(source, text, parse_assignment(source.key, text, source.file), None, good)
-    except ContentError as error:
-        return _File(source, text, None, error, good)

@@ -3,26 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass, replace
+from functools import partial
 from importlib.resources.abc import Traversable
 
 from armlab.content.course import Course, misplaced, parse_course
-from armlab.content.lesson_folder import Source, course_of
+from armlab.content.lesson_folder import course_of
+from armlab.content.watched import Watched
 from armlab.errors import ContentError
 
 OF_THE_LAB = "lab"
 """Key of the lab's own course."""
-
-
-@dataclass(frozen=True)
-class _File:
-    """The file of a course as it is, and the course as it last could be used."""
-
-    source: Source
-    text: str
-    course: Course | None
-    problem: ContentError | None
-    good: Course | None = None
 
 
 class CourseFiles:
@@ -37,7 +27,7 @@ class CourseFiles:
     """
 
     def __init__(self) -> None:
-        self._files: dict[str, _File] = {}
+        self._files: dict[str, Watched[Course]] = {}
         self.places: dict[str, tuple[Traversable, str]] = {}
 
     def look(self, folders: Iterable[tuple[Traversable, str]]) -> bool:
@@ -48,7 +38,7 @@ class CourseFiles:
         folders : iterable of (Traversable, str)
             Folders, and the text before the names of their files in messages.
         """
-        found: dict[str, _File] = {}
+        found: dict[str, Watched[Course]] = {}
         self.places = {}
         for i, (folder, label) in enumerate(folders):
             source = course_of(folder, label)
@@ -56,11 +46,7 @@ class CourseFiles:
                 continue
             key = _free(source.key, {OF_THE_LAB, *found}) if i else OF_THE_LAB
             self.places[key] = folder, label
-            before = self._files.get(key)
-            if before is not None and _same(before.source, source):
-                found[key] = before
-            else:
-                found[key] = _read(key, source, before.good if before is not None else None)
+            found[key] = Watched.read(source, self._files.get(key), partial(parse_course, key))
         changed = list(found.items()) != list(self._files.items())
         self._files = found
         return changed
@@ -78,13 +64,10 @@ class CourseFiles:
             Keys of the lessons that each one needs.
         """
         problems: list[ContentError] = []
-        judged: dict[str, _File] = {}
+        judged: dict[str, Watched[Course]] = {}
         for key, file in self._files.items():
-            wrong = [file.problem] if file.problem is not None else []
-            if file.course is not None:
-                wrong += misplaced(file.course, file.text, file.source.file, known, needs)
+            judged[key], wrong = file.judged(partial(_misplaced, file.source.file, known, needs))
             problems += wrong
-            judged[key] = file if wrong else replace(file, good=file.course)
         self._files = judged
         good = [file.good for file in self._files.values() if file.good is not None]
         own = [course for course in good if course.key != OF_THE_LAB]
@@ -107,14 +90,7 @@ def _free(key: str, taken: Collection[str]) -> str:
     return name
 
 
-def _same(one: Source, other: Source) -> bool:
-    return (one.file, one.stamp) == (other.file, other.stamp)
-
-
-def _read(key: str, source: Source, good: Course | None) -> _File:
-    text = ""
-    try:
-        text, _ = source.read()
-        return _File(source, text, parse_course(key, text, source.file), None, good)
-    except ContentError as error:
-        return _File(source, text, None, error, good)
+def _misplaced(
+    file: str, known: Collection[str], needs: Mapping[str, Iterable[str]], course: Course, text: str
+) -> Iterable[ContentError]:
+    return misplaced(course, text, file, known, needs)

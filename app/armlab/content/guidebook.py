@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from functools import partial
 from importlib.resources.abc import Traversable
 
 from armlab.content.course import Course
@@ -11,6 +12,7 @@ from armlab.content.guide import Guide, parse_guide, strange
 from armlab.content.lesson_folder import COURSE, Source, Stamp, course_of, guide_of, sources_of
 from armlab.content.lesson_mistakes import Named, mistakes_of
 from armlab.content.outline import Outline, Outlines
+from armlab.content.watched import Watched
 from armlab.errors import ContentError
 
 
@@ -35,25 +37,6 @@ class Guidebook:
     problems: Mapping[str, tuple[ContentError, ...]]
 
 
-@dataclass(frozen=True)
-class _File:
-    """The file of a guide as it is, and the guide as it last could be used."""
-
-    source: Source
-    text: str
-    guide: Guide | None
-    problem: ContentError | None
-    good: Guide | None = None
-
-    def wrong(self, course: Course | None) -> tuple[ContentError, ...]:
-        """Return what is wrong with it as the guide to a course."""
-        if self.problem is not None:
-            return (self.problem,)
-        if self.guide is None or course is None:
-            return ()
-        return tuple(strange(self.guide, course, self.text, self.source.file))
-
-
 class Guidebooks:
     """The guidebook of some folders, read again when their files change.
 
@@ -67,7 +50,7 @@ class Guidebooks:
         given = list(folders)
         self._folders = [(folder, f"{folder.name}/" if i else "") for i, folder in enumerate(given)]
         self._outlines = Outlines(given)
-        self._files: dict[str, _File] = {}
+        self._files: dict[str, Watched[Guide]] = {}
         self._mistakes: dict[str, tuple[str, Stamp, Named]] = {}
         self._book: Guidebook | None = None
 
@@ -79,24 +62,20 @@ class Guidebooks:
         same = self._book is not None and outline is self._book.outline
         if not same or files != self._files or mistakes != self._mistakes or self._book is None:
             courses = {course.key: course for course in outline.courses}
-            wrong = {key: file.wrong(courses.get(key)) for key, file in files.items()}
-            files = {key: file if wrong[key] else replace(file, good=file.guide) for key, file in files.items()}
+            judged = {key: file.judged(partial(_strange, file, courses.get(key))) for key, file in files.items()}
+            files = {key: file for key, (file, _) in judged.items()}
             self._book = Guidebook(
                 outline,
                 {key: file.good for key, file in files.items() if file.good is not None},
                 {key: found for key, (_, _, found) in mistakes.items()},
-                {key: errors for key, errors in wrong.items() if errors},
+                {key: tuple(errors) for key, (_, errors) in judged.items() if errors},
             )
         self._files, self._mistakes = files, mistakes
         return self._book
 
-    def _file(self, key: str, folder: Traversable, label: str) -> _File | None:
-        source, before = guide_of(folder, label), self._files.get(key)
-        if source is None:
-            return None
-        if before is not None and (before.source.file, before.source.stamp) == (source.file, source.stamp):
-            return before
-        return _read(source, before.good if before is not None else None)
+    def _file(self, key: str, folder: Traversable, label: str) -> Watched[Guide] | None:
+        source = guide_of(folder, label)
+        return None if source is None else Watched.read(source, self._files.get(key), parse_guide)
 
     def _named(self) -> dict[str, tuple[str, Stamp, Named]]:
         """Return the mistakes that lessons name; those of a file that cannot be read are as they were before."""
@@ -138,14 +117,10 @@ def guide_in(folder: Traversable, course: Course | None) -> tuple[Guide | None, 
     if course_of(folder) is None:
         problem = f"a guide follows the chapters of a course; put {COURSE} beside it"
         return None, "", [ContentError(source.file, "", problem)]
-    file = _read(source, None)
-    return file.guide, file.text, list(file.wrong(course))
+    file = Watched.read(source, None, parse_guide)
+    return file.content, file.text, file.judged(partial(_strange, file, course))[1]
 
 
-def _read(source: Source, good: Guide | None) -> _File:
-    text = ""
-    try:
-        text, _ = source.read()
-        return _File(source, text, parse_guide(text, source.file), None, good)
-    except ContentError as error:
-        return _File(source, text, None, error, good)
+def _strange(file: Watched[Guide], course: Course | None, guide: Guide, text: str) -> Iterable[ContentError]:
+    """Return what is wrong with a guide as that of a course; nothing where there is no course that can be used."""
+    return () if course is None else strange(guide, course, text, file.source.file)

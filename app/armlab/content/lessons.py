@@ -17,6 +17,7 @@ from armlab.content.assignments import AssignmentFiles
 from armlab.content.course import Chapter, Course, amiss, by_chapters, ordered, sound
 from armlab.content.courses import CourseFiles
 from armlab.content.folder import Folder
+from armlab.content.held import held_assignment, held_lesson, named
 from armlab.content.lesson import Lesson as Lesson
 from armlab.content.lesson import Step as Step
 from armlab.content.lesson_file import parse_lesson as parse_lesson
@@ -96,18 +97,35 @@ class Lessons(Folder[Lesson]):
         return [lesson for lesson in self.found.values() if lesson.listed]
 
     def assignment(self, key: str) -> Assignment:
-        """Return an assignment, even a deleted one; the error lists the available ones."""
+        """Return an assignment, even a deleted one, or one that is held; the error lists the available ones."""
+        held = held_assignment(key)
+        if held is not None:
+            return held
         if key not in self.assignments and key in self.assignments_gone:
             return self.assignments_gone[key]
         known_name("assignment", key, self.assignments)
         return self.assignments[key]
+
+    def has(self, key: str) -> bool:
+        """Return whether there is a lesson with this key that can be used."""
+        return key in self.found or held_lesson(key) is not None
+
+    def has_assignment(self, key: str) -> bool:
+        """Return whether there is an assignment with this key."""
+        return key in self.assignments or held_assignment(key) is not None
 
     def chapters(self, key: str = "") -> tuple[Chapter, ...]:
         """Return the chapters of a course, and behind them those of `others`."""
         return (*self.course(key).chapters, *self.others)
 
     def __getitem__(self, key: str) -> Lesson:
-        """Return a lesson, even a deleted one; the error lists the available ones, or tells what is wrong with it."""
+        """Return a lesson, even a deleted one or one that is held.
+
+        The error lists the available ones, or tells what is wrong with it.
+        """
+        held = held_lesson(key)
+        if held is not None:
+            return held.lesson
         if key not in self.found and key in self.gone:
             return self.gone[key]
         if key not in self.found and key in self.broken:
@@ -178,16 +196,17 @@ class Library:
         ContentError
             Its file, or this variant of it, cannot be used.
         """
-        first = self._lessons[key]
+        first, held = self._lessons[key], held_lesson(key)
         if variant == 0 or not first.varies:
             return first
         with self._lock:
-            good = self._good[key]
+            good = self._good[key] if held is None else _Good(first, held.upload.text, held.upload.pictures)
             place = (key, good.lesson.digest, variant)
             if place in self._variants:
                 self._variants.move_to_end(place)
                 return self._variants[place]
-        found = parse_lesson(key, good.text, good.lesson.file, self._catalogue, variant, good.pictures)
+        found = parse_lesson(named(key), good.text, good.lesson.file, self._catalogue, variant, good.pictures)
+        found = replace(found, key=key)
         with self._lock:
             self._variants[place] = found
             while len(self._variants) > MOST_VARIANTS:

@@ -7,6 +7,7 @@ import logging
 import sys
 from pathlib import Path
 
+from armlab.content.desk import Desk, open_desk
 from armlab.content.lessons import add_folder
 from armlab.content.robots import catalogue
 from armlab.front.start import SWITCH_INTERVAL
@@ -22,6 +23,8 @@ def main() -> None:
     settings = json.loads(sys.stdin.readline())
     for lessons in settings["lessons"]:
         add_folder(Path(lessons))
+    if settings["teacher_key"]:
+        open_desk(Desk(Path(settings["lessons"][0]), settings["teacher_key"]))
     folder = Path(settings["sessions"]) if settings["sessions"] else None
     panels()
     lab = Lab(catalogue()[settings["opening"]], folder, settings["secret"])

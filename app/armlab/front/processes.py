@@ -40,10 +40,17 @@ class LabProcesses:
     """
 
     def __init__(
-        self, count: int, opening: str, sessions: Path | None, secret: str, lessons: Sequence[Path] = ()
+        self,
+        count: int,
+        opening: str,
+        sessions: Path | None,
+        secret: str,
+        lessons: Sequence[Path] = (),
+        teacher_key: str = "",
     ) -> None:
         folders = [str(folder.resolve()) for folder in lessons]
         said = {"opening": opening, "sessions": sessions and str(sessions), "secret": secret, "lessons": folders}
+        said["teacher_key"] = teacher_key
         self._settings = json.dumps(said)
         self._stopping = threading.Event()
         self._processes: list[subprocess.Popen[str]] = []

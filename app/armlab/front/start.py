@@ -66,6 +66,8 @@ class Settings:
         The code that browsers need; empty lets everybody in.
     names : tuple of str
         Names besides the host by which people get here, such as that of a proxy.
+    teacher_key : str
+        The key with which files are put into the first folder of lessons; empty lets nobody.
     """
 
     host: str
@@ -76,6 +78,7 @@ class Settings:
     lessons: tuple[Path, ...] = ()
     code: str = ""
     names: tuple[str, ...] = ()
+    teacher_key: str = ""
 
 
 class Running:
@@ -189,13 +192,19 @@ def _open_labs(settings: Settings, secret: str, opened: ExitStack) -> tuple[Lab 
     """Open the labs on loopback; return the one of this process, if any, and all ports."""
     sessions = settings.folder / SESSIONS if settings.folder is not None else None
     if settings.labs:
-        processes = LabProcesses(settings.labs, settings.opening, sessions, secret, settings.lessons)
+        processes = LabProcesses(
+            settings.labs, settings.opening, sessions, secret, settings.lessons, settings.teacher_key
+        )
         opened.callback(processes.stop)
         return None, processes.ports
     # Imported here: a browser gets its page before, and the front of a class does not need viser in its own process.
     from armlab.content.robots import catalogue
     from armlab.ui.lab import Lab
 
+    if settings.teacher_key:
+        from armlab.content.desk import Desk, open_desk
+
+        opened.callback(open_desk(Desk(settings.lessons[0], settings.teacher_key)))
     lab = Lab(catalogue()[settings.opening], sessions, secret, 0, settings.lessons)
     opened.callback(lab.stop)
     return lab, [lab.port]

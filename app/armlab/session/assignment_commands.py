@@ -165,7 +165,8 @@ def _begun(found: Assignment, part: LessonPart, now: float, number: int | None) 
     if work is not None:
         # Who has begun can come back, whatever has become of the file.
         return work if number is None else replace(work, number=number)
-    known_name("assignment", found.key, lessons().assignments)
+    if not lessons().has_assignment(found.key):
+        known_name("assignment", found.key, lessons().assignments)
     refuse_unknown_pages(found)
     refuse_before(found, now)
     if found.closes is not None and now >= found.closes:

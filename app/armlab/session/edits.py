@@ -10,6 +10,7 @@ from typing import Any, ClassVar, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.content.lesson_lines import located
 from armlab.content.robots import OWN, catalogue, own_robot, parse_robot
 from armlab.content.tables import parse_table
 from armlab.errors import InputError, UnknownName
@@ -213,9 +214,17 @@ class Convert(Command):
 
 @dataclass(frozen=True)
 class PasteTable(Command):
-    """Take a table from text: CSV, Markdown, LaTeX, or a robot file in TOML."""
+    """Take a table from text: CSV, Markdown, LaTeX, or a robot file in TOML.
+
+    Parameters
+    ----------
+    text : str
+    file : str, optional
+        Name of the robot file in messages.
+    """
 
     text: str
+    file: str = "pasted file"
     label: ClassVar[str] = "pasted table"
 
     def apply(self, state: State) -> State:
@@ -230,7 +239,8 @@ class PasteTable(Command):
         if re.search(r"[\ud800-\udfff]", self.text):
             raise InputError("table: expected text that can be written in UTF-8, got broken characters")
         if FILE.search(self.text):
-            robot = parse_robot(OWN, self.text, "pasted file", proven=False)
+            with located(self.file, "", self.text, 1):
+                robot = parse_robot(OWN, self.text, self.file, proven=False)
         else:
             pasted = parse_table(self.text)
             robot = own_robot(Arm.from_dh(pasted.rows, pasted.convention, name=PASTED), PASTED, None)

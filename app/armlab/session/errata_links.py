@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from armlab.content.errata import erratum
-from armlab.session.panel_commands import OpenPanel
+from armlab.errors import InputError
+from armlab.session.panel_commands import OpenPanel, hidden_panels
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Command, State
 from armlab.session.words import word
 
@@ -31,6 +33,17 @@ class LookUp(Command):
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the page open; `UnknownName` when there is no such erratum."""
+        """Return the state with the page open.
+
+        Raises
+        ------
+        UnknownName
+            There is no such erratum.
+        InputError
+            The open lesson or assignment closes the page.
+        """
+        if PAGE in hidden_panels(state):
+            what = "assignment" if state[LessonPart].assignment else "lesson"
+            raise InputError(f"The page Errata is closed while this {what} is open.")
         chosen = word(CHOOSE).make(key=erratum(self.key).id).apply(state)
         return OpenPanel(PAGE).apply(chosen)

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from armlab.content.assignment import Assignment
+from armlab.content.held import named
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lesson
 from armlab.content.observation import same_table
@@ -67,13 +68,14 @@ def hand_in_name(state: State) -> str:
     part = state[LessonPart]
     who = re.sub(r"[^a-z0-9]+", "_", part.student.lower()).strip("_")[:40]
     attempt = str(part.work.attempts) if part.work is not None and part.work.attempts > 1 else ""
-    what = part.assignment or part.open.replace("/", "_")
+    place, _, variant = part.open.partition("/")
+    what = named(part.assignment) or "_".join(filter(None, (named(place), variant)))
     return "_".join(filter(None, (what, who, attempt))) + ".json"
 
 
 def _of_lesson(found: Lesson, progress: Progress) -> dict[str, Json]:
     written_down = written(progress)
-    return {"lesson": found.key, "variant": found.variant, "digest": found.digest, "progress": written_down}
+    return {"lesson": named(found.key), "variant": found.variant, "digest": found.digest, "progress": written_down}
 
 
 def _works(part: LessonPart, assigned: Assignment, work: Work) -> Iterator[Json]:
@@ -103,8 +105,12 @@ class StepReport:
         Sentence on the step, as plain text.
     hints : int
         Number of hints that were shown.
+    last_hint : bool
+        Whether the last of them was.
     points : float
         What it gives when it is done: one point in a lesson, in an assignment by its marking scheme.
+    lost : float
+        What its last hint costs of that, where it was shown.
     label : str
         Its number in reports: ``2.1`` for the first step of the second task of an assignment.
     """
@@ -116,13 +122,20 @@ class StepReport:
     noted: bool
     says: str
     hints: int
+    last_hint: bool = False
     points: float = 1.0
+    lost: float = 0.0
     label: str = ""
 
     @property
     def counts(self) -> bool:
         """Whether the step has a task."""
         return self.met is not None or self.right is not None
+
+    @property
+    def earned(self) -> float:
+        """Its points as far as they are earned, without what late work loses."""
+        return self.points - self.lost if self.passed and self.counts else 0.0
 
 
 @dataclass(frozen=True)
@@ -165,7 +178,7 @@ class Report:
     @property
     def points(self) -> float:
         """Points of the steps that are passed, without what late work loses."""
-        found = sum(step.points for step in self.steps if step.counts and step.passed)
+        found = sum(step.earned for step in self.steps)
         return found * (1.0 if self.handed is None else self.handed.part_left)
 
     @property
@@ -319,6 +332,7 @@ def judged_anew(found: Lesson, progress: Progress, plans: bool = True) -> tuple[
             noted=noted[i],
             says=printable(" ".join(filter(None, (checks[i][1], questions[i][1])))),
             hints=max(0, progress.hints.get(name, 0)),
+            last_hint=0 < len(found.steps[i].hints) <= progress.hints.get(name, 0),
         )
         for i, name in enumerate(names)
     )

@@ -114,7 +114,7 @@ def _judged(assigned: Assignment, task: Task, i: int, found: Lesson, claimed: Pr
         claimed = replace(claimed, right=MappingProxyType({}))
     _, steps = judged_anew(found, claimed)
     points = task.points_of(lessons()[task.lesson])
-    for step, worth in zip(labelled(steps, i), points, strict=True):
+    for step, of, worth in zip(labelled(steps, i), found.steps, points, strict=True):
         # Of a prediction any answer counts in a lesson; in an exam it has to be right.
         passed = step.passed and not (assigned.exam and step.right is False)
-        yield replace(step, points=worth, passed=passed)
+        yield replace(step, points=worth, lost=assigned.lost(worth, of, step.hints), passed=passed)

@@ -15,6 +15,9 @@ from armlab.session.state import Json
 DONE, NOTED, NOT_DONE, NOTHING = "ok", "noted", "no", "-"
 """Marks of a step in the table; a noted step is done according to the file, which does not prove it."""
 
+LAST_HINT = "+hint"
+"""Addition to the mark of a step that is done, but of which the last hint was shown."""
+
 FORMULA = tuple("=+-@\t\r＝＋－＠")
 """First characters that make a spreadsheet take a text for a formula."""
 
@@ -84,7 +87,7 @@ def table(judged: Sequence[Judged], details: bool = False) -> str:
         marks = [_mark(step) for step in report.steps] + [""] * (len(labels) - len(report.steps))
         noted = [str(report.handed.attempt), str(report.hints)] if report.handed else [""] * 2 * whole
         lines.append([one.name, str(report.variant), *marks, *noted, _score(one, report), one.remark])
-    text = _aligned(lines)
+    text = _aligned(lines) + _on_hints([report for _, report in found])
     if details:
         text += "".join(f"\n{''.join(_details(one.name, report))}" for one, report in found)
     return text
@@ -125,7 +128,7 @@ def gradescope(judged: Judged) -> Json:
         "tests": [
             {
                 "name": f"{step.label} {step.title}",
-                "score": step.points * (step.passed and not judged.problem),
+                "score": step.earned * (not judged.problem),
                 "max_score": step.points,
                 "output": step.says,
                 "output_format": "text",
@@ -142,7 +145,17 @@ def _mark(step: StepReport) -> str:
         return NOTHING
     if not step.passed:
         return NOT_DONE
-    return NOTED if step.noted else DONE
+    return f"{NOTED if step.noted else DONE}{LAST_HINT if step.last_hint else ''}"
+
+
+def _on_hints(reports: Sequence[Report]) -> str:
+    """Return a line on what the last hint costs; empty where nobody has seen one."""
+    if not any(step.last_hint and step.passed for report in reports for step in report.steps):
+        return ""
+    handed = reports[0].handed
+    percent = 0.0 if handed is None else handed.of.last_hint_percent
+    cost = f"costs {percent:g} % of the points of the step" if percent else "costs no points"
+    return f"{LAST_HINT}: the last hint of the step was shown, which {cost}.\n"
 
 
 def _score(one: Judged, report: Report) -> str:
@@ -178,7 +191,7 @@ def _cells(one: Judged, report: Report) -> list[str | int | float]:
         cells += [_utc(handed.begun), _utc(handed.handed), math.ceil(handed.late / 60.0), handed.left]
     for step in report.steps:
         cells += [("yes" if step.passed else "no") if step.counts else "", step.hints, step.says]
-        cells += [] if handed is None else [round(step.points * step.passed, 2) if step.counts else ""]
+        cells += [] if handed is None else [round(step.earned, 2) if step.counts else ""]
     return cells
 
 

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from armlab.content.assignment import Assignment, said_date
+from armlab.content.held import named
 from armlab.errors import InputError
 from armlab.session.assignment_work import Work
 from armlab.session.state import Json
@@ -83,7 +84,7 @@ def of_assignment(assigned: Assignment, work: Work) -> dict[str, Json]:
     if work.handed is None:
         raise InputError("This work has not been handed in yet.")
     return {
-        "assignment": assigned.key,
+        "assignment": named(assigned.key),
         "version": assigned.version,
         "digest": assigned.digest,
         "variant": work.number,

@@ -6,9 +6,10 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import ClassVar
 
+from armlab.content.held import is_held
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
-from armlab.errors import InputError
+from armlab.errors import InputError, UnknownName
 from armlab.registry import known_name
 from armlab.session.assignment_rules import refuse_in_assignment, refuse_late
 from armlab.session.lesson_progress import MOST_TYPED, Progress, RightAnswer, step_names
@@ -16,6 +17,8 @@ from armlab.session.lesson_start import gone_to, refuse_unknown, set_up, without
 from armlab.session.panel_commands import lesson_followed
 from armlab.session.parts.former import Former, offered, without_lessons_switches
 from armlab.session.parts.lesson import LessonPart, at_place, place_of, signed
+from armlab.session.parts.own_lessons import OwnLessons
+from armlab.session.parts.preview import Preview
 from armlab.session.parts.shelf import own_work
 from armlab.session.state import Command, State
 
@@ -48,6 +51,7 @@ class OpenLesson(Command):
         part = state[LessonPart]
         if not self.within:
             self._refuse_in_assignment(part)
+        self._refuse_of_others(state)
         place = self._place(part)
         if part.open == place and not self.anew:
             return state
@@ -62,8 +66,13 @@ class OpenLesson(Command):
 
     def _refuse_in_assignment(self, part: LessonPart) -> None:
         refuse_in_assignment(part)
-        if not lessons()[self.key].listed:
+        if not lessons()[self.key].listed and not is_held(self.key):
             raise InputError(f"The lesson {self.key!r} belongs to an assignment, and is opened with it.")
+
+    def _refuse_of_others(self, state: State) -> None:
+        """Raise `UnknownName` for what somebody else has loaded; one's own is opened by a preview alone."""
+        if is_held(self.key) and (state[Preview].before is None or not state[OwnLessons].holds(self.key)):
+            raise UnknownName("lesson", self.key, [found.key for found in lessons().listed])
 
     def _place(self, part: LessonPart) -> str:
         if self.variant is not None and not 0 <= self.variant <= MOST_VARIANT:

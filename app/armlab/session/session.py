@@ -6,7 +6,7 @@ import hashlib
 import logging
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from armlab.session.history import HEAVIEST, History
 from armlab.session.mailbox import Mailbox
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.panels import Panels
+from armlab.session.parts.preview import Preview
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.shelf import Shelf
 from armlab.session.parts.welcome import CARD, Welcome
@@ -29,6 +30,10 @@ LONGEST_NOTICE = 600
 
 VARIANTS = 1000
 """Number of variants of lessons that are assigned to students: 0 to 999."""
+
+
+PREVIEW = "preview"
+"""Name of the place in which a lesson is looked at as a student sees it."""
 
 
 @dataclass(frozen=True)
@@ -172,15 +177,15 @@ class Session:
                 self.state = after
 
     def _note(self, command: Command, after: State, at: float) -> None:
-        """Record a step of undo. Each place of the shelf has its own history; a shared one starts empty."""
-        before, here, there = self.state, self.state[Shelf], after[Shelf]
-        if (here.place, here.shared) != (there.place, there.shared):
-            if not here.shared:
-                self._elsewhere[here.place] = self.history
+        """Record a step of undo. Each place has its own history; a shared one and a preview start empty."""
+        before, here, there = self.state, _place(self.state), _place(after)
+        if here != there:
+            if not here.passing:
+                self._elsewhere[here.name] = self.history
                 while len(self._elsewhere) > 1 and sum(each.held for each in self._elsewhere.values()) > HEAVIEST:
                     del self._elsewhere[next(iter(self._elsewhere))]
-            self.history = self._elsewhere.pop(there.place, History())
-            before = here.parked.get(there.place, before)
+            self.history = History() if there.passing else self._elsewhere.pop(there.name, History())
+            before = before[Shelf].parked.get(there.name, before)
         if command.undoable and _is_work(before, after):
             self.history.note(before, after, command, at)
 
@@ -202,6 +207,18 @@ class Session:
     def tell(self, text: str) -> None:
         """Show a notice to the student."""
         self.notice = Notice(1 if self.notice is None else self.notice.number + 1, cut(text))
+
+
+class _Place(NamedTuple):
+    """A place with a history of its own; ``passing`` tells apart those whose history ends when they are left."""
+
+    name: str
+    passing: str
+
+
+def _place(state: State) -> _Place:
+    shelf = state[Shelf]
+    return _Place(PREVIEW, PREVIEW) if state[Preview].before is not None else _Place(shelf.place, shelf.shared)
 
 
 def cut(text: str) -> str:

@@ -18,10 +18,12 @@ import viser
 from armlab.session.panel_commands import hidden_tabs
 from armlab.session.parts.former import BackToFormer, ForgetFormer, offered
 from armlab.session.parts.lesson import LessonPart, at_place
+from armlab.session.parts.preview import Preview
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf
 from armlab.session.parts.target import Target, verdict
 from armlab.session.parts.welcome import CARD, LeaveWelcome, Welcome
+from armlab.session.preview_commands import EndPreview
 from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import Post, State
 from armlab.ui.fields import Fields
@@ -139,7 +141,14 @@ class Overlay:
         state, history = session.state, session.history
         shelf, robot = state[Shelf], state[RobotPart]
         return (
-            (shelf.place, _waits(shelf), offered(state), state[Welcome], offered_lessons(state)),
+            (
+                shelf.place,
+                _waits(shelf),
+                state[Preview].before is None,
+                offered(state),
+                state[Welcome],
+                offered_lessons(state),
+            ),
             (history.undo_label, history.redo_label),
             (name_of(robot), robot.own, robot.robot.key, state[LessonPart].open, hidden_tabs(state)),
             (self._tab, self._asked),
@@ -172,7 +181,12 @@ class Overlay:
         """Return a sentence on where the student is, unless at the lesson or own work, with the button back."""
         shelf, former = session.state[Shelf], offered(session.state)
         way: Inside
-        if shelf.place == SANDBOX:
+        if session.state[Preview].before is not None and shelf.place != SHARED:
+            says, way = (
+                "As a student sees it",
+                self._form.button("preview-end", "‹ Back to my work", EndPreview(), "chip"),
+            )
+        elif shelf.place == SANDBOX:
             says, way = "Your sandbox", self._form.button("home", f"‹ Back to {_waits(shelf)}", BackToLesson(), "chip")
         elif shelf.place == SHARED:
             says, way = "A shared arm", self._form.button("own", "‹ Back to my work", BackFromShared(), "chip")
@@ -186,7 +200,9 @@ class Overlay:
             )
         else:
             return None
-        return tag("div.al-over.al-place", tag("b", says), way, role="status")
+        beside = session.state[LessonPart].open  # which leaves no room in the row at the top
+        kind = "div.al-over.al-place.al-under" if beside else "div.al-over.al-place"
+        return tag(kind, tag("b", says), way, role="status")
 
     def _tabs_said(self, text: str) -> None:
         self._on_tabs(text)
@@ -221,6 +237,8 @@ class Overlay:
             path = f"/lesson/{lesson}"
         if (assigned := session.state[LessonPart].assigned) is not None:
             path = f"/assignment/{assigned.key}"
+        if session.state[Preview].before is not None:
+            path = "/"  # of one's own files others have none
         notes = {
             "path": path,
             "arm": name_of(robot),

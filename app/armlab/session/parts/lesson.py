@@ -260,7 +260,7 @@ class LessonPart(Part):
         opened = data["open"] if is_place(data["open"]) else ""
         works = {key: Work.from_json(each) for key, each in data.get("works", {}).items()}
         assignment = str(data.get("assignment", ""))
-        if assignment and (assignment not in works or assignment not in lessons().assignments):
+        if assignment and (assignment not in works or not lessons().has_assignment(assignment)):
             opened = assignment = ""  # its file has been taken away
         assignment = assignment if opened else ""
         student, course = signed(str(data.get("student", ""))), str(data.get("course", ""))
@@ -310,8 +310,8 @@ def is_place(place: str) -> bool:
     if not place:
         return False
     key, slash, variant = place.partition("/")
-    there = lessons().lessons
-    return key in there and bool(slash) == there[key].varies and (not slash or variant.isdecimal())
+    there = lessons()
+    return there.has(key) and bool(slash) == there[key].varies and (not slash or variant.isdecimal())
 
 
 def has_its_arm(state: State) -> bool:

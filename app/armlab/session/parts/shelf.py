@@ -20,8 +20,11 @@ from armlab.session.panel_commands import lesson_followed
 from armlab.session.parts.display import Display
 from armlab.session.parts.former import Former
 from armlab.session.parts.lesson import LessonPart, is_place
+from armlab.session.parts.own_lessons import OwnLessons
 from armlab.session.parts.panels import Panels
+from armlab.session.parts.preview import Preview
 from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.teacher import Teacher
 from armlab.session.parts.timeline import Timeline
 from armlab.session.share import STAYS, from_short, state_of_parts
 from armlab.session.share_text import TEXT
@@ -214,7 +217,8 @@ def _left(state: State) -> dict[str, State]:
 
 def _arrived(state: State, found: State, shelf: Shelf, lesson: str = "") -> State:
     """Return a stored state with the present windows and progress in lessons, and this lesson open."""
-    arrived = found.replace(shelf, replace(state[LessonPart], open=lesson), state[Panels])
+    stays = state[Panels], state[OwnLessons], state[Preview], state[Teacher]
+    arrived = found.replace(shelf, replace(state[LessonPart], open=lesson), *stays)
     return lesson_followed(state, arrived)
 
 

@@ -76,7 +76,9 @@ class Sheet:
             passed = progress.passed(lesson)
             if self.of.exam:  # of a prediction any answer counts in a lesson; in an exam it has to be right
                 passed = frozenset(k for k in passed if lesson.steps[k].question is None or names[k] in progress.right)
-            got, most = got + sum(points[k] for k in passed), most + sum(points)
+            shown = [progress.hints.get(name, 0) for name in names]
+            lost = sum(self.of.lost(points[k], lesson.steps[k], shown[k]) for k in passed)
+            got, most = got + sum(points[k] for k in passed) - lost, most + sum(points)
         return got, most
 
 

@@ -231,7 +231,11 @@ def _hint(form: Form, lesson: Lesson, part: LessonPart, i: int) -> Markup | None
     count, shown = len(lesson.steps[i].hints), part.progress.hints.get(part.name, 0)
     if shown >= count or i in part.progress.passed(lesson):
         return None
-    return form.button("lesson-hint", f"Hint {shown + 1} of {count}" if count > 1 else "Hint", UnlockHint(), "way")
+    percent = 0.0 if part.assigned is None else part.assigned.last_hint_percent
+    last = f"The last hint; it costs {percent:g} % of the points of this step" if percent else ""
+    name = f"Hint {shown + 1} of {count}" if count > 1 else "Hint"
+    costs = f" (−{percent:g} %)" if last and shown + 1 == count else ""
+    return form.button("lesson-hint", f"{name}{costs}", UnlockHint(), "way", last if costs else "")
 
 
 def _end(form: Form, last: int, passed: frozenset[int]) -> Inside:

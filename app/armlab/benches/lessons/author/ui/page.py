@@ -1,9 +1,12 @@
-"""The page for teachers: the present state saved as the goal of a lesson, and the broken files of lessons."""
+"""The page for teachers: lessons saved, loaded, looked at and put in order, and the broken files of lessons."""
 
 from __future__ import annotations
 
 import re
 
+from armlab.benches.lessons.author.ui.loading import Loading
+from armlab.benches.lessons.author.ui.order import Order
+from armlab.benches.lessons.author.ui.shell import commands_markup
 from armlab.content.course import Course
 from armlab.content.lessons import lessons
 from armlab.content.write_lesson import lesson_text
@@ -11,8 +14,11 @@ from armlab.errors import ArmlabError, InputError
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.own_lessons import OwnLessons
+from armlab.session.parts.preview import Preview
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
+from armlab.session.parts.teacher import Teacher
 from armlab.session.put_words import begun_as
 from armlab.session.state import Post, State
 from armlab.ui.form import Form, Pressed, Typed
@@ -24,43 +30,13 @@ from armlab.ui.plugin import Panel, Show, layers
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
-TO_TEACH = (
-    "The guide has, by chapter, goals and minutes, what to show, common mistakes, homework, and questions to discuss."
-)
-GUIDE_HINT = "To read or to print, each chapter on sheets of its own; opens a page of its own"
+GUIDE_HINT = "Goals, what to show, common mistakes, homework, by chapter; opens a page of its own"
 
-GOAL = (
-    "Bring the arm to where the students are to bring it, and save. The lesson begins in another pose, asks for this "
-    "one within a tolerance, and has a hint and a solution."
-)
-
-TO_A_CLASS = (
-    "Put the file into a folder and start the lab with it. The lesson appears in the map, and changes for everybody "
-    "whenever the file is saved. A file course.toml beside it puts lessons in order.",
-    "armlab --host 0.0.0.0 --lessons FOLDER",
-)
-
-CHECKED = (
-    "Write your own words into the file. Then this plays the lesson by its own solutions and says what is wrong, "
-    "with file and line.",
-    "armlab lesson check FILE",
-)
-
-ASSIGNED = (
-    "A file NAME.toml beside your lessons is an assignment, which may be an exam; lessons/README.md has its format. "
-    "The lab started with it tells the address that opens it.",
-    "armlab --host 0.0.0.0 --assignment NAME.toml",
-)
-
-HANDED_IN = (
-    "Students save their work as files. This judges those of a folder again and prints a table; NAME.toml for an "
-    "assignment.",
-    "armlab check NAME --state FOLDER",
-)
+GOAL = "Bring the arm to where the students are to bring it. The lesson begins in another pose and asks for this one."
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Build the field of the title and the button."""
+    """Build the parts of the page, the most used first."""
     title, present = "My lesson", state
     made: tuple[str, str] | None = None  # the name and the text of the file that was saved last
 
@@ -80,24 +56,21 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             raise InputError(str(refusal)) from None
 
     paper = gui.html()
-    gui.heading("1. Save as lesson")
+    gui.heading("Save as lesson")
     form = gui.form(post)
-    file = gui.html()
-    steps = {
-        "2. Edit and check": CHECKED,
-        "3. Show it to a class": TO_A_CLASS,
-        "4. Set homework or an exam": ASSIGNED,
-        "5. Judge what is handed in": HANDED_IN,
-    }
-    gui.html([(tag("h3", title), _step(*step)) for title, step in steps.items()])
+    loading = Loading(gui, post)
+    order = Order(gui, post)
+    gui.html(commands_markup())
     problems = gui.html()
 
     def show(state: State) -> None:
         nonlocal present
         present = state
         paper.show(_paper(lessons().course(state[LessonPart].course)))
-        form.show(_form(form, title, state, named, save))
-        file.show(None if made is None else fold(f"What {made[0]} says", tag("pre.al-file", made[1]), key="file"))
+        held = None if made is None else fold(f"What {made[0]} says", tag("pre.al-file", made[1]), key="file")
+        form.show(_form(form, title, state, named, save), held)
+        loading.show(state)
+        order.show(state)
         problems.show(broken_files("lesson", lessons().problems))
 
     return show
@@ -106,12 +79,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 def _paper(course: Course) -> Inside:
     """Return the links to what helps to teach a course, on pages of their own."""
     sheet = on_paper("Formulas on two pages", "formulas", hint="Also in LaTeX: armlab formulas")
-    return tag("p", TO_TEACH), tag("div.bar", on_paper("Guide to the course", "guide", course.key, GUIDE_HINT), sheet)
-
-
-def _step(says: str, command: str) -> Inside:
-    """Return what a command is for, and the command to be copied."""
-    return tag("p", says), tag("div.bar", tag("code", command), tag("button.chip", "Copy", data_copy=command))
+    return tag("div.bar", on_paper("Guide to the course", "guide", course.key, GUIDE_HINT), sheet)
 
 
 def _form(form: Form, title: str, state: State, named: Typed, save: Pressed) -> Inside:
@@ -119,7 +87,7 @@ def _form(form: Form, title: str, state: State, named: Typed, save: Pressed) -> 
     hint = "A lesson file whose goal is the arm as it stands"
     button = form.button("save-lesson", "Save as lesson", save, "main", hint)
     # What is to be predicted is not told here either.
-    held = None if state[LessonPart].hides else pairs(_holds(state))
+    held = None if state[LessonPart].hides else fold("What the file will hold", pairs(_holds(state)), key="holds")
     titled = tag("div.kit-numbers.kit-typed", tag("label", tag("span", "Title"), line))
     return tag("p", GOAL), titled, tag("div.bar", button), held
 
@@ -163,4 +131,6 @@ def file_name(title: str) -> str:
     return re.sub(r"[^a-z0-9]+", "_", title.lower()).strip("_")[:60] or "lesson"
 
 
-PANEL = Panel((RobotPart, Joints, Target, Display, LessonPart), build, rebuilds=())
+WATCHED = (RobotPart, Joints, Target, Display, LessonPart, OwnLessons, Preview, Teacher)
+
+PANEL = Panel(WATCHED, build, rebuilds=(), outside=lessons)

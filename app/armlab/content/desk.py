@@ -1,0 +1,159 @@
+"""The teacher's desk: who has its key puts lessons, assignments and the course for everybody into one folder."""
+
+from __future__ import annotations
+
+import base64
+import hmac
+import os
+import shutil
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from armlab.content.assignment import amiss, parse_assignment
+from armlab.content.course import misplaced, parse_course
+from armlab.content.held import hold_lesson
+from armlab.content.lesson_folder import COURSE, ENDING, LESSON, MOST_LESSONS, OF_ASSIGNMENT
+from armlab.content.lessons import lessons
+from armlab.content.upload import ASSIGNMENT, COURSE_KIND, LESSON_KIND, Upload
+from armlab.errors import InputError
+
+SHORTEST_KEY, LONGEST_KEY = 8, 100
+TRIES, PAUSE = 5.0, 5.0
+"""Number of wrong keys in a row, and seconds for each one after them."""
+
+BEFORE = ".before-"
+"""Beginning of the name under which the file that was there is kept; hidden files are no lessons."""
+
+LOADING = ".loading-"
+
+
+class Desk:
+    """A folder of lessons that is written into from the browser.
+
+    Parameters
+    ----------
+    folder : Path
+    key : str
+    clock : callable
+    """
+
+    def __init__(self, folder: Path, key: str, clock: Callable[[], float] = time.monotonic) -> None:
+        self._folder, self._key, self._clock = folder.resolve(), key.encode(), clock
+        self._wrong, self._at = 0.0, clock()
+
+    def let_in(self, said: str) -> None:
+        """Raise `InputError` unless this is the key; who guesses has to wait."""
+        now = self._clock()
+        self._wrong, self._at = max(0.0, self._wrong - (now - self._at) / PAUSE), now
+        if self._wrong >= TRIES:
+            raise InputError("Too many wrong keys were tried. Wait a little.")
+        if not hmac.compare_digest(said.strip()[:LONGEST_KEY].encode("utf-8", "replace"), self._key):
+            self._wrong += 1.0
+            raise InputError("This is not the key of the teacher.")
+
+    def put(self, upload: Upload) -> str:
+        """Put a file into the folder; return its name there. The one that was there is kept as a hidden file.
+
+        Raises
+        ------
+        ContentError
+            It cannot be used: nothing changes.
+        InputError
+            A lesson elsewhere has its name, the folder is full, or it cannot be written.
+        """
+        _refuse_unusable(upload)
+        if len(list(self._folder.iterdir())) >= 2 * MOST_LESSONS:
+            raise InputError(f"{upload.file}: the folder of the lessons is full")
+        name = COURSE if upload.kind == COURSE_KIND else upload.file.partition("/")[0]
+        if upload.kind == LESSON_KIND:
+            self._refuse_elsewhere(upload.name)
+        try:
+            if upload.pictures is None:
+                self._write(name, upload.text)
+            else:
+                self._write_folder(name, upload)
+            if upload.kind == LESSON_KIND:  # of NAME.md and NAME the other one goes
+                self._set_aside(upload.name if name.endswith(ENDING) else f"{upload.name}{ENDING}")
+        except OSError as error:
+            raise InputError(f"{upload.file}: cannot be written: {error.strerror}") from None
+        return name
+
+    def _refuse_elsewhere(self, name: str) -> None:
+        here = (self._folder / f"{name}{ENDING}").exists() or (self._folder / name / LESSON).exists()
+        if name in lessons().lessons and not here:
+            raise InputError(f"{name}{ENDING}: the lab has a lesson {name!r} already; rename this one")
+
+    def _write(self, name: str, text: str) -> None:
+        handle, made = tempfile.mkstemp(dir=self._folder, prefix=LOADING)
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
+                file.write(text)
+            os.chmod(made, 0o644)
+            self._keep_copy(name)
+            os.replace(made, self._folder / name)
+        except BaseException:
+            Path(made).unlink(missing_ok=True)
+            raise
+
+    def _write_folder(self, name: str, upload: Upload) -> None:
+        made = Path(tempfile.mkdtemp(dir=self._folder, prefix=LOADING))
+        try:
+            (made / LESSON).write_text(upload.text, encoding="utf-8", newline="")
+            for picture, address in (upload.pictures or {}).items():
+                (made / picture).write_bytes(base64.b64decode(address.partition(",")[2]))
+            made.chmod(0o755)
+            self._set_aside(name)
+            made.rename(self._folder / name)
+        except BaseException:
+            shutil.rmtree(made, ignore_errors=True)
+            raise
+
+    def _keep_copy(self, name: str) -> None:
+        """Keep a copy of a file that is about to be replaced, which is there at every moment."""
+        there, kept = self._folder / name, self._folder / f"{BEFORE}{name}"
+        if there.is_file() and not there.is_symlink():
+            kept.unlink(missing_ok=True)
+            shutil.copyfile(there, kept)
+
+    def _set_aside(self, name: str) -> None:
+        """Keep what is there under a hidden name, in place of what was kept before."""
+        there, kept = self._folder / name, self._folder / f"{BEFORE}{name}"
+        if not there.exists() and not there.is_symlink():
+            return
+        if kept.is_dir() and not kept.is_symlink():
+            shutil.rmtree(kept)
+        there.replace(kept)
+
+
+def _refuse_unusable(upload: Upload) -> None:
+    """Raise `ContentError` where a file cannot be used by everybody, with what is there for everybody."""
+    there = lessons()
+    known = {*there.lessons, *there.broken}
+    if upload.kind == LESSON_KIND:
+        hold_lesson(upload)
+    elif upload.kind == ASSIGNMENT:
+        found = parse_assignment(upload.name, upload.text, upload.file)
+        for problem in amiss(found, upload.text, there.lessons, known):
+            raise problem
+    elif upload.kind == COURSE_KIND:
+        course = parse_course("", upload.text, upload.file)
+        for error in misplaced(course, upload.text, upload.file, known, there.needs):
+            raise error
+    else:
+        raise InputError(f"{upload.name}{OF_ASSIGNMENT}: an arm is not put into a folder of lessons")
+
+
+_desks: list[Desk] = []
+
+
+def desk() -> Desk | None:
+    """Return the desk of this process; None where nobody may write for everybody."""
+    return _desks[-1] if _desks else None
+
+
+def open_desk(found: Desk) -> Callable[[], None]:
+    """Let a desk be that of this process; returns what closes it again."""
+    _desks.append(found)
+    return lambda: _desks.remove(found)

@@ -1,0 +1,81 @@
+"""The page for teachers: what is loaded is shown as text, what is none is told at the button, and the key counts."""
+
+import re
+
+import pytest
+
+from support.fake_browser import cookie_of
+from support.lab import running_lab
+from support.own_lessons import HOSTILE, HOSTILE_ARM, PWN, lesson
+from support.student import run, student
+
+KEY = "the key of this teacher"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("mine")
+
+
+@pytest.fixture(scope="module")
+def url(folder):
+    with running_lab(lessons=folder, key=KEY) as address:
+        yield address
+
+
+async def at_the_page(url, cookie=None):
+    browser = await student(url, cookie or cookie_of(url))
+    await browser.open("author")
+    await browser.until(lambda: "load-file" in browser.html())
+    return browser
+
+
+def refusal(browser):
+    said = re.search('role="alert">([^<]*)', browser.html())
+    return said[1] if said else ""
+
+
+def test_a_loaded_lesson_is_text_nobody_elses_and_there_again(url, folder):
+    async def main():
+        cookie = cookie_of(url)
+        browser = await at_the_page(url, cookie)
+        await browser.press("load-file", f"bad.md\n{PWN}")
+        await browser.until(lambda: "bad.md, line 1: expected a first line +++" in refusal(browser))
+        await browser.press("load-file", f"evil.md\n{lesson(HOSTILE, HOSTILE_ARM, f'Title {PWN}')}")
+        await browser.until(lambda: "Title &lt;script&gt;" in browser.html())
+        await browser.press("preview evil.md")
+        await browser.until(lambda: "Introduction &lt;script&gt;" in browser.html())
+        assert "As a student sees it" in browser.html()
+        assert "<script" not in browser.html()
+        assert "<img" not in browser.html()
+        await browser.press("preview-end")
+        await browser.until(lambda: "lesson-head" not in browser.html())
+        await browser.close()
+        again, other = await at_the_page(url, cookie), await at_the_page(url)
+        await again.until(lambda: "evil.md" in again.html())
+        assert "evil.md" not in other.html()
+        assert 'data-cell="give ' not in again.html()
+        assert list(folder.iterdir()) == []
+        await again.close()
+        await other.close()
+
+    run(main())
+
+
+def test_only_with_the_key_something_is_put_there_for_everybody(url, folder):
+    async def main():
+        browser = await at_the_page(url)
+        await browser.press("load-file", f"mine.md\n{lesson()}")
+        await browser.until(lambda: 'data-cell="forget mine.md"' in browser.html())
+        await browser.press("teacher-key", "a wrong key")
+        await browser.until(lambda: "This is not the key of the teacher." in browser.html())
+        assert 'data-cell="give mine.md"' not in browser.html()
+        await browser.press("teacher-key", KEY)
+        await browser.until(lambda: 'data-cell="give mine.md"' in browser.html())
+        assert KEY not in browser.html()
+        await browser.press("give mine.md")
+        await browser.until(lambda: "mine.md is there for everybody." in browser.html())
+        assert [path.name for path in folder.iterdir()] == ["mine.md"]
+        await browser.close()
+
+    run(main())
