@@ -90,9 +90,9 @@ def test_a_lesson_is_played_by_clicks_with_a_reload_in_the_middle(visit, key):
 
 
 def test_a_lesson_from_its_link_to_its_end_with_a_reload(visit):
-    lab = visit("lesson/first_arm", size=(1400, 850))
+    lab = visit("lesson/first_arm/0", size=(1400, 850))
     player = LessonPlayer(lab, library().lesson("first_arm"))
-    assert "/lesson/first_arm" in lab.address()
+    assert "/lesson/first_arm/0" in lab.address()
     left, right, _ = lab.scene()
     assert 270 < left < 300
     assert (right - left) / 1400 > 0.5

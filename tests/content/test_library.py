@@ -50,7 +50,8 @@ def problems(found):
 def test_the_lessons_of_the_lab_are_there():
     assert library().lessons is lessons()
     assert lesson("first_arm") is lessons()["first_arm"]
-    assert lesson("first_arm", 12) is lesson("first_arm")
+    assert lesson("first_arm", 12) is lesson("first_arm", 12)
+    assert lesson("first_arm", 12).variant == 12
     with pytest.raises(UnknownName, match="lesson: unknown name 'frist_arm'; did you mean 'first_arm'"):
         lesson("frist_arm")
 

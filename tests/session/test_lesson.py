@@ -71,7 +71,7 @@ own = pytest.fixture(library_fixture, name="own")
 
 
 def test_opening_puts_the_lesson_and_its_arm_on_the_table(first):
-    assert first[LessonPart].open == "first_arm"
+    assert first[LessonPart].open == "first_arm/0"
     assert first[LessonPart].step is lessons()["first_arm"].steps[0]
     assert first[RobotPart].robot is PLANAR
     np.testing.assert_array_equal(first[Joints].q, first_arm().start)
@@ -205,7 +205,7 @@ def test_long_answers_are_cut(first):
 
 def test_another_arm_leaves_the_lesson_open_and_unchecked(first):
     state = done(first, ChooseRobot("planar_3r"))
-    assert state[LessonPart].open == "first_arm"
+    assert state[LessonPart].open == "first_arm/0"
     assert not has_its_arm(state)
     assert check_line(state) == (False, "")
     assert passed(done(state, *(MoveJoint(i, 0.0) for i in range(3)))) == frozenset()
@@ -231,7 +231,7 @@ def test_a_reload_keeps_lesson_step_progress_and_answers(first):
     again = reloaded(state)
     assert passed(again) == {0}
     one, other = again[LessonPart], state[LessonPart]
-    assert (one.open, one.index, one.student, one.progress.answers) == ("first_arm", 2, "Ada", {one.name: "0.5"})
+    assert (one.open, one.index, one.student, one.progress.answers) == ("first_arm/0", 2, "Ada", {one.name: "0.5"})
     assert one.to_json() == other.to_json()
     assert one.progress.evidence == other.progress.evidence
     assert passed(reloaded(done(again, Answer("0.866")))) == {0, 2}
@@ -307,7 +307,8 @@ def test_a_lesson_whose_file_is_gone_goes_on(fresh, own):
 
 def test_undo_takes_back_motions_and_no_answer():
     session = Session.fresh("token", PUMA)
-    for k, command in enumerate([OpenLesson("first_arm"), TakePose("stretched"), GoToStep(2), Answer("0.866")]):
+    opening = OpenLesson("first_arm", variant=0)
+    for k, command in enumerate([opening, TakePose("stretched"), GoToStep(2), Answer("0.866")]):
         session.apply(command, float(k))
     assert session.notice is None
     assert session.history.undo_label == TakePose.label
@@ -317,7 +318,7 @@ def test_undo_takes_back_motions_and_no_answer():
     assert session.history.undo_label == OpenLesson.label
     session.apply(Undo(), 10.0)
     assert session.robot is PUMA
-    assert session.state[LessonPart].open == "first_arm"
+    assert session.state[LessonPart].open == "first_arm/0"
     session.apply(Redo(), 11.0)
     assert session.robot is PLANAR
     assert passed(session.state) == {0, 2}

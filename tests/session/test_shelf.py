@@ -53,7 +53,7 @@ def test_a_sandbox_begins_with_the_arm_as_it_is_and_the_lesson_waits(lesson):
     applied(lesson, ToSandbox())
     state = lesson.state
     assert state[Shelf].place == SANDBOX
-    assert state[Shelf].waiting == "first_arm"
+    assert state[Shelf].waiting == left[LessonPart].open
     assert state[LessonPart].lesson is None
     assert state[LessonPart].progress_of == left[LessonPart].progress_of
     assert state[RobotPart].robot is PLANAR

@@ -221,17 +221,17 @@ def test_a_variant_that_is_no_number_is_refused_at_its_field(url, text):
 @pytest.mark.parametrize(
     ("typed", "kept", "file"),
     [
-        ("Ada Lovelace", "Ada Lovelace", "first_arm_ada_lovelace.json"),
+        ("Ada Lovelace", "Ada Lovelace", "first_arm_0_ada_lovelace.json"),
         (PWN, " ".join(PWN.split())[:80], None),
-        ("x" * 500, "x" * 80, "first_arm_" + "x" * 40 + ".json"),
-        ("half \ud800 line\n two", "half ? line two", "first_arm_half_line_two.json"),
-        ("../../etc/passwd", "../../etc/passwd", "first_arm_etc_passwd.json"),
-        ("", "", "first_arm.json"),
+        ("x" * 500, "x" * 80, "first_arm_0_" + "x" * 40 + ".json"),
+        ("half \ud800 line\n two", "half ? line two", "first_arm_0_half_line_two.json"),
+        ("../../etc/passwd", "../../etc/passwd", "first_arm_0_etc_passwd.json"),
+        ("", "", "first_arm_0.json"),
     ],
 )
 def test_the_work_is_saved_under_any_name(url, typed, kept, file):
     async def main():
-        browser = await in_lesson(url, "first_arm")
+        browser = await in_lesson(url, "first_arm/0")
         await browser.press("stretched")
         await browser.until(lambda: "✓ Done" in browser.html())
         before = piece(browser, "lesson-more")
@@ -258,7 +258,7 @@ def test_the_work_is_saved_under_any_name(url, typed, kept, file):
 
 def test_a_sandbox_of_ones_own_leaves_the_lesson_as_it_is(url):
     async def main():
-        browser = await in_lesson(url, "first_arm")
+        browser = await in_lesson(url, "first_arm/0")
         await to_step(browser, 3)
         await browser.press("lesson-answer", "0.5")
         await browser.until(lambda: "✕ Not yet" in browser.html())

@@ -185,6 +185,15 @@
     }
   };
 
+  // In a small window what is said of an answer may stand below the edge: it is brought into sight once.
+  let heard = { title: '', says: '' };
+  const showVerdict = () => {
+    const verdict = document.querySelector('.ask ~ .verdict');
+    const says = verdict?.textContent ?? '';
+    if (says && read.title === heard.title && says !== heard.says) verdict.scrollIntoView({ block: 'nearest' });
+    heard = { title: read.title, says };
+  };
+
   // Where the lab has to replace a field as well, the cursor goes on in the field of the same name.
   document.addEventListener('focusin', event => {
     last = event.target.matches?.('[data-chan]') ? event.target : null;
@@ -382,6 +391,7 @@
       requestAnimationFrame(() => {
         due = false;
         keepReading();
+        showVerdict();
         obey();
         toTop();
         tellTabs();

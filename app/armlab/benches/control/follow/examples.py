@@ -220,7 +220,7 @@ EXAMPLES: Registry[Example] = Registry(
                     "name": "error of the joints",
                 },
             ),
-            "With q̇ = J# K e the tool goes straight to the target, with q̇ = K (q_d − q) on a bow; both as fast as "
+            "With q̇ = J# K e the tool goes straight to the target, with q̇ = K (q_d − q) along a curve; both as fast as "
             "exp(−2t). Drag the handle: the runs are computed again.",
             target=(-0.6, 1.2, 0.0),
         ),
