@@ -65,6 +65,7 @@ OWN_JSON = {
     "errata_practice": "its JSON is a map whose keys are errata, of those tasks that were begun",
     "former": "a whole state, as it was before a lesson",
     "joints": "joint values, and which are held, are read together with the arm and its limits",
+    "language": "its JSON is the key of a language; one that is there no more is ignored",
     "lesson": "a student's way through lessons, which are files that change",
     "lines": "two lines in one list, read together with the arm",
     "notation": "whether the course notes are referred to is written only where they are",

@@ -64,7 +64,7 @@ def problems_of(found: Found, variants: int = VARIANTS) -> Iterator[str]:
 
     Its names are looked for, and it is played in its variant 0 and, if it varies, in variants 1 to ``variants``.
     """
-    from armlab.commands import _references
+    from armlab.commands import _references, _translated
     from armlab.content.lessons import lesson, lessons
 
     try:
@@ -76,6 +76,7 @@ def problems_of(found: Found, variants: int = VARIANTS) -> Iterator[str]:
     if wrong:
         yield from wrong
         return
+    yield from _translated.of_translations(first)
     yield from _names(found, first)
     yield from (_of_error(found, error) for error in lessons().amiss.get(found.key, ()))
     yield from _titles(found, first)

@@ -22,7 +22,7 @@ from armlab.front.paper_pages import PaperPages, Printed
 from armlab.front.relay import relay
 from armlab.front.room import FORM, POLICY, Room
 from armlab.front.tokens import Tokens
-from armlab.front.wishes import PAPERS, ROUTES, Wishes, refused
+from armlab.front.wishes import NAME, PAPERS, ROUTES, Wishes, refused
 
 HEADERS = {
     "Cache-Control": "no-store",  # a cached page of another viser version cannot talk to this one
@@ -38,6 +38,8 @@ STARTING = 30.0
 GIVEN_UP = 0.5
 """Interval of looking whether its browser waits as well, s: viser's page gives up after 5 and asks anew."""
 HALF_A_YEAR = 180 * 86400
+LANGUAGE = "lang"
+"""Query parameter by which a link asks for a language."""
 FOREIGN = ("websocket", "playbackPath")
 """Query parameters of viser that would connect the page to a foreign server, or play a foreign recording."""
 
@@ -82,7 +84,7 @@ class Front:
         self._lapsed = Addresses(self._limits.lapse_rate, self._limits.lapses)
         self._there = asyncio.Event()
         self._meters: dict[str, Meter] = {}
-        self._wishes = Wishes()
+        self._wishes, self._languages = Wishes(), Wishes()
         self._open: Counter[str] = Counter()
         self._sockets: weakref.WeakSet[web.WebSocketResponse] = weakref.WeakSet()
         self.app = web.Application(client_max_size=64 << 10)
@@ -171,6 +173,8 @@ class Front:
         if any(name in request.query for name in FOREIGN):
             kept = {key: value for key, value in request.query.items() if key not in FOREIGN}
             raise web.HTTPFound(request.rel_url.with_query(kept))
+        if LANGUAGE in request.query:
+            return self._taken_language(request)
         sockets = f"ws://{request.host} wss://{request.host}" if HOST.match(request.host) else "'self'"
         response = _html(request, self._page, self._page.policy(sockets))
         token = self._tokens.read(request.cookies.get(self._tokens.cookie))
@@ -182,6 +186,19 @@ class Front:
             # A wish belongs to the loading of a page, not to the socket: a reconnect must not repeat it.
             self._wishes.put(token, request.path.strip("/"))
         return response
+
+    def _taken_language(self, request: web.Request) -> web.Response:
+        """Note the language that a link asks for, and send the browser to the same page without it."""
+        kept = {key: value for key, value in request.query.items() if key != LANGUAGE}
+        on = web.Response(status=303, headers={"Location": str(request.rel_url.with_query(kept))})
+        token = self._tokens.read(request.cookies.get(self._tokens.cookie))
+        if token is None:
+            value = self._tokens.new()
+            token = self._tokens.read(value) or ""
+            _give_cookie(request, on, self._tokens.cookie, value)
+        if NAME.match(request.query[LANGUAGE]):
+            self._languages.put(token, request.query[LANGUAGE])
+        return on
 
     async def _serve_socket(self, request: web.Request) -> web.StreamResponse:
         token = self._tokens.read(request.cookies.get(self._tokens.cookie))
@@ -196,6 +213,11 @@ class Front:
         wish = self._wishes.take(token)
         if wish is not None:
             headers["X-Armlab-Wish"] = wish
+        language = self._languages.take(token)
+        if language is not None:
+            headers["X-Armlab-Asked"] = language
+        if accepted := request.headers.get("Accept-Language"):
+            headers["X-Armlab-Language"] = accepted[:200]
         self._open[token] += 1
         try:
             # The lab first: a browser is accepted only when there is something to talk to; it tries again otherwise.
@@ -210,8 +232,9 @@ class Front:
             )
         except (aiohttp.ClientError, OSError, TimeoutError):
             self._release(token)
-            if wish is not None:
-                self._wishes.put(token, wish)
+            for wishes, put_back in ((self._wishes, wish), (self._languages, language)):
+                if put_back is not None:
+                    wishes.put(token, put_back)
             return _text(503, "The lab is starting.")
         try:
             browser = web.WebSocketResponse(

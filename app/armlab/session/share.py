@@ -26,9 +26,9 @@ VERSION = "1"
 MOST_BYTES = 64 << 10
 """Largest size of the unpacked state, bytes: a usual one has some 4 kB."""
 
-STAYS = ("lesson", "shelf", "former", "welcome", "errata_practice", "own_lessons", "preview")
+STAYS = ("lesson", "shelf", "former", "welcome", "errata_practice", "own_lessons", "preview", "language")
 """Keys of the parts that are never shared: progress and answers, the student's name, states put aside, the welcome,
-what was loaded."""
+what was loaded, the language."""
 
 DECIMALS = 9
 """Decimals of metres and radians outside the table: the screen does not show a thousandth of that."""

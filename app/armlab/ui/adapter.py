@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from viser import _messages
 
 from armlab.errors import ArmlabError, in_one_line
+from armlab.ui.door import Door
 from armlab.ui.gate import Gate
 from armlab.ui.quick import send_at_once
 from armlab.ui.turns import Turns
@@ -29,6 +30,7 @@ log = logging.getLogger(__name__)
 
 TOKEN_HEADER = "X-Armlab-Token"
 WISH_HEADER = "X-Armlab-Wish"
+ASKED_HEADER, LANGUAGE_HEADER = "X-Armlab-Asked", "X-Armlab-Language"
 SECRET_HEADER = "X-Armlab-Secret"
 ORIGIN_HEADER = "X-Armlab-Origin"
 
@@ -116,6 +118,18 @@ def request_headers(server: viser.ViserServer, client: viser.ClientHandle) -> di
     if connection is None or connection.request is None:
         return None
     return dict(connection.request.headers.raw_items())
+
+
+def speak(client: viser.ClientHandle, door: Door) -> None:
+    """Let all messages to a page, and from it, pass through a door from now on."""
+    connection: Any = client.gui._websock_interface
+    send, handle = connection.queue_message, connection._handle_incoming_message
+
+    async def heard(client_id: Any, message: Any) -> None:
+        await handle(client_id, door.back(message))
+
+    connection.queue_message = lambda message: send(door.out(message))
+    connection._handle_incoming_message = heard
 
 
 def origin_of(client: viser.ClientHandle) -> str:

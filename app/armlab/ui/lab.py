@@ -13,6 +13,7 @@ from pathlib import Path
 
 import viser
 
+from armlab.content.languages import keys
 from armlab.content.lessons import add_folder, changed, hurry, lessons, lessons_read, read_unhurried
 from armlab.content.robots import Robot
 from armlab.kin.ik import methods
@@ -20,12 +21,13 @@ from armlab.session.job import jobs
 from armlab.session.lesson_commands import ReloadLesson
 from armlab.session.pages import tabs
 from armlab.session.panel_commands import hidden_panels
+from armlab.session.parts.language import ReadIn
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.panels import Panels
 from armlab.session.parts.timeline import Play, Timeline, clips
 from armlab.session.runner import Runner
 from armlab.session.session import Session
-from armlab.session.state import part_types
+from armlab.session.state import Command, part_types
 from armlab.session.store import Store
 from armlab.session.worker import Worker
 from armlab.ui import adapter
@@ -33,6 +35,7 @@ from armlab.ui.figure.drawn import Gallery
 from armlab.ui.pace import Pace
 from armlab.ui.player import Player
 from armlab.ui.plugin import layers
+from armlab.ui.tongue import Tongue
 from armlab.ui.view import View
 from armlab.ui.wished import wished
 
@@ -104,6 +107,7 @@ class Lab:
         self.worker = Worker(self._publish)
         self.runner = Runner(self.worker.post)
         self._views: dict[int, View] = {}
+        self._tongues: dict[int, Tongue] = {}
         self._of_session: dict[str, set[View]] = {}
         self._players: dict[str, Player] = {}
         self._due: set[str] = set()
@@ -161,17 +165,20 @@ class Lab:
         wish = found.get(adapter.WISH_HEADER.lower(), "")
         if wish.startswith(("lesson", "assignment")) or session.state[LessonPart].open or session.state[Panels].last:
             await self.loop.run_in_executor(None, lessons)
-        await self._grant(session, wish)
+        asked = found.get(adapter.ASKED_HEADER.lower(), "")
+        for command in (wished(session.state, wish), ReadIn(asked) if asked in keys() else None):
+            await self._grant(session, command)
         async with self._building:
             if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
-                await self._open(client, session)
+                tongue = Tongue(client, session, found.get(adapter.LANGUAGE_HEADER.lower(), ""))
+                await self._open(client, session, tongue)
 
     def _add_lessons(self) -> None:
         """Add the folders of lessons; those that are there already stay as they are."""
         for folder in self._own_lessons:
             add_folder(folder)
 
-    async def _open(self, client: viser.ClientHandle, session: Session) -> None:
+    async def _open(self, client: viser.ClientHandle, session: Session, tongue: Tongue) -> None:
         """Build the page of a browser in small pieces, with time for other work after each."""
         view = View(
             client,
@@ -187,6 +194,7 @@ class Lab:
                 view.close()
                 return
             if not more:
+                self._tongues[client.client_id] = tongue
                 self._take_in(client, view)
             took = time.perf_counter() - went_on
             if took > PIECE or not more:
@@ -206,12 +214,11 @@ class Lab:
         self._players[token].follow()
         self.loop.call_later(SETTLING, self.first_page.set)
 
-    async def _grant(self, session: Session, wish: str) -> None:
-        """Carry out the request of a link, if it can be read, before the page is built.
+    async def _grant(self, session: Session, command: Command | None) -> None:
+        """Carry out the request of a link, if it has one, before the page is built.
 
         The session shows a notice if the request cannot be met.
         """
-        command = wished(session.state, wish)
         if command is None:
             return
         done = self.loop.create_future()
@@ -223,6 +230,7 @@ class Lab:
             log.warning("the worker is slow; the page is built before the link's wish is granted")
 
     async def _disconnect(self, client: viser.ClientHandle) -> None:
+        self._tongues.pop(client.client_id, None)
         view = self._views.pop(client.client_id, None)
         if view is not None:
             view.close()
@@ -252,6 +260,7 @@ class Lab:
                 done.set_result(None)
         for view in tuple(self._of_session.get(session.token, ())):
             view.show()
+            self._tongues[view.client.client_id].show()
         if session.token in self._players:
             self._players[session.token].follow()
         self._follow_jobs(session)

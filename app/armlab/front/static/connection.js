@@ -18,7 +18,7 @@
     since = connected || !was ? null : since ?? performance.now();
     const lost = since !== null && performance.now() - since > PATIENCE;
     if (lost === banner.isConnected) return;
-    banner.textContent = lost ? TEXT : '';
+    banner.textContent = lost ? window.armlabSay(TEXT) : '';
     if (lost) document.body.append(banner);
     else banner.remove();
   }, 250);

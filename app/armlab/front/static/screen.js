@@ -22,12 +22,13 @@
   // screen stays as it is.
   const project = on => {
     root.toggleAttribute('data-projector', on);
+    wayBack.textContent = window.armlabSay('Back: V or Esc');
     if (on) document.body.append(wayBack);
     else wayBack.remove();
     dispatchEvent(new Event('resize')); // viser fits the picture to what is left
     tell();
   };
-  Object.assign(wayBack, { type: 'button', className: 'al-back', textContent: 'Back: V or Esc', onclick: () => project(false) });
+  Object.assign(wayBack, { type: 'button', className: 'al-back', onclick: () => project(false) });
   document.addEventListener('keydown', event => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
     if (event.target.closest?.('input, select, textarea, [contenteditable]')) return;

@@ -18,7 +18,7 @@
   const lay = () => {
     const strips = document.querySelectorAll('[data-dock-region=right] [data-dock-strip][role=tablist]');
     root.toggleAttribute('data-rail', strips.length === 1);
-    for (const strip of strips) strip.ariaLabel ??= 'Topics';
+    for (const strip of strips) strip.ariaLabel ??= window.armlabSay('Topics');
   };
 
   // viser tears a tab off where the hand leaves its strip upwards or downwards. The rail is as high as the window and is

@@ -61,13 +61,14 @@
 
   // -- the tray itself -----------------------------------------------------------------------------------------------
   const make = () => {
+    const say = window.armlabSay;
     tray = document.createElement('section');
     tray.className = 'al-tray';
-    tray.ariaLabel = 'Plots';
-    tray.innerHTML = '<div class="tray-grip" role="separator" tabindex="0" aria-orientation="horizontal" aria-label="Height of the plots"></div>'
-      + '<div class="tray-bar"><div class="tray-chips" role="group" aria-label="Plots shown"></div>'
-      + '<span class="tray-hint"></span><button type="button" data-tray="full" title="The plots in place of the scene">⤢ Full view</button>'
-      + '<button type="button" data-tray="close" aria-label="Close the plots" title="Close (X or Esc)">✕</button></div>'
+    tray.ariaLabel = say('Plots');
+    tray.innerHTML = `<div class="tray-grip" role="separator" tabindex="0" aria-orientation="horizontal" aria-label="${say('Height of the plots')}"></div>`
+      + `<div class="tray-bar"><div class="tray-chips" role="group" aria-label="${say('Plots shown')}"></div>`
+      + `<span class="tray-hint"></span><button type="button" data-tray="full" title="${say('The plots in place of the scene')}">${say('⤢ Full view')}</button>`
+      + `<button type="button" data-tray="close" aria-label="${say('Close the plots')}" title="${say('Close (X or Esc)')}">✕</button></div>`
       + '<div class="tray-plots"></div>';
     [grip, chips, body] = ['.tray-grip', '.tray-chips', '.tray-plots'].map(each => tray.querySelector(each));
     tray.addEventListener('click', event => {
@@ -161,8 +162,8 @@
       read(); // what has come already
     }
     const timed = shown.some(key => clipOf(key) !== '');
-    tray.querySelector('.tray-hint').textContent = timed ? 'Drag: move the arm. Shift + drag, wheel: zoom' : 'Drag, wheel: zoom';
-    if (!keys.length) body.textContent = 'There is nothing to plot at present.';
+    tray.querySelector('.tray-hint').textContent = window.armlabSay(timed ? 'Drag: move the arm. Shift + drag, wheel: zoom' : 'Drag, wheel: zoom');
+    if (!keys.length) body.textContent = window.armlabSay('There is nothing to plot at present.');
     lay();
     look();
   };

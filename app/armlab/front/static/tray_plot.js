@@ -74,7 +74,7 @@
       const box = this.box = document.createElement('div');
       box.className = 'tray-plot';
       box.innerHTML = '<div class="tray-head"><h3></h3><span class="tray-acts">'
-        + '<button type="button" data-act="reset" title="Whole curves again (double click)">Reset zoom</button>'
+        + `<button type="button" data-act="reset" title="${window.armlabSay('Whole curves again (double click)')}">${window.armlabSay('Reset zoom')}</button>`
         + '<button type="button" data-act="png">PNG</button><button type="button" data-act="svg">SVG</button>'
         + '<button type="button" data-act="csv">CSV</button></span></div>'
         + '<div class="tray-body"><div class="tray-field" role="slider" tabindex="0" aria-label="Cursor" aria-valuenow="0" aria-orientation="horizontal">'

@@ -19,6 +19,7 @@ from armlab.session.lesson_start import without_lesson
 from armlab.session.panel_commands import lesson_followed
 from armlab.session.parts.display import Display
 from armlab.session.parts.former import Former
+from armlab.session.parts.language import LanguagePart
 from armlab.session.parts.lesson import LessonPart, is_place
 from armlab.session.parts.own_lessons import OwnLessons
 from armlab.session.parts.panels import Panels
@@ -216,8 +217,8 @@ def _left(state: State) -> dict[str, State]:
 
 
 def _arrived(state: State, found: State, shelf: Shelf, lesson: str = "") -> State:
-    """Return a stored state with the present windows and progress in lessons, and this lesson open."""
-    stays = state[Panels], state[OwnLessons], state[Preview], state[Teacher]
+    """Return a stored state with what is the student's own at every place, and this lesson open."""
+    stays = state[Panels], state[OwnLessons], state[Preview], state[Teacher], state[LanguagePart]
     arrived = found.replace(shelf, replace(state[LessonPart], open=lesson), *stays)
     return lesson_followed(state, arrived)
 

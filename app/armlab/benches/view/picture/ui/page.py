@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from armlab.content.languages import languages
 from armlab.session.fields import Set
 from armlab.session.parts.display import Display
 from armlab.session.parts.display import Show as SetSwitch
+from armlab.session.parts.language import OF_BROWSER, LanguagePart, ReadIn
 from armlab.session.parts.notation import Notation
 from armlab.session.session import StartFresh
 from armlab.session.state import Post, State
@@ -18,6 +20,8 @@ from armlab.ui.plugin import Panel, Show, switches
 from armlab.ui.settings import NOTATION
 from armlab.ui.switches import GENERAL, Switch
 from armlab.ui.widgets import Gui
+
+LANGUAGE = "Of this page and its lessons; files that you save stay English"
 
 ARM = ("skeleton", "frames", "names")
 """Switches for drawings of the arm itself; those of other layers are overlays."""
@@ -31,6 +35,9 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         name: gui.segments(each.title, each.options, getattr(state[Notation], name), _chooser(name, post), each.hint)
         for name, each in NOTATION.items()
     }
+    language = gui.segments(
+        "Language", {OF_BROWSER: "As the browser", **languages()}, OF_BROWSER, lambda key: post(ReadIn(key)), LANGUAGE
+    )
     gui.heading("Look from")
     gui.buttons("Camera", tuple(PRESETS), gui.camera.look_from, "Drag to orbit, wheel to zoom, right button to pan.")
     gui.heading("Shared computer")
@@ -44,6 +51,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         grid.show(_switches(grid, state))
         for name, choice in choices.items():
             choice.show(getattr(state[Notation], name))
+        language.show(state[LanguagePart].chosen)
 
     return show
 
@@ -99,4 +107,4 @@ def _hint(switch: Switch) -> str:
     return f"{switch.hint} Key {switch.key}." if switch.key else switch.hint
 
 
-PANEL = Panel((Display, Notation), build)
+PANEL = Panel((Display, Notation, LanguagePart), build)

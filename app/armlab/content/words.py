@@ -1,0 +1,323 @@
+r"""The words of a language: texts of the lab are looked up in a catalogue whose sources are the English texts.
+
+The lab's pages say some 3300 texts as they open, half of them with numbers or names in them, and some 5500 when all is
+pressed on them. They stand in its code, in English, and are not marked there. Whatever reaches a person leaves by one
+door, the messages to that person's page (`armlab.ui.door`), and is looked up there: so no page knows of languages,
+nothing is done for English, and a language belongs to one connection and cannot reach another. A text is looked up
+without its numbers:
+
+``{0}``, ``{1}``
+    stand for its numbers in their order, so that "2 of 8 solutions" is found as ``{0} of {1} solutions``;
+``<0>...</0>``, ``<0/>``
+    for elements in it, in their order: with words inside, or without, such as a formula or a symbol;
+``{name}``
+    in the source of a message stands for any text, which is itself looked up: ``Undo: {what}``; where the name begins
+    with "text", only a text that is known.
+
+Signs, units and formulas around a text are no part of it. A text that is not found as a whole is looked up by its
+sentences and by the items of its list. A text that is not found at all stays English. The form of a catalogue is
+gettext's ``.po``; ``languages/it.po`` is that of Italian, and ``python tests/words.py it`` renews it from what all
+pages say. A lesson's texts are such messages too, in a file of their own, ``lessons/it/NAME.po``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from typing import NamedTuple
+
+from armlab.content.po import Message
+
+NUMBER = re.compile(r"(?<![\w.{<⟨])[-−+±]?\d+(?:[.\u202f,]\d+)*(?:e[-−+]?\d+)?(?![A-Za-z\d])")
+"""A number that stands by itself: none in UR5 or q₁."""
+
+HELD = re.compile(r"\{(\d+)\}|<(/?)(\d+)(/?)>")
+"""A stand-in of a number or an element."""
+
+_NAMED = re.compile(r"\{([a-z_]+)\}")
+_WORD = re.compile(r"[A-Za-zÀ-ÿ]{2,}")
+_AROUND = re.compile(
+    r"((?:<\d+/>|[^\w<{(“\[⟨∂ẋ]+ |\s)*)"
+    r"(.*?)"
+    r"((?:<\d+/>|\s|,? (?:in )?(?:°|mm|cm|m|rad|s|%|N|W|V|A|Hz|N m|mm²|m²|rpm)(?:/s[²³]?|/mm|/min)?|[…:›]| \.\.\.)*)",
+    re.DOTALL,
+)
+_AXES = re.compile("[xyz]+")
+_BETWEEN = re.compile(r"(?<=[.!?…:;]) +(?=[A-Z“<{(])| · | — | › |\n+")
+_HEAD = re.compile(r"(</\d+>)(?=[A-Z“{(])")
+_ASIDE = re.compile(r".+?(<(\d+)>(?:(?!</\2>).)*</\2>)", re.DOTALL)
+_WRAPPED = re.compile(r"(<(\d+)>)((?:(?!</?\2>).)*)(</\2>)", re.DOTALL)
+
+_SAME = """
+    mm cm km rad deg kg Nm Hz kHz rpm min max sin cos tan atan det rank diag tr exp log ln sqrt sgn sign arg dim mod
+    DH PID SVD DLS IK FK TCP RPY UR PUMA SCARA CSV JSON LaTeX Python NumPy MATLAB SVG PNG TOML STL URDF GLB
+    Ctrl Esc Enter Shift Tab Alt Home End PgUp PgDn px py pz qx qy qz dq ms II III IV PPR WS SO SE
+    XYZ XZY YXZ YZX ZXY ZYX XYX XZX YXY YZY ZXZ ZYZ SciPy Newton Broyden Euler arccos arcsin arctan
+"""
+
+NO_WORDS = frozenset(_SAME.split())
+"""Words that are the same in every language: units, functions, formats, keys."""
+
+MOST_KEPT = 20_000
+"""Largest number of texts whose translation is kept."""
+
+
+class Plain(NamedTuple):
+    """A text without its numbers, and these."""
+
+    text: str
+    numbers: tuple[str, ...]
+
+
+def without_numbers(text: str) -> Plain:
+    """Return a text with ``{0}``, ``{1}`` in place of its numbers.
+
+    >>> without_numbers("2 of 8 solutions")
+    Plain(text='{0} of {1} solutions', numbers=('2', '8'))
+    """
+    numbers: list[str] = []
+
+    def held(found: re.Match[str]) -> str:
+        numbers.append(found[0])
+        return f"{{{len(numbers) - 1}}}"
+
+    return Plain(NUMBER.sub(held, text), tuple(numbers))
+
+
+def has_words(text: str) -> bool:
+    """Return whether a text has words: symbols, units and names of functions are the same in every language."""
+    return any(word not in NO_WORDS and not _AXES.fullmatch(word) for word in _WORD.findall(text))
+
+
+def _core(text: str) -> tuple[str, str, str]:
+    """Return what stands before a text, the text itself, and what stands behind it: signs, units and formulas.
+
+    >>> _core("✓ Duration of the move in s<0/>")
+    ('✓ ', 'Duration of the move', ' in s<0/>')
+    """
+    match = _WRAPPED.fullmatch(text)
+    if match is not None:
+        return match[1], match[3], match[4]
+    match = _AROUND.fullmatch(text)
+    return ("", text, "") if match is None or not match[2] else (match[1], match[2], match[3])
+
+
+def placeholders(text: str) -> list[str]:
+    """Return what stands for something else in a message, sorted."""
+    return sorted([found[0] for found in HELD.finditer(text)] + [found[0] for found in _NAMED.finditer(text)])
+
+
+class Words:
+    """The words of one language. Safe to use from several threads.
+
+    Parameters
+    ----------
+    messages : iterable of Message
+        Of these the ones that are translated count.
+    on_miss : callable, optional
+        Called with each text that is not found.
+    on_hit : callable, optional
+        Called with the source of each message that is found.
+    """
+
+    def __init__(
+        self,
+        messages: Iterable[Message],
+        on_miss: Callable[[str], None] = lambda text: None,
+        on_hit: Callable[[str], None] = lambda source: None,
+    ) -> None:
+        self._texts: dict[str, str] = {}
+        self._patterns: list[tuple[re.Pattern[str], str, str]] = []
+        self._known: dict[str, str | None] = {}
+        self._on_miss, self._on_hit = on_miss, on_hit
+        for message in messages:
+            if not message.text or message.fuzzy:
+                continue
+            if _NAMED.search(message.source):
+                self._patterns.append((_pattern(message.source), message.source, message.text))
+            else:
+                self._texts[message.source] = message.text
+        # Of several that fit, the one that says most of the text is meant.
+        self._patterns.sort(key=lambda each: -len(_NAMED.sub("", each[1])))
+
+    def __call__(self, text: str) -> str:
+        """Return a text in the language, or as it is where it is not known.
+
+        >>> Words([Message("{0} of {1}", "{0} su {1}")])("2 of 8")
+        '2 su 8'
+        """
+        if not has_words(text) or HELD.search(text):
+            return text
+        plain = without_numbers(text)
+        found = self.say(plain.text)
+        return text if found is None else with_numbers(found, plain.numbers)
+
+    def say(self, text: str) -> str | None:
+        """Return the translation of a text without its numbers; None, which is told, where there is none."""
+        found = self.find(text)
+        if found is None and has_words(text):
+            self._miss(text)
+        return found
+
+    def _miss(self, text: str) -> None:
+        """Tell that a text is not found, by its parts."""
+        parts = [text[first:end] for first, end in _parts(text)]
+        core = _core(parts[0])[1] if len(parts) == 1 else ""
+        if has_words(core):
+            self._on_miss(renumbered(core)[0])
+        for part in parts[1:] and parts:
+            self.say(part)
+
+    def find(self, text: str) -> str | None:
+        """Return the translation of a text without its numbers; None where there is none."""
+        if text in self._known:
+            return self._known[text]
+        found = self._find(text) if has_words(text) else None
+        if len(self._known) >= MOST_KEPT:
+            self._known.clear()
+        self._known[text] = found
+        return found
+
+    def _find(self, text: str) -> str | None:
+        found = self._whole(text)
+        if found is None:
+            start, core, end = _core(text)
+            if core != text:
+                inside = self.find(core)
+                return None if inside is None else f"{start}{inside}{end}"
+        if found is None:
+            found = self._in_pieces(text, _parts(text))
+        if found is None:
+            found = self._in_pieces(text, _sentences(text))
+        return self._in_pieces(text, _listed(text), whole=True) if found is None else found
+
+    def _whole(self, text: str) -> str | None:
+        """Return the translation of a message, with the numbers that it has in the text."""
+        source, back = renumbered(text)
+        found = self._texts.get(source)
+        if found is not None:
+            self._on_hit(source)
+            return _as_in(found, back)
+        for pattern, of, says in self._patterns:
+            match = pattern.fullmatch(source)
+            if match is not None and self._fits(match, back):
+                self._on_hit(of)
+                return self._filled(says, match, back)
+        return None
+
+    def _filled(self, says: str, match: re.Match[str], back: dict[str, str]) -> str:
+        """Return the translation of a message with names, each of them looked up, and with the numbers of the text."""
+
+        def named(name: re.Match[str]) -> str:
+            inside = _as_in(match[name[1]], back)
+            return self.find(inside) or inside
+
+        return _NAMED.sub(named, _own_numbers(says, match, back))
+
+    def _fits(self, match: re.Match[str], back: dict[str, str]) -> bool:
+        """Return whether all is known in a text that has to be."""
+        held = [text for name, text in match.groupdict().items() if name.startswith("text")]
+        # A head and what follows it are no name.
+        return all("</" not in text and self.find(_as_in(text, back)) is not None for text in held)
+
+    def _in_pieces(self, text: str, places: list[tuple[int, int]], whole: bool = False) -> str | None:
+        """Return the translation of the pieces of a text, where one is known, or, for the whole, where all are."""
+        if len(places) < 2:
+            return None
+        pieces = [text[first:end] for first, end in places]
+        found = [self.find(piece) for piece in pieces]
+        missing = [piece for piece, each in zip(pieces, found, strict=True) if each is None and has_words(piece)]
+        if not any(found) or (whole and missing):
+            return None
+        for piece in missing:
+            self._miss(piece)
+        made, last = [], 0
+        for (first, end), piece, each in zip(places, pieces, found, strict=True):
+            made += [text[last:first], piece if each is None else each]
+            last = end
+        return "".join(made)
+
+
+def renumbered(text: str) -> tuple[str, dict[str, str]]:
+    """Return a text whose numbers and elements are counted from 0, and what each of them was.
+
+    >>> renumbered("to {3} of <2>all</2>")
+    ('to {0} of <0>all</0>', {'{0}': '{3}', '<0': '<2'})
+    """
+    numbers: dict[str, str] = {}
+    elements: dict[str, str] = {}
+
+    def held(found: re.Match[str]) -> str:
+        if found[1] is not None:
+            return f"{{{numbers.setdefault(found[1], str(len(numbers)))}}}"
+        return f"<{found[2]}{elements.setdefault(found[3], str(len(elements)))}{found[4]}>"
+
+    text = HELD.sub(held, text)
+    back = {f"{{{now}}}": f"{{{was}}}" for was, now in numbers.items()}
+    return text, back | {f"<{now}": f"<{was}" for was, now in elements.items()}
+
+
+def _as_in(text: str, back: dict[str, str]) -> str:
+    """Return a text with the numbers of where it belongs; see `renumbered`."""
+
+    def held(found: re.Match[str]) -> str:
+        if found[1] is not None:
+            return back.get(found[0], found[0])
+        return f"<{found[2]}{back.get(f'<{found[3]}', found[3]).removeprefix('<')}{found[4]}>"
+
+    return HELD.sub(held, text) if back else text
+
+
+def _pattern(source: str) -> re.Pattern[str]:
+    """Return what fits the source of a message with names; its own numbers are caught as ``n0``, ``n1`` and so on."""
+    made, seen = [], set[str]()
+    for piece in re.split(r"(\{[a-z_]+\}|\{\d+\})", source):
+        name = piece[1:-1] if piece.startswith("{") else ""
+        if not name:
+            made.append(re.escape(piece))
+        elif name in seen:
+            made.append(f"(?P=n{name})" if name.isdigit() else f"(?P={name})")
+        else:
+            seen.add(name)
+            made.append(rf"(?P<n{name}>\{{\d+\}})" if name.isdigit() else f"(?P<{name}>.+?)")
+    return re.compile("".join(made), re.DOTALL)
+
+
+def with_numbers(text: str, numbers: tuple[str, ...]) -> str:
+    """Return a text with its numbers in place of ``{0}``, ``{1}``."""
+    return HELD.sub(lambda held: numbers[int(held[1])] if held[1] else held[0], text)
+
+
+def _own_numbers(says: str, match: re.Match[str], back: dict[str, str]) -> str:
+    """Return the translation of a message with names, with the numbers that were caught."""
+    caught = match.groupdict()
+
+    def own(held: re.Match[str]) -> str:
+        number = caught.get(f"n{held[1]}")
+        return _as_in(held[0] if number is None else number, back)
+
+    return HELD.sub(own, says)
+
+
+def _parts(text: str) -> list[tuple[int, int]]:
+    """Return where the parts of a text are: a head, such as that of a card, what follows it, and what stands aside."""
+    cuts = [found.end(1) for found in _HEAD.finditer(text) if _is_whole(text[: found.end(1)])]
+    aside = _ASIDE.fullmatch(text, cuts[-1] if cuts else 0)
+    cuts += [aside.start(1)] if aside and has_words(text[cuts[-1] if cuts else 0 : aside.start(1)]) else []
+    return list(zip([0, *cuts], [*cuts, len(text)], strict=True))
+
+
+def _sentences(text: str) -> list[tuple[int, int]]:
+    gaps = [found.span() for found in _BETWEEN.finditer(text) if _is_whole(text[: found.start()])]
+    return list(zip([0, *(end for _, end in gaps)], [*(start for start, _ in gaps), len(text)], strict=True))
+
+
+def _listed(text: str) -> list[tuple[int, int]]:
+    gaps = [found.span() for found in re.finditer(", ", text) if _is_whole(text[: found.start()])]
+    return list(zip([0, *(end for _, end in gaps)], [*(start for start, _ in gaps), len(text)], strict=True))
+
+
+def _is_whole(text: str) -> bool:
+    """Return whether no element is open at the end of a text."""
+    found = [held for held in HELD.finditer(text) if held[3] and not held[4]]
+    return 2 * sum(1 for held in found if held[2]) == len(found)

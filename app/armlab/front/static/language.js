@@ -1,0 +1,20 @@
+// The language of the page: what scripts say by themselves, and loading the page anew when another language is chosen.
+// <i id=al-words lang=CODE data-words={ENGLISH: SAID}> is there in all languages but English.
+(() => {
+  'use strict';
+  let words = null;
+  window.armlabSay = text => {
+    const element = words ? null : document.getElementById('al-words');
+    if (element) {
+      words = JSON.parse(element.dataset.words);
+      document.documentElement.lang = element.lang;
+    }
+    return words?.[text] ?? text;
+  };
+  const watch = () => new MutationObserver(() => {
+    window.armlabSay('');
+    if (document.getElementById('al-anew')) location.reload();
+  }).observe(document.body, { childList: true, subtree: true });
+  if (document.body) watch();
+  else addEventListener('DOMContentLoaded', watch);
+})();

@@ -1,0 +1,168 @@
+"""What the lab says to people: all texts of its pages, looked up in the words of a language."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from armlab.content.po import Message
+from armlab.content.robots import catalogue
+from armlab.content.words import Words
+from armlab.errors import ArmlabError
+from armlab.session.bench import benches, choosing, page_of
+from armlab.session.pages import pages
+from armlab.ui import script_words
+from armlab.ui.speech import Speech
+from support.bare_gui import BarePage, Handle, content
+
+ARMS = ("puma560", "planar_2r")
+"""Arms with which pages are looked at."""
+
+
+class Listener:
+    """Looks up texts of pages and keeps what is found and what is not.
+
+    Attributes
+    ----------
+    missing : dict
+        Texts that are not in the catalogue, to the places that say them.
+    used : dict
+        Sources of messages, to the same.
+    opened : set of str
+        Sources that pages say as they open.
+
+    Parameters
+    ----------
+    messages : iterable of Message
+    """
+
+    def __init__(self, messages: Iterable[Message]) -> None:
+        self.missing: dict[str, set[str]] = {}
+        self.used: dict[str, set[str]] = {}
+        self._at, self._heard = "", set[str]()
+        self._names = {robot.name for robot in catalogue().robots.values()}
+        self._messages, self.opened = tuple(messages), set[str]()
+
+    def at(self, place: str) -> None:
+        """Look at another place from now on."""
+        self._at = place
+        self.speech = Speech(Words(self._messages, self._miss, self._hit))  # keeps nothing of the place before
+
+    def _miss(self, text: str) -> None:
+        if text not in self._names:
+            self.missing.setdefault(text, set()).add(self._at)
+
+    def _hit(self, source: str) -> None:
+        self.used.setdefault(source, set()).add(self._at)
+
+    def hear(self, page: BarePage) -> None:
+        """Look up what a page shows."""
+        for markup in shown_on(page):
+            if markup not in self._heard:
+                self._heard.add(markup)
+                self.speech.markup(markup)
+
+    def hear_controls(self, made: Iterable[dict[str, Any]]) -> None:
+        """Look up labels, hints and options of viser's controls."""
+        for given in made:
+            if given.get("label") == "channel":
+                continue
+            for name in ("label", "hint", "title"):
+                if isinstance(given.get(name), str):
+                    self.speech.text(given[name])
+            for option in given.get("options") or ():
+                self.speech.text(option)
+            for each in (*(given.get("axes") or ()), *(given.get("series") or ())):
+                if each.get("label"):
+                    self.speech.text(each["label"])
+
+
+def shown_on(page: BarePage) -> list[str]:
+    """Return the markup that a page shows."""
+    gui = page._gui
+    return [content(fields) for fields in gui.has] + [each.handle._impl.props.content for each in gui.said]
+
+
+@contextlib.contextmanager
+def controls_made() -> Iterator[list[dict[str, Any]]]:
+    """Give the list of what viser's controls are made with from now on."""
+    made: list[dict[str, Any]] = []
+    begin = Handle.__init__
+
+    def kept(self: Handle, **given: Any) -> None:
+        made.append(given)
+        begin(self, **given)
+
+    Handle.__init__ = kept  # type: ignore[method-assign]
+    try:
+        yield made
+    finally:
+        Handle.__init__ = begin  # type: ignore[method-assign]
+
+
+def every_page(listener: Listener, arms: Iterable[str] = ARMS) -> Iterator[BarePage]:
+    """Listen to every page of the lab as it opens, with each arm; yields each page afterwards."""
+    for key in pages():
+        for arm in arms:
+            with controls_made() as made:
+                page = BarePage(key, catalogue()[arm])
+            listener.at(f"page/{key}")
+            listener.hear_controls(made)
+            listener.hear(page)
+            yield page
+
+
+def pressed(listener: Listener, page: BarePage) -> None:
+    """Press everything on a page, choose every option, and listen to what comes of it."""
+    done: set[tuple[str, str]] = set()
+    for _ in range(3):  # what comes of it has controls of its own
+        wanted = [
+            (cell, value)
+            for _, cell, inside in page.controls("button", "select")
+            for value in (_options(inside) or [""])
+            if (cell, value) not in done
+        ]
+        for cell, value in wanted[:60]:
+            done.add((cell, value))
+            fields = next((f for f, at, _ in page.controls("button", "select") if at == cell), None)
+            if fields is None:
+                continue
+            with contextlib.suppress(ArmlabError, RuntimeError):
+                page.send(fields, cell, value)
+            listener.hear(page)
+
+
+def _options(inside: str) -> list[str]:
+    return [each.split('"', 1)[0] for each in inside.split('<option value="')[1:]]
+
+
+def stale(messages: Iterable[Message], listener: Listener) -> list[Message]:
+    """Return the messages that pages said once as they opened, and say no more."""
+    return [message for message in messages if message.places and message.source not in listener.used]
+
+
+def every_example(listener: Listener) -> None:
+    """Listen to the page of every example of a bench with the example in place."""
+    for bench in benches().values():
+        for key, example in bench.examples.items():
+            name = f"{bench.key}/{key}"
+            arm = getattr(example, "robot", "") or ARMS[0]
+            if arm not in catalogue().robots:
+                arm = ARMS[0]
+            page = BarePage(page_of(name), catalogue()[arm])
+            listener.at(f"page/{page_of(name)}")
+            with contextlib.suppress(ArmlabError, RuntimeError):  # some wait on a loop before they go on
+                page._post(choosing(name))
+                page.show()
+            listener.hear(page)
+
+
+def known_before(listener: Listener) -> None:
+    """Listen to what is known before a page is opened: titles, what is found, and what scripts say."""
+    listener.at("frame")
+    for page in pages().values():
+        for text in (page.title, page.name, *(export.title for export in page.exports)):
+            listener.speech.text(text)
+    for text in script_words.SCRIPT_WORDS:
+        listener.speech.text(text)

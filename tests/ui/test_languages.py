@@ -1,0 +1,187 @@
+"""Pages in other languages: each student reads their own, English stays as it is, and what is missing is known."""
+
+import json
+import urllib.request
+
+import pytest
+
+from armlab.commands._translated import compared, of_translations
+from armlab.content.languages import ENGLISH, keys, languages, messages, preferred, words_in
+from armlab.content.lessons import lesson
+from armlab.content.po import Message, read_po, write_po
+from armlab.content.robots import catalogue
+from armlab.content.words import Words, placeholders
+from armlab.errors import ContentError
+from armlab.session.parts.language import OF_BROWSER, LanguagePart, ReadIn
+from armlab.session.parts.shelf import BackFromShared, OpenShared
+from armlab.session.share import short
+from armlab.session.state import State, apply
+from armlab.ui.door import Door
+from armlab.ui.script_words import SCRIPT_WORDS
+from armlab.ui.speech import Speech
+from support.fake_browser import cookie_of
+from support.saying import Listener, every_page, known_before, stale
+from support.sources import PACKAGE, TOP
+from support.student import run, settled, student
+
+MOST_MISSING = 0.002
+"""Share of the texts of pages, as they open, that may be English in a language that is complete."""
+
+PUMA = catalogue()["puma560"]
+LESSONS = ("first_arm", "joint_types", "forward_2r", "ik_2r", "skeleton")
+OTHERS = keys()[1:]
+
+
+def asked_for(url, cookie, language):
+    """Ask for a language by a link."""
+    request = urllib.request.Request(f"{url}?lang={language}", headers={"Cookie": cookie})
+    with urllib.request.urlopen(request) as answer:
+        assert "lang" not in answer.url
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_every_message_has_the_placeholders_of_its_source(language):
+    wrong = [each.source for each in messages(language) if placeholders(each.source) != placeholders(each.text)]
+    assert not wrong
+    assert all(each.text and not each.fuzzy for each in messages(language))
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_all_pages_are_translated_and_no_message_is_stale(language):
+    of_pages = read_po("it.po", (TOP / "languages" / f"{language}.po").read_text(encoding="utf-8"))[1]
+    listener = Listener(of_pages)
+    known_before(listener)
+    for _ in every_page(listener):
+        pass
+    assert not [message.source for message in stale(of_pages, listener)]
+    assert len(listener.used) > 2500
+    assert len(listener.missing) <= MOST_MISSING * len(listener.used), sorted(listener.missing)
+
+
+def test_the_texts_of_scripts_stand_in_scripts():
+    scripts = "".join(file.read_text(encoding="utf-8") for file in (PACKAGE / "front/static").glob("*.js"))
+    assert [text for text in SCRIPT_WORDS if text not in scripts] == []
+
+
+@pytest.mark.parametrize("key", LESSONS)
+def test_a_translated_lesson_says_all_that_the_lesson_says_also_in_a_variant(key):
+    assert [*of_translations(lesson(key)), *of_translations(lesson(key, 17))] == []
+    assert Speech(words_in("it")).markup(lesson(key).steps[0].html) != lesson(key).steps[0].html
+
+
+def test_a_translation_that_lags_behind_is_told_with_its_line():
+    file = TOP / "lessons/it/first_arm.po"
+    header, found = read_po(file.name, file.read_text(encoding="utf-8"))
+    lagging = write_po(header, [*found[1:], Message("Said long ago.", "Detto tempo fa.")])
+    line = lagging[: lagging.index("Said long ago.")].count("\n") + 1
+    assert list(compared(lesson("first_arm"), "it/first_arm.po", lagging)) == [
+        "it/first_arm.po: no translation of 'Your first arm'",
+        f"it/first_arm.po:{line}: the lesson does not say 'Said long ago.' any more",
+    ]
+
+
+def test_two_students_read_two_languages_and_one_changes_it(url):
+    async def main():
+        english, italian = cookie_of(url), cookie_of(url)
+        asked_for(url, italian, "it")
+        one, other = await student(url, english), await student(url, italian)
+        await settled(one)
+        await settled(other)
+        for _ in range(2):
+            await one.open("statics")
+            await other.open("statics")
+            await other.open("joints")
+            await one.open("joints")
+        assert "Joint variables" in one.html()
+        assert "Variabili di giunto" not in one.html()
+        assert 'id="al-words"' not in one.html()
+        assert "Variabili di giunto" in other.html()
+        assert "Joint variables" not in other.html()
+        await other.open("picture")
+        await other.press("en")
+        await other.until(lambda: 'id="al-anew"' in other.html())
+        again = await student(url, italian)
+        await again.open("joints")
+        assert "Joint variables" in again.html()
+        assert 'id="al-anew"' not in one.html()
+        for browser in (one, other, again):
+            await browser.close()
+
+    run(main())
+
+
+def test_the_language_of_the_browser_holds_until_one_is_chosen():
+    assert preferred("it-IT,it;q=0.9,en;q=0.8") == "it"
+    assert preferred("de, it;q=0.4, en;q=0.5") == preferred("") == preferred("x;q=y") == ENGLISH
+    assert LanguagePart().read_in("it") == "it"
+    assert LanguagePart(ENGLISH).read_in("it") == ENGLISH
+    assert set(languages()) == set(keys())
+
+
+def test_a_language_is_the_students_own_and_travels_in_no_link():
+    mine = apply(State.initial(PUMA), ReadIn("it"))
+    assert short(mine) == short(State.initial(PUMA))
+    shared = apply(mine, OpenShared(short(apply(State.initial(PUMA), ReadIn(ENGLISH)))))
+    chosen = apply(shared, ReadIn(ENGLISH))
+    assert shared[LanguagePart].chosen == "it"
+    assert apply(chosen, BackFromShared())[LanguagePart].chosen == ENGLISH
+    assert LanguagePart.from_json("of long ago", PUMA).chosen == OF_BROWSER
+
+
+WORDS = Words(
+    [
+        Message("{0} of {1} solutions", "{0} soluzioni su {1}"),
+        Message("Drag the <0>handle</0> along <1/>.", "Lungo <1/> trascina la <0>maniglia</0>."),
+        Message("Undo: {what}", "Annulla: {what}"),
+        Message("move joint {0}", "muovi il giunto {0}"),
+        Message("Both text {text}", "Anche {text}"),
+        Message("One < two & more", "Uno > due & altri"),
+    ]
+)
+
+
+@pytest.mark.parametrize(
+    ("english", "said"),
+    [
+        ("<p>2 of 8 solutions</p>", "<p>2 soluzioni su 8</p>"),
+        (
+            '<p>Drag the <b class="x">handle</b>\n along <math><mi>q</mi></math>.</p>',
+            '<p>Lungo <math><mi>q</mi></math> trascina la <b class="x">maniglia</b>.</p>',
+        ),
+        ('<i title="Undo: move joint 3">UR5</i>', '<i title="Annulla: muovi il giunto 3">UR5</i>'),
+        ("<p>✓ 1 of 2 solutions, mm</p>", "<p>✓ 1 soluzioni su 2, mm</p>"),
+        ("<p>Undo: PUMA</p>", "<p>Annulla: PUMA</p>"),
+        ("<p>Both text nobody knows</p>", "<p>Both text nobody knows</p>"),
+        ("<p>One &lt; two &amp; more</p>", "<p>Uno &gt; due &amp; altri</p>"),
+        ("<textarea>move joint 3</textarea>", "<textarea>move joint 3</textarea>"),
+        ("<p><b>move joint 1</p>", "<p><b>muovi il giunto 1</p>"),
+    ],
+)
+def test_markup_is_said_in_the_language(english, said):
+    assert Speech(WORDS).markup(english) == said
+
+
+def test_what_a_script_is_told_is_said_too():
+    notes = json.dumps({"tab": "move joint 1", "path": "move joint 1", "hidden": ["move joint 2"]})
+    said = Speech(WORDS).markup(f'<i data-notes="{notes.replace(chr(34), "&#34;")}"></i>')
+    assert said.count("muovi il giunto") == 2
+    assert "move joint 1" in said, "an address stays"
+
+
+def test_an_option_is_chosen_in_one_language_and_heard_in_english():
+    from viser import _messages
+
+    door = Door(Speech(WORDS))
+    props = _messages.GuiDropdownProps(0.0, "move joint 1", None, True, False, ("move joint 1", "move joint 2"))
+    made = door.out(_messages.GuiDropdownMessage("u", "move joint 2", "root", props))
+    assert made.props.options == ("muovi il giunto 1", "muovi il giunto 2")
+    assert (made.value, props.options[0]) == ("muovi il giunto 2", "move joint 1")
+    heard = door.back(_messages.GuiUpdateMessage("u", {"value": "muovi il giunto 1"}))
+    assert heard.updates == {"value": "move joint 1"}
+    assert door.out(heard).updates == {"value": "muovi il giunto 1"}
+
+
+@pytest.mark.parametrize("text", ['msgid "a"\nmsgstr "b"\n\nmsgid "a"\nmsgstr "c"\n', 'msgid "a"\nmsgstr b\n'])
+def test_a_broken_catalogue_is_refused_with_its_line(text):
+    with pytest.raises(ContentError, match=r"^x\.po: line \d"):
+        read_po("x.po", text)
