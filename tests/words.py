@@ -6,6 +6,7 @@ and loses the latter; where each message is said stands beside it.
 """
 
 import argparse
+import asyncio
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -17,7 +18,8 @@ from armlab.content.po import Message, read_po, write_po  # noqa: E402
 from support.saying import Listener, every_example, every_page, known_before, pressed, stale  # noqa: E402
 
 
-def main(options):
+async def main(options):
+    """Compare and tell; pages are shown where a loop runs, as in the lab, since some ask it to come back to them."""
     file = ROOT / "languages" / f"{options.language}.po"
     header, messages = read_po(file.name, file.read_text(encoding="utf-8"))
     listener = Listener(messages)
@@ -54,4 +56,4 @@ if __name__ == "__main__":
     parser.add_argument("language", help="such as it")
     parser.add_argument("--deep", action="store_true", help="also press and choose everything; takes minutes")
     parser.add_argument("--write", action="store_true", help="renew the catalogue")
-    sys.exit(main(parser.parse_args()))
+    sys.exit(asyncio.run(main(parser.parse_args())))
