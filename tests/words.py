@@ -20,7 +20,7 @@ from support.saying import Listener, every_example, every_page, known_before, pr
 
 async def main(options):
     """Compare and tell; pages are shown where a loop runs, as in the lab, since some ask it to come back to them."""
-    file = ROOT / "languages" / f"{options.language}.po"
+    file = ROOT / "app/armlab/languages" / f"{options.language}.po"
     header, messages = read_po(file.name, file.read_text(encoding="utf-8"))
     listener = Listener(messages)
     known_before(listener)

@@ -43,7 +43,7 @@ def test_the_wheel_holds_only_what_the_lab_reads_and_nothing_twice(wheel):
     """No pictures of the docs, no compiled files, no copy of the data."""
     with zipfile.ZipFile(wheel) as files:
         own = [name for name in files.namelist() if name.startswith("armlab/")]
-        assert {name.rpartition(".")[2] for name in own} <= {"py", "typed", "js", "css", "md", "toml", "svg"}
+        assert {name.rpartition(".")[2] for name in own} <= {"py", "typed", "js", "css", "md", "toml", "svg", "po"}
         contents = [data for name in own if len(data := files.read(name)) > 100]
     assert len(contents) == len(set(contents))
 

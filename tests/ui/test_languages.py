@@ -48,7 +48,7 @@ def test_every_message_has_the_placeholders_of_its_source(language):
 
 @pytest.mark.parametrize("language", OTHERS)
 def test_all_pages_are_translated_and_no_message_is_stale(language):
-    of_pages = read_po("it.po", (TOP / "languages" / f"{language}.po").read_text(encoding="utf-8"))[1]
+    of_pages = read_po("it.po", (TOP / "app/armlab/languages" / f"{language}.po").read_text(encoding="utf-8"))[1]
     listener = Listener(of_pages)
     known_before(listener)
     for _ in every_page(listener):

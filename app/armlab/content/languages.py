@@ -1,4 +1,4 @@
-"""The languages of the lab: English, in which it is written, and one for each catalogue in the folder `languages`."""
+"""The languages of the lab: English, in which it is written, and one for each catalogue in `armlab/languages`."""
 
 from __future__ import annotations
 
@@ -11,6 +11,9 @@ from armlab.content.words import Words
 from armlab.errors import UnknownName
 
 ENGLISH = "en"
+
+CATALOGUES = "languages"
+"""Folder of the package: the catalogues follow the words of its code."""
 
 TITLE = "X-Title"
 """Field of a catalogue's header: what its language calls itself."""
@@ -25,7 +28,7 @@ def languages() -> dict[str, str]:
 @cache
 def keys() -> tuple[str, ...]:
     """Return the keys of all languages, codes such as ``"it"``, without reading their catalogues."""
-    return (ENGLISH, *(file.name.removesuffix(".po") for file in resources.files("languages", ".po")))
+    return (ENGLISH, *(file.name.removesuffix(".po") for file in resources.files(CATALOGUES, ".po")))
 
 
 @cache
@@ -79,4 +82,4 @@ def _read(key: str) -> tuple[dict[str, str], list[Message]]:
     if key not in keys()[1:]:
         raise UnknownName("language", key, keys())
     file = f"{key}.po"
-    return read_po(file, resources.folder("languages").joinpath(file).read_text(encoding="utf-8"))
+    return read_po(file, resources.folder(CATALOGUES).joinpath(file).read_text(encoding="utf-8"))

@@ -16,8 +16,8 @@ without its numbers:
 
 Signs, units and formulas around a text are no part of it. A text that is not found as a whole is looked up by its
 sentences and by the items of its list. A text that is not found at all stays English. The form of a catalogue is
-gettext's ``.po``; ``languages/it.po`` is that of Italian, and ``python tests/words.py it`` renews it from what all
-pages say. A lesson's texts are such messages too, in a file of their own, ``lessons/it/NAME.po``.
+gettext's ``.po``; ``armlab/languages/it.po`` is that of Italian, and ``python tests/words.py it`` renews it from what
+all pages say. A lesson's texts are such messages too, in a file of their own, ``lessons/it/NAME.po``.
 """
 
 from __future__ import annotations
