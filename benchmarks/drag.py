@@ -27,8 +27,8 @@ LAST = sized(0.5, 0.1)
 Prepare = Callable[[FakeBrowser], Awaitable[None]]
 """What a student does before the drag."""
 
-SETTLING = sized(3.0, 0.2)
-"""Seconds until every server has done what it does once, after its start and for new pages."""
+SETTLING = sized(12.0, 0.2)
+"""Seconds until every server has done what it does once, after its start and for new pages; a lab reads its lessons."""
 
 
 def measure() -> Iterator[str]:
