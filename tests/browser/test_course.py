@@ -2,9 +2,10 @@
 
 import re
 
+import numpy as np
 import pytest
 
-from armlab.content.lessons import lessons
+from armlab.content.lessons import lesson, lessons
 from support.axe import findings
 
 pytestmark = pytest.mark.browser
@@ -37,7 +38,7 @@ def test_a_newcomer_begins_goes_on_and_sees_the_way(visit):
     assert begin.inner_text().split("\n")[:2] == [lessons()[first].title, f"{lessons()[first].minutes} min"]
     begin.click()
     lab.ready()
-    one_does_the_first_lesson(lab)
+    one_does_the_first_lesson(lab, first)
     the_map_shows_it(lab, first, second)
     lab.press("lesson-onward")
     lab.ready()
@@ -50,23 +51,31 @@ def test_a_newcomer_begins_goes_on_and_sees_the_way(visit):
     the_course_is_printed(lab)
 
 
-def one_does_the_first_lesson(lab):
-    lab.type_into("value 1", "0")
-    lab.type_into("value 2", "0")
+def one_does_the_first_lesson(lab, key):
+    """Every student has a variant of their own, which the address tells."""
+    first = lesson(key, int(re.search(rf"{key}/(\d+)", lab.address())[1]))
+    straight, bent, number, turned = first.steps
+    moved_to(lab, straight)
     lab.until(lambda: lab.page.locator(".verdict.ok").count() == 1)
     lab.press("lesson-next")
-    lab.type_into("value 2", "90")
+    moved_to(lab, bent)
     lab.until(lambda: lab.page.locator(".verdict.ok").count() == 1)
     lab.press("lesson-next")
-    lab.type_into("lesson-answer", "0.866")
+    lab.type_into("lesson-answer", f"{number.question.answer:.3f}")
     lab.until(lambda: lab.page.locator(".verdict.ok").count() == 1)
     lab.press("lesson-next")
     assert lab.page.locator(".lesson-can").count() == 0
     assert lab.page.locator("[data-cell=lesson-onward]").is_visible(), "nothing is locked"
     lab.press("lesson-choice-1")
-    lab.type_into("value 1", "90")
+    moved_to(lab, turned)
     lab.until(lambda: "You can now" in lab.page.inner_text("body"))
     assert not findings(lab, whole=True)
+
+
+def moved_to(lab, step):
+    """Type the joint values of a step's solution."""
+    for joint, value in enumerate(np.degrees(step.solution[0].q), start=1):
+        lab.type_into(f"value {joint}", f"{value:.0f}")
 
 
 def the_map_shows_it(lab, first, second):

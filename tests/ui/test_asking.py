@@ -222,8 +222,8 @@ def test_a_moving_arm_does_not_touch_the_field_of_an_answer(url):
             await browser.set_value(browser.slider(1), value)
             z = np.sin(np.radians(value) / 2)
             await browser.until(lambda z=z: np.isclose(browser.nodes[arm_nodes(browser)[0]]["wxyz"][3], z))
+        await browser.until(lambda: bool(written))
         await settled(browser)
-        assert written
         assert field not in written
         await browser.close()
 
