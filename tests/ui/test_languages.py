@@ -110,6 +110,13 @@ def test_two_students_read_two_languages_and_one_changes_it(url):
     run(main())
 
 
+@pytest.mark.parametrize("text", ["Open " * 20_000, "Undo: " * 1_000, "Ab. " * 5_000, "{0} " * 5_000])
+def test_a_long_text_that_somebody_wrote_is_left_as_it_is(text):
+    speech = Speech(words_in("it"))
+    assert speech.text(text) == text
+    assert speech.markup(f"<p>{text}</p>") == f"<p>{text}</p>"
+
+
 def test_the_language_of_the_browser_holds_until_one_is_chosen():
     assert preferred("it-IT,it;q=0.9,en;q=0.8") == "it"
     assert preferred("de, it;q=0.4, en;q=0.5") == preferred("") == preferred("x;q=y") == ENGLISH

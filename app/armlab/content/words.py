@@ -61,6 +61,10 @@ NO_WORDS = frozenset(_SAME.split())
 MOST_KEPT = 20_000
 """Largest number of texts whose translation is kept."""
 
+LONGEST, LONGEST_NAMED = 3000, 300
+"""Most characters of a text that is looked up, and of one that is compared with messages with names: what is longer
+comes from people, who may write anything, and a text is taken apart in a time that grows with its square."""
+
 
 class Plain(NamedTuple):
     """A text without its numbers, and these."""
@@ -146,7 +150,7 @@ class Words:
         >>> Words([Message("{0} of {1}", "{0} su {1}")])("2 of 8")
         '2 su 8'
         """
-        if not has_words(text) or HELD.search(text):
+        if len(text) > LONGEST or not has_words(text) or HELD.search(text):
             return text
         plain = without_numbers(text)
         found = self.say(plain.text)
@@ -155,7 +159,7 @@ class Words:
     def say(self, text: str) -> str | None:
         """Return the translation of a text without its numbers; None, which is told, where there is none."""
         found = self.find(text)
-        if found is None and has_words(text):
+        if found is None and len(text) <= LONGEST and has_words(text):
             self._miss(text)
         return found
 
@@ -172,7 +176,7 @@ class Words:
         """Return the translation of a text without its numbers; None where there is none."""
         if text in self._known:
             return self._known[text]
-        found = self._find(text) if has_words(text) else None
+        found = self._find(text) if len(text) <= LONGEST and has_words(text) else None
         if len(self._known) >= MOST_KEPT:
             self._known.clear()
         self._known[text] = found
@@ -198,7 +202,7 @@ class Words:
         if found is not None:
             self._on_hit(source)
             return _as_in(found, back)
-        for pattern, of, says in self._patterns:
+        for pattern, of, says in self._patterns if len(source) <= LONGEST_NAMED else ():
             match = pattern.fullmatch(source)
             if match is not None and self._fits(match, back):
                 self._on_hit(of)
