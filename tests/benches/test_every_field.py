@@ -57,6 +57,7 @@ TEXTS = {
     "identities left",
     "identities right",
     "frame_chain name",
+    "author ask-text",
     "author load-file",
     "author paste-file",
     "lessons lesson-load",

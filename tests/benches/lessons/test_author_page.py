@@ -4,6 +4,7 @@ import re
 
 import pytest
 
+from armlab.content.lesson_file import parse_lesson
 from support.fake_browser import cookie_of
 from support.lab import running_lab
 from support.own_lessons import HOSTILE, HOSTILE_ARM, PWN, lesson
@@ -58,6 +59,29 @@ def test_a_loaded_lesson_is_text_nobody_elses_and_there_again(url, folder):
         assert list(folder.iterdir()) == []
         await again.close()
         await other.close()
+
+    run(main())
+
+
+def test_questions_are_written_on_the_page_and_saved_with_the_lesson(url):
+    async def main():
+        browser = await at_the_page(url)
+        await browser.press("ask-add")
+        await browser.until(lambda: "expected a text that says what is asked" in refusal(browser))
+        await browser.press("ask-text", "How far is $p_x$?")
+        await browser.press("ask-answer", "many")
+        await browser.until(lambda: "expected a number, got" in refusal(browser))
+        for cell, text in (("ask-answer", "1/4"), ("ask-tolerance", "0.01"), ("ask-unit", "m"), ("ask-add", "")):
+            await browser.press(cell, text)
+        await browser.until(lambda: "0.25 ± 0.01 m" in browser.html())
+        await browser.press("save-lesson")
+        await browser.until(lambda: bool(browser.downloads.get("my_lesson.md")))
+        step = parse_lesson("my_lesson", browser.downloads["my_lesson.md"].decode()).steps[1]
+        assert step.question.judge("25 cm").right
+        assert not step.question.judge("0.3").right
+        await browser.press("ask-remove 0")
+        await browser.until(lambda: "0.25 ± 0.01 m" not in browser.html())
+        await browser.close()
 
     run(main())
 

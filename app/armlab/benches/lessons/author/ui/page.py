@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
+from armlab.benches.lessons.author.ui.asked import Questions
 from armlab.benches.lessons.author.ui.loading import Loading
 from armlab.benches.lessons.author.ui.order import Order
 from armlab.benches.lessons.author.ui.shell import commands_markup
 from armlab.content.course import Course
 from armlab.content.lessons import lessons, lessons_read
-from armlab.content.write_lesson import lesson_text
+from armlab.content.write_lesson import NumberAsked, lesson_text
 from armlab.errors import ArmlabError, InputError
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
@@ -38,6 +40,7 @@ GOAL = "Bring the arm to where the students are to bring it. The lesson begins i
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the parts of the page, the most used first."""
     title, present = "My lesson", state
+    questions = Questions()
     made: tuple[str, str] | None = None  # the name and the text of the file that was saved last
 
     def named(text: str) -> None:
@@ -50,7 +53,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             # The file would tell what is to be predicted.
             raise InputError("Answer the question of the lesson first, or close the lesson.")
         try:
-            made = f"{file_name(title)}.md", written(title, present, gui)
+            made = f"{file_name(title)}.md", written(title, present, gui, questions.asked)
             gui.save(*made)
         except ArmlabError as refusal:
             raise InputError(str(refusal)) from None
@@ -68,7 +71,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         present = state
         paper.show(_paper(lessons().course(state[LessonPart].course)))
         held = None if made is None else fold(f"What {made[0]} says", tag("pre.al-file", made[1]), key="file")
-        form.show(_form(form, title, state, named, save), held)
+        form.show(_form(form, title, state, named, save, questions), held)
         loading.show(state)
         order.show(state)
         problems.show(broken_files("lesson", lessons().problems))
@@ -82,14 +85,14 @@ def _paper(course: Course) -> Inside:
     return tag("div.bar", on_paper("Guide to the course", "guide", course.key, GUIDE_HINT), sheet)
 
 
-def _form(form: Form, title: str, state: State, named: Typed, save: Pressed) -> Inside:
+def _form(form: Form, title: str, state: State, named: Typed, save: Pressed, questions: Questions) -> Inside:
     line = form.field("title", title, "Title of the lesson", named, inputmode="", maxlength="80")
     hint = "A lesson file whose goal is the arm as it stands"
     button = form.button("save-lesson", "Save as lesson", save, "main", hint)
     # What is to be predicted is not told here either.
     held = None if state[LessonPart].hides else fold("What the file will hold", pairs(_holds(state)), key="holds")
     titled = tag("div.kit-numbers.kit-typed", tag("label", tag("span", "Title"), line))
-    return tag("p", GOAL), titled, tag("div.bar", button), held
+    return tag("p", GOAL), titled, questions.shown(form), tag("div.bar", button), held
 
 
 def _holds(state: State) -> list[tuple[Inside, Inside]]:
@@ -113,12 +116,20 @@ def _overlays(state: State) -> list[str]:
     return [layer.switch.name for layer in layers().values() if layer.switch and on.get(layer.switch.name)]
 
 
-def written(title: str, state: State, gui: Gui) -> str:
-    """Return the lesson of a state: its arm, pose, target, overlays, benches, and view."""
+def written(title: str, state: State, gui: Gui, answers: Sequence[NumberAsked]) -> str:
+    """Return the lesson of a state: its arm, pose, target, overlays, benches, and view, and questions."""
     robot, q, eye = state[RobotPart].robot, state[Joints].q, gui.camera.as_view()
     begin = tuple(begun_as(state))
     return lesson_text(
-        title, robot, q, panel="joints", overlays=_overlays(state), target=state[Target].pose, camera=eye, begin=begin
+        title,
+        robot,
+        q,
+        panel="joints",
+        overlays=_overlays(state),
+        target=state[Target].pose,
+        camera=eye,
+        answers=answers,
+        begin=begin,
     )
 
 
