@@ -1,7 +1,7 @@
 """Where robots and lessons lie: in the checkout's own folders, or inside the installed wheel.
 
 An editable install leaves a stale copy of the data in site-packages, so a checkout is always read from its real
-folders. Languages lie in the package itself. All are `Traversable`, so a zipped installation works too.
+folders. All are `Traversable`, so a zipped installation works too.
 """
 
 from __future__ import annotations
@@ -21,10 +21,7 @@ def checkout() -> Path | None:
 
 
 def folder(name: str) -> Traversable:
-    """Return the folder ``robots``, ``lessons`` or ``languages``, or one in it."""
-    inside = resources.files("armlab") / name
-    if inside.is_dir():
-        return inside
+    """Return the folder ``robots`` or ``lessons``, or one in it."""
     top = checkout()
     return top / name if top is not None else resources.files("armlab") / "_data" / name
 

@@ -22,6 +22,7 @@ from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.shelf import ToSandbox
 from armlab.session.share import short
 from armlab.session.state import apply
+from armlab.ui.lesson.assigned import Sheet
 from armlab.ui.wished import wished
 from support.assigned import NOON, done, exam, folder_fixture, fresh_fixture, goal, points, refused, solved
 from support.small_lessons import library_fixture
@@ -212,6 +213,19 @@ def test_late_work_loses_its_part_and_the_table_says_so(fresh):
     cells = dict(zip(head, row, strict=True))
     assert (cells["points"], cells["of"], cells["score"], cells["late min"]) == ("3.0", "6.0", "50", "90")
     assert (cells["1.1 points"], cells["1.1 hints"]) == ("2.0", "1")
+
+
+def test_the_last_hint_costs_what_the_assignment_says_on_screen_and_in_the_table(fresh, folder):
+    file = folder / "homework.toml"
+    file.write_text(file.read_text().replace("late_percent", "last_hint_percent = 25\nlate_percent"))
+    changed()
+    state = solved(done(fresh, SignAs("Ada"), OpenAssignment("homework", 3)))
+    assert Sheet.open(state[LessonPart]).points == (6.0, 6.0)
+    hinted = done(state, GoToStep(0), UnlockHint())
+    assert Sheet.open(hinted[LessonPart]).points == (6.0, 6.0), "only the last one costs"
+    hinted = done(hinted, UnlockHint())
+    assert Sheet.open(hinted[LessonPart]).points == (5.5, 6.0)
+    assert points(done(hinted, HandIn()), "homework") == 5.5
 
 
 def test_of_several_attempts_the_last_one_counts(fresh):

@@ -14,6 +14,7 @@ from armlab.ui import markup
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.html import styles
 from armlab.ui.overlay import APART, FIRST_HINT, Overlay
+from armlab.ui.plugin import Panel, whole_panel, without_the_arm
 from support.forms import BareFields
 
 BAD = "a\"><b onclick='x'>&lt;"
@@ -57,6 +58,13 @@ def test_texts_stay_texts(made, attributes):
 def test_of_several_choices_one_is_chosen():
     assert markup.chips("c", {"a": "A", "b": "B"}, "b", "").count('aria-pressed="true">B') == 1
     assert markup.options({"a": "A", "b": "B"}, "b").endswith('</option><option value="b" selected>B</option>')
+
+
+def test_a_page_without_the_arm_says_so_where_no_other_has_to_do_with_it():
+    apart, other = Panel((), build=None, apart=True), Panel((), build=None)
+    assert [without_the_arm(opened) for opened in ([apart], [apart, other], [other], [])] == [True, False, False, False]
+    told = {key for key in ("joints", "motion", "newton_1d", "drive", "target") if whole_panel(key).apart}
+    assert told == {"newton_1d", "drive"}
 
 
 def test_what_lies_over_the_scene_steps_back_and_forth_where_there_is_something(monkeypatch):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cache
+from importlib.resources import files
 
 from armlab import resources
 from armlab.content.po import Message, read_po
@@ -12,8 +13,8 @@ from armlab.errors import UnknownName
 
 ENGLISH = "en"
 
-CATALOGUES = "languages"
-"""Folder of the package: the catalogues follow the words of its code."""
+CATALOGUES = files("armlab") / "languages"
+"""Folder in the package, since the catalogues follow the words of its code."""
 
 TITLE = "X-Title"
 """Field of a catalogue's header: what its language calls itself."""
@@ -28,7 +29,8 @@ def languages() -> dict[str, str]:
 @cache
 def keys() -> tuple[str, ...]:
     """Return the keys of all languages, codes such as ``"it"``, without reading their catalogues."""
-    return (ENGLISH, *(file.name.removesuffix(".po") for file in resources.files(CATALOGUES, ".po")))
+    names = sorted(file.name for file in CATALOGUES.iterdir())
+    return (ENGLISH, *(name.removesuffix(".po") for name in names if name.endswith(".po")))
 
 
 @cache
@@ -82,4 +84,4 @@ def _read(key: str) -> tuple[dict[str, str], list[Message]]:
     if key not in keys()[1:]:
         raise UnknownName("language", key, keys())
     file = f"{key}.po"
-    return read_po(file, resources.folder(CATALOGUES).joinpath(file).read_text(encoding="utf-8"))
+    return read_po(file, CATALOGUES.joinpath(file).read_text(encoding="utf-8"))

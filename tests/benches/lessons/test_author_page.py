@@ -4,6 +4,7 @@ import re
 
 import pytest
 
+from armlab.benches.lessons.author.ui.asked import MOST
 from armlab.content.lesson_file import parse_lesson
 from support.fake_browser import cookie_of
 from support.lab import running_lab
@@ -71,14 +72,20 @@ def test_questions_are_written_on_the_page_and_saved_with_the_lesson(url):
         await browser.press("ask-text", "How far is $p_x$?")
         await browser.press("ask-answer", "many")
         await browser.until(lambda: "expected a number, got" in refusal(browser))
-        for cell, text in (("ask-answer", "1/4"), ("ask-tolerance", "0.01"), ("ask-unit", "m"), ("ask-add", "")):
+        for cell, text in (("ask-answer", "1/4"), ("ask-tolerance", "-0.01"), ("ask-unit", "m"), ("ask-add", "")):
             await browser.press(cell, text)
+        await browser.until(lambda: "largest difference: expected a positive number, got -0.01" in refusal(browser))
+        await browser.press("ask-tolerance", "0.01")
+        await browser.press("ask-add")
         await browser.until(lambda: "0.25 ± 0.01 m" in browser.html())
         await browser.press("save-lesson")
         await browser.until(lambda: bool(browser.downloads.get("my_lesson.md")))
         step = parse_lesson("my_lesson", browser.downloads["my_lesson.md"].decode()).steps[1]
         assert step.question.judge("25 cm").right
         assert not step.question.judge("0.3").right
+        for cell in (*("ask-text", "ask-answer", "ask-tolerance", "ask-add") * MOST,):
+            await browser.press(cell, "1")
+        await browser.until(lambda: f"expected at most {MOST} questions" in refusal(browser))
         await browser.press("ask-remove 0")
         await browser.until(lambda: "0.25 ± 0.01 m" not in browser.html())
         await browser.close()

@@ -49,7 +49,7 @@ class Questions:
         """Return the questions with their fields, folded until somebody asks for them."""
         draft = self._draft
         units = {unit or PURE: unit or "no unit" for unit in UNITS}
-        text = form.area("ask-text", draft.text, "What is asked", 2, self._typed("text"))
+        text = row("Question", form.area("ask-text", draft.text, "What is asked", 2, self._typed("text")))
         fields = (
             row("Answer", (self._number(form, "answer"), self._unit(form, units)), cells=True),
             row("± at most", self._number(form, "tolerance"), hint="The largest difference that still counts as right"),
