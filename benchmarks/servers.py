@@ -17,8 +17,11 @@ HERE = Path(__file__).resolve().parent
 LAB = """
 import sys
 sys.path[:0] = {paths!r}
+from armlab.ui.plugin import panels
 from support.lab import open_lab
 lab = open_lab(None, "puma560", {labs})
+if lab.lab is not None:
+    panels()  # as the command does when its first page is open
 print(lab.port, flush=True)
 sys.stdin.read()
 lab.stop()

@@ -101,6 +101,15 @@ def test_pieces_of_constant_omega_are_what_small_steps_give(rng):
     np.testing.assert_array_equal(turned_by([[0, 0, 0]], [1.0]), np.eye(3))
 
 
+def test_rotations_at_many_times_are_those_of_each_time(rng):
+    rates = [*rng.normal(size=(3, 3)), [0, 0, 0]]
+    durations = np.clip(rng.uniform(-0.5, 1.0, (4, 5, 4)), 0.0, None)
+    together = turned_by(rates, durations)
+    alone = [[turned_by(rates, one) for one in row] for row in durations]
+    np.testing.assert_allclose(together, alone, rtol=0, atol=1e-15)
+    np.testing.assert_array_equal(turned_by(rates, np.zeros((2, 4))), [np.eye(3)] * 2)
+
+
 def test_finite_turns_do_not_commute_and_infinitesimal_ones_do():
     """Notes 5.18 and 5.22-5.27: six orders, not twelve; equal up to the square of the angles (erratum)."""
     x, z = rotation_about("x", math.pi / 2), rotation_about("z", math.pi / 2)

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.integrate import trapezoid
 
 from armlab.errors import InputError
 from armlab.kin.drive import Coil, let_go, ripple, torque
@@ -81,7 +82,7 @@ def test_a_rotor_with_a_commutator_runs_up_by_the_work_of_its_torque(coils):
     # The work of the torque along the way is the energy of the motion and what friction has taken.
     free = let_go(0.1, 5e-3, 0.0, 0.5, 2.0, coils)
     way = np.linspace(0.5, float(free.theta[-1]), 200001)
-    work = 0.1 * np.trapezoid(torque(way, coils), way)
+    work = 0.1 * trapezoid(torque(way, coils), way)
     assert 0.5 * 5e-3 * free.omega[-1] ** 2 == pytest.approx(work, rel=1e-6)
 
 

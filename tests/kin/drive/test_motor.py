@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
+from scipy.integrate import solve_ivp, trapezoid
 from scipy.linalg import expm
 
 from armlab.errors import InputError
@@ -177,7 +177,7 @@ def test_the_energy_of_a_run_is_what_was_stored_and_lost():
     found = run(motor, [Piece(0.15, 12.0, 0.1)])
     inputs = zip(found.i, found.omega, found.v, found.load, strict=True)
     balances = [motor.powers(*map(float, each)) for each in inputs]
-    spent = np.trapezoid([b.supplied - b.copper - b.friction - b.load for b in balances], found.t)
+    spent = trapezoid([b.supplied - b.copper - b.friction - b.load for b in balances], found.t)
     last = found.at(0.15)
     stored = 0.5 * motor.L * last.i**2 + 0.5 * motor.J * last.omega**2
     assert spent == pytest.approx(stored, rel=1e-3)

@@ -120,12 +120,12 @@ def turned_by(rates: Sequence[ArrayLike], durations: ArrayLike) -> Floats:
     ----------
     rates : array_like, shape (k, 3)
         Angular velocity of each piece in the fixed axes, rad/s.
-    durations : array_like, shape (k,)
+    durations : array_like, shape (..., k)
         Seconds, none negative.
 
     Returns
     -------
-    ndarray, shape (3, 3)
+    ndarray, shape (..., 3, 3)
 
     References
     ----------
@@ -141,15 +141,15 @@ def turned_by(rates: Sequence[ArrayLike], durations: ArrayLike) -> Floats:
     """
     omegas = np.atleast_2d(_vectors(np.asarray(rates, dtype=float), "rates"))
     seconds = as_floats(durations, "durations", f"{len(omegas)} numbers")
-    if seconds.shape != (len(omegas),) or not (seconds >= 0.0).all() or not np.isfinite(seconds).all():
+    if seconds.shape[-1:] != (len(omegas),) or not (seconds >= 0.0).all() or not np.isfinite(seconds).all():
         raise wrong("durations", f"{len(omegas)} numbers of seconds, none negative", durations)
-    R = np.eye(3)
-    for omega, t in zip(omegas, seconds, strict=True):
-        size = float(np.linalg.norm(omega))
-        if size * t > 0.0:
+    R = np.broadcast_to(np.eye(3), (*seconds.shape[:-1], 3, 3))
+    for k, omega in enumerate(omegas):
+        angles = float(np.linalg.norm(omega)) * seconds[..., k]
+        if angles.any():
             # About axes that stay: later turns stand before the others.
-            R = np.asarray(rotation_from_axis_angle(omega, size * t)) @ R
-    return R
+            R = np.asarray(rotation_from_axis_angle(omega, angles)) @ R
+    return np.array(R)
 
 
 def _vectors(values: ArrayLike, where: str) -> Floats:

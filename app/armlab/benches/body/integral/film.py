@@ -54,18 +54,18 @@ class Run:
         """Seconds."""
         return float(self.starts[-1])
 
-    def spent(self, time: float) -> Floats:
-        """Return how long each piece has lasted at a time, (k,), seconds."""
-        return np.clip(time - self.starts[:-1], 0.0, np.diff(self.starts))
+    def spent(self, times: float | Floats) -> Floats:
+        """Return how long each piece has lasted at times (...), (..., k), seconds."""
+        return np.clip(np.asarray(times)[..., None] - self.starts[:-1], 0.0, np.diff(self.starts))
 
     def piece_at(self, time: float) -> int:
         """Return the piece that lasts at a time, the last one afterwards, 0-based."""
         return int(np.clip(np.searchsorted(self.starts, time, side="right") - 1, 0, len(self.law) - 1))
 
-    def at(self, time: float) -> Floats:
-        """Return the orientation at a time, (3, 3), beginning with I: a product of exponentials, with no step size."""
+    def at(self, times: float | Floats) -> Floats:
+        """Return the orientation at times (...), (..., 3, 3), beginning with I: products of exponentials, no steps."""
         order = slice(None, None, -1 if self.in_body else 1)
-        return turned_by(self.rates[order].tolist(), self.spent(time)[order])
+        return turned_by(self.rates[order], self.spent(times)[..., order])
 
     def integral(self, time: float) -> Floats:
         """Return the integral of omega up to a time, (3,), radians."""
@@ -128,4 +128,4 @@ def integrals_apart(state: State, time: float) -> float:
 def angles_over_time(state: State) -> tuple[Floats, list[Floats]]:
     """Return times (N,), and of each law the angle of R from the start (N,), radians; a law stands still at its end."""
     times = np.unique(np.concatenate([np.linspace(0.0, duration_of(state), POINTS), stops_of(state)]))
-    return times, [np.array([float(axis_angle(run.at(t))[1]) for t in times.tolist()]) for run in runs_of(state)]
+    return times, [axis_angle(run.at(times))[1] for run in runs_of(state)]
