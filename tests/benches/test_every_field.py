@@ -1,5 +1,7 @@
 """Every field of every page, filled with what nobody should type: a sentence at the field, and all stays as it was.
 
+The sentence is there in every language of the lab.
+
 A field stands for all of its kind, whose names differ by a number. Fields that come only when something is pressed are
 looked for one press away.
 """
@@ -12,7 +14,9 @@ from html import unescape
 import numpy as np
 import pytest
 
+from armlab.content.languages import keys, messages
 from armlab.content.robots import catalogue
+from armlab.content.words import Words
 from armlab.session.pages import pages
 from support.bare_gui import BarePage, content
 from support.student import run
@@ -77,6 +81,28 @@ LONGEST_SENTENCE = 300
 
 MOST_PRESSES = 60
 """Controls of a page that are pressed to see what comes; only the lists of lessons and of errata have more."""
+
+
+class Untold(dict):
+    """The words of each language, and those of the texts that it has not."""
+
+    def __init__(self):
+        super().__init__()
+        self.missing = []
+        self.update({key: Words(messages(key), self.missing.append) for key in keys()[1:]})
+
+    def of(self, sentence):
+        """Return what is missing of a sentence in any language."""
+        self.missing.clear()
+        for words in self.values():
+            words(sentence)
+        return list(self.missing)
+
+
+@pytest.fixture(scope="module")
+def untold():
+    """The words of all languages."""
+    return Untold()
 
 
 class Faults(logging.Handler):
@@ -145,7 +171,7 @@ def _values(inside):
     return re.findall(r'<option value="([^"]*)"', inside)
 
 
-def faults_of(page, key, kind, faults):
+def faults_of(page, key, kind, faults, untold):
     """Return what is wrong with the answers of a field."""
     before, found = page.session.state, []
     for of, text in {**NEVER, **PERHAPS}.items():
@@ -165,6 +191,7 @@ def faults_of(page, key, kind, faults):
         for sentence in said if refused else ():
             problems += [f"does not say where: {sentence}"] * (": " not in sentence or sentence.startswith("expected"))
             problems += [f"says too much: {sentence}"] * (len(sentence) > LONGEST_SENTENCE)
+            problems += [f"is not in every language: {text}" for text in untold.of(sentence)]
         found += [f"{cell}, {of}: {problem}" for problem in problems]
         faults.clear()
         if after is not before:
@@ -174,7 +201,7 @@ def faults_of(page, key, kind, faults):
 
 
 @pytest.mark.parametrize("key", pages())
-def test_what_nobody_should_type_is_refused_at_its_field(key, faults):
+def test_what_nobody_should_type_is_refused_at_its_field(key, faults, untold):
     async def main():
         page = BarePage(key, catalogue()["puma560"])
         start, seen, wrong = page.session.state, set(), []
@@ -186,7 +213,7 @@ def test_what_nobody_should_type_is_refused_at_its_field(key, faults):
                 page.send(pressed, cell, text)
             for kind in [each for each in fields_of(page) if each not in seen]:
                 seen.add(kind)
-                wrong += faults_of(page, key, kind, faults)
+                wrong += faults_of(page, key, kind, faults, untold)
         return wrong
 
     assert run(main()) == []

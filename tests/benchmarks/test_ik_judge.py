@@ -179,6 +179,7 @@ def test_a_pair_close_together_is_told_apart_and_may_not_be_listed_as_one():
     # Both sides of a stretched elbow, 2e-4 rad apart.
     case = made(elbow, np.array([0.3, 0.5, 1e-4]), "pair")
     pair = searched(Probe(elbow), Probe(elbow).target(case.T), STARTS, np.random.default_rng(2), case.q)
+    pair = np.arctan2(np.sin(pair), np.cos(pair))  # the search may end a whole turn away
     near = pair[np.abs(Probe(elbow).apart(pair, case.q)).max(axis=1) < 1e-2]
     assert len(near) == 2
     assert kinds(case, answer(elbow, pair, "complete")) == set()

@@ -168,7 +168,7 @@ def test_a_notice_is_short(session):
 
 def taken(mailbox):
     """Return all that waits."""
-    return list(iter(mailbox.take, None))
+    return [letter.command for letter in iter(mailbox.take, None)]
 
 
 def test_of_waiting_snapshots_only_the_newest_counts():

@@ -111,13 +111,15 @@ def library_fixture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator
     monkeypatch.setattr(library_module, "library", lambda: found)
 
     def use(**texts: str | None) -> frozenset[str]:
-        for key, text in texts.items():
-            path = folder / f"{key}.md"
-            # A file of another number: two writes may fall into one tick of the clock of the file system.
-            path.unlink(missing_ok=True)
-            if text is not None:
-                path.write_text(text, encoding="utf-8")
-        return changed()
+        # A lab that another test has left open looks at the files, too; who looks first is told what has changed.
+        with found._lock:
+            for key, text in texts.items():
+                path = folder / f"{key}.md"
+                # A file of another number: two writes may fall into one tick of the clock of the file system.
+                path.unlink(missing_ok=True)
+                if text is not None:
+                    path.write_text(text, encoding="utf-8")
+            return changed()
 
     use(t=TWO_STEPS, v=VARIED)
     yield use

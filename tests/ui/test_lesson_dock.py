@@ -1,12 +1,10 @@
 """Lessons over the wire: the dock with text, formulas and checks; links; progress; what a lesson holds back."""
 
-import asyncio
 import json
 
 import pytest
 
 from armlab.content.lessons import lessons
-from armlab.ui.view import ELSEWHERE
 from support.fake_browser import cookie_of
 from support.lab import running_lab
 from support.own_lessons import (
@@ -247,7 +245,6 @@ def test_a_tab_is_told_that_another_one_has_switched_its_lesson(url):
         one = await in_lesson(url, "first_arm", cookie)
         other = await student(url, cookie)
         await other.until(lambda: "lesson-text" in other.html())
-        await asyncio.sleep(ELSEWHERE + 0.1)
         channel = piece(other, "lesson-head").split('data-chan="')[1].split('"')[0]
         value = json.dumps(["lesson-key", "questions", 1])
         await other.send({"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": value}})

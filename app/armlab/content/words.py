@@ -12,7 +12,7 @@ without its numbers:
     for elements in it, in their order: with words inside, or without, such as a formula or a symbol;
 ``{name}``
     in the source of a message stands for any text, which is itself looked up: ``Undo: {what}``; where the name begins
-    with "text", only a text that is known.
+    with "text", only a text that is known or has no words; where it begins with "typed", it stays as a person typed it.
 
 Signs, units and formulas around a text are no part of it. A text that is not found as a whole is looked up by its
 sentences and by the items of its list. A text that is not found at all stays English. The form of a catalogue is
@@ -214,15 +214,15 @@ class Words:
 
         def named(name: re.Match[str]) -> str:
             inside = _as_in(match[name[1]], back)
-            return self.find(inside) or inside
+            return inside if name[1].startswith("typed") else self.find(inside) or inside
 
         return _NAMED.sub(named, _own_numbers(says, match, back))
 
     def _fits(self, match: re.Match[str], back: dict[str, str]) -> bool:
         """Return whether all is known in a text that has to be."""
-        held = [text for name, text in match.groupdict().items() if name.startswith("text")]
+        held = [_as_in(text, back) for name, text in match.groupdict().items() if name.startswith("text")]
         # A head and what follows it are no name.
-        return all("</" not in text and self.find(_as_in(text, back)) is not None for text in held)
+        return all("</" not in text and (not has_words(text) or self.find(text) is not None) for text in held)
 
     def _in_pieces(self, text: str, places: list[tuple[int, int]], whole: bool = False) -> str | None:
         """Return the translation of the pieces of a text, where one is known, or, for the whole, where all are."""

@@ -4,11 +4,19 @@ from __future__ import annotations
 
 import threading
 from collections import deque
+from typing import NamedTuple
 
 from armlab.session.state import Command
 
 MOST = 500
 """Largest number of waiting commands. A person leaves a few; only a flood of expensive ones exceeds it."""
+
+
+class Letter(NamedTuple):
+    """A command, and the window of the student that has posted it, 0 for the lab itself."""
+
+    command: Command
+    window: int
 
 
 class Mailbox:
@@ -20,22 +28,23 @@ class Mailbox:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._waiting: deque[Command] = deque()
+        self._waiting: deque[Letter] = deque()
 
-    def post(self, command: Command) -> bool:
+    def post(self, command: Command, window: int = 0) -> bool:
         """Add a command; return False when too many are waiting."""
+        letter = Letter(command, window)
         with self._lock:
-            last = self._waiting[-1] if self._waiting else None
+            last = self._waiting[-1].command if self._waiting else None
             if last is not None and last.snapshot and command.snapshot and last.channel == command.channel:
-                self._waiting[-1] = command
+                self._waiting[-1] = letter
             elif len(self._waiting) >= MOST:
                 return False
             else:
-                self._waiting.append(command)
+                self._waiting.append(letter)
             return True
 
-    def take(self) -> Command | None:
-        """Remove and return the command that has waited longest; None when none waits."""
+    def take(self) -> Letter | None:
+        """Remove and return the letter that has waited longest; None when none waits."""
         with self._lock:
             return self._waiting.popleft() if self._waiting else None
 

@@ -108,6 +108,8 @@ class Session:
     untaken : int
         How often a page may show what a person did and what does not hold: a command was refused, changed nothing, or
         was taken back before anybody was shown it. Pages then show again what holds.
+    switched_by : int
+        The window that has last opened or closed a lesson, 0 for the lab itself.
     """
 
     token: str
@@ -118,6 +120,7 @@ class Session:
     notice: Notice | None = None
     notice_seen: int = 0
     untaken: int = 0
+    switched_by: int = 0
     _elsewhere: dict[str, History] = field(default_factory=dict)
 
     @classmethod
@@ -130,7 +133,7 @@ class Session:
         """The arm on the table."""
         return self.state[RobotPart].robot
 
-    def apply(self, command: Command, at: float) -> None:
+    def apply(self, command: Command, at: float, window: int = 0) -> None:
         """Apply one command. A refused or failing one leaves the state as it was, and a notice.
 
         Parameters
@@ -138,6 +141,8 @@ class Session:
         command : Command
         at : float
             Seconds since 1970; strokes with a pause between them are steps of their own.
+        window : int
+            The one of the student that has posted it, 0 for the lab itself.
         """
         before = self.state
         asked, refused = (command.commands, command.refused) if isinstance(command, Asked) else ((command,), _nowhere)
@@ -165,6 +170,8 @@ class Session:
             self.tell(f"{name} failed inside the lab; nothing was changed.")
         if self.state is before or isinstance(command, (Undo, Redo, StartFresh)):
             self.untaken += 1
+        if self.state[LessonPart].open != before[LessonPart].open:
+            self.switched_by = window
 
     def _take(self, commands: tuple[Command, ...], at: float) -> None:
         """Apply all commands in order, or none."""

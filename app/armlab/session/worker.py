@@ -53,9 +53,9 @@ class Worker(threading.Thread):
         with self._lock:
             return not self._waiting and not self._serving
 
-    def post(self, session: Session, command: Command) -> None:
-        """Hand in a command; returns at once, from any thread."""
-        if not session.mailbox.post(command):
+    def post(self, session: Session, command: Command, window: int = 0) -> None:
+        """Hand in a command of a window, 0 for the lab itself; returns at once, from any thread."""
+        if not session.mailbox.post(command, window):
             session.tell(TOO_MANY)
         with self._lock:
             self._waiting[session.token] = session
@@ -82,8 +82,8 @@ class Worker(threading.Thread):
 
     def _serve(self, session: Session) -> None:
         end = time.monotonic() + TURN
-        while (command := session.mailbox.take()) is not None:
-            session.apply(command, now())  # assignments have dates
+        while (letter := session.mailbox.take()) is not None:
+            session.apply(letter.command, now(), letter.window)  # assignments have dates
             self.counts.applied += 1
             if time.monotonic() > end:
                 break

@@ -167,7 +167,7 @@ class Lab:
             await self.loop.run_in_executor(None, lessons)
         asked = found.get(adapter.ASKED_HEADER.lower(), "")
         for command in (wished(session.state, wish), ReadIn(asked) if asked in keys() else None):
-            await self._grant(session, command)
+            await self._grant(session, command, client.client_id)
         async with self._building:
             if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
                 tongue = Tongue(client, session, found.get(adapter.LANGUAGE_HEADER.lower(), ""))
@@ -184,7 +184,7 @@ class Lab:
             client,
             session,
             self.gallery,
-            lambda command: self.worker.post(session, command),
+            lambda command: self.worker.post(session, command, client.client_id),
             self.pace,
         )
         pieces, went_on = view.build(), time.perf_counter()
@@ -214,7 +214,7 @@ class Lab:
         self._players[token].follow()
         self.loop.call_later(SETTLING, self.first_page.set)
 
-    async def _grant(self, session: Session, command: Command | None) -> None:
+    async def _grant(self, session: Session, command: Command | None, window: int) -> None:
         """Carry out the request of a link, if it has one, before the page is built.
 
         The session shows a notice if the request cannot be met.
@@ -223,7 +223,7 @@ class Lab:
             return
         done = self.loop.create_future()
         self._waiting.setdefault(session.token, []).append(done)
-        self.worker.post(session, command)
+        self.worker.post(session, command, window)
         try:
             await asyncio.wait_for(done, GRANT_PATIENCE)
         except TimeoutError:

@@ -59,9 +59,6 @@ ones."""
 PROJECTED = 1.7
 """Size of the labels of the scene on a projector, relative to that on a screen."""
 
-ELSEWHERE = 3.0
-"""Time after which a change is no result of the student's last action on this page, seconds."""
-
 
 class View:
     """One browser, which is built before it can be shown.
@@ -81,14 +78,13 @@ class View:
         post: Callable[[Command], None],
         pace: Pace,
     ) -> None:
-        self.client, self._post = client, post
+        self.client, self.post = client, post
         self.session: Session = session
         self.camera: Camera = Camera(
             client, lambda: session.state[Joints].q, lambda: wish_of(session.state, self._opened(session.state))
         )
         self._gallery, self._pace = gallery, pace
         self._loop = asyncio.get_running_loop()
-        self._acted = self._loop.time()
         self._canvas: Canvas | None = None
         self._canvases = 0
         self._lettering = 1.0
@@ -110,7 +106,7 @@ class View:
 
     def build(self) -> Generator[None, None, None]:
         """Build the page in pieces of a millisecond or two; the browser gets it when it is complete."""
-        self._post(OpenWindow(self.client.client_id, self._first))
+        self.post(OpenWindow(self.client.client_id, self._first))
         with self.client.atomic():
             self._theme(self.session.state)
             self._overlay = Overlay(
@@ -132,11 +128,6 @@ class View:
             yield
             if not self._refreshed:
                 yield from self._refreshing()  # part of what the browser gets at once
-
-    def post(self, command: Command) -> None:
-        """Pass on a command of the student at this page."""
-        self._acted = self._loop.time()
-        self._post(command)
 
     def _dock(self) -> Iterator[None]:
         inside = {
@@ -208,7 +199,7 @@ class View:
         except (ValueError, TypeError):
             log.warning("a page that is not ours told of its tabs")
             return
-        self._post(SeeTabs(self.client.client_id, seen))
+        self.post(SeeTabs(self.client.client_id, seen))
 
     def _screen_told(self, screen: Screen) -> None:
         """Follow what the person's system and room ask for."""
@@ -217,7 +208,7 @@ class View:
         for drawing in self._drawings:
             drawing.canvas.letter(self._lettering)
         if self.session.state[Display].switches.get(SYSTEM_DARK, False) != screen.dark:
-            self._post(Show(SYSTEM_DARK, screen.dark))
+            self.post(Show(SYSTEM_DARK, screen.dark))
 
     # -- showing -------------------------------------------------------------------------------------------------
 
@@ -241,17 +232,17 @@ class View:
                     self._loop.call_later(SETTLED, self._keep_in_view)
                 lesson_changed = self._lesson.open(state)
             if lesson_changed:
-                self._lesson_changed(state)
+                self._lesson_changed(state, before is not None)
             if before is not None:
                 self._notices.replaced(state[RobotPart], before[RobotPart])
             if before is not None and self._window(before) is not self._window(state):
                 self._refresh_now()
         self._refresh_soon()
 
-    def _lesson_changed(self, state: State) -> None:
-        """Adapt the camera to a lesson, and tell who has opened it."""
+    def _lesson_changed(self, state: State, later: bool) -> None:
+        """Adapt the camera to a lesson; one that was opened or closed later, by another page, is told."""
         lesson = state[LessonPart].lesson
-        if self._shown is not None and self._loop.time() - self._acted > ELSEWHERE:
+        if later and self.session.switched_by not in (0, self.client.client_id):
             self._notices.elsewhere(lesson)
         home = None if lesson is None else lesson.camera
         self.camera.make_room(lesson is not None, home, state[LessonPart].bench)
@@ -389,7 +380,7 @@ class View:
     def close(self) -> None:
         """Stop all work, because the browser has closed."""
         self._closed = True
-        self._post(CloseWindow(self.client.client_id))
+        self.post(CloseWindow(self.client.client_id))
         self._pace.spread.drop(self)
         self.camera.gaze.stop()
         self._overlay.close()

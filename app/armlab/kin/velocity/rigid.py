@@ -6,8 +6,6 @@ The angular velocity belongs to the body, the linear one to the point. Every fun
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -110,7 +108,7 @@ def angular_velocity(R: ArrayLike, Rdot: ArrayLike) -> Floats:
     return 0.5 * np.stack(twice, axis=-1)
 
 
-def turned_by(rates: Sequence[ArrayLike], durations: ArrayLike) -> Floats:
+def turned_by(rates: ArrayLike, durations: ArrayLike) -> Floats:
     """Return the rotation at the end of pieces of constant angular velocity, starting from the identity.
 
     The integral of omega is only ``sum(durations * rates)``: it does not know the order of the pieces, the rotation

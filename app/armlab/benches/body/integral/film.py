@@ -128,4 +128,4 @@ def integrals_apart(state: State, time: float) -> float:
 def angles_over_time(state: State) -> tuple[Floats, list[Floats]]:
     """Return times (N,), and of each law the angle of R from the start (N,), radians; a law stands still at its end."""
     times = np.unique(np.concatenate([np.linspace(0.0, duration_of(state), POINTS), stops_of(state)]))
-    return times, [axis_angle(run.at(times))[1] for run in runs_of(state)]
+    return times, [np.asarray(axis_angle(run.at(times))[1], dtype=np.float64) for run in runs_of(state)]
