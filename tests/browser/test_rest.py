@@ -23,10 +23,10 @@ def slow(monkeypatch):
     """Let every command take its time, while this is set."""
     apply, is_slow = Session.apply, threading.Event()
 
-    def slowly(session, command, at):
+    def slowly(session, command, *more):
         if is_slow.is_set():
             time.sleep(LATE)
-        apply(session, command, at)
+        apply(session, command, *more)
 
     monkeypatch.setattr(Session, "apply", slowly)
     return is_slow

@@ -175,9 +175,9 @@ def test_a_refusal_that_has_no_place_any_more_is_a_notice_and_a_long_one_is_cut(
 def test_what_was_refused_while_something_else_was_pressed_is_a_notice(tmp_path, monkeypatch):
     apply, waiting = Session.apply, threading.Event()
 
-    def later(self, command, at):
+    def later(self, command, *more):
         waiting.wait(60.0)
-        apply(self, command, at)
+        apply(self, command, *more)
 
     async def main(url, counts):
         browser = await student(url)

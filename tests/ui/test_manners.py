@@ -111,10 +111,10 @@ def test_a_page_closed_while_it_opens_leaves_nothing_behind(tmp_path, monkeypatc
     built, begun, gone = [], threading.Event(), threading.Event()
     apply = Session.apply
 
-    def slowly(self, command, at):
+    def slowly(self, command, *more):
         begun.set()
         gone.wait(WAIT)
-        apply(self, command, at)
+        apply(self, command, *more)
 
     class Recorded(lab_module.View):
         def __init__(self, *arguments):

@@ -28,8 +28,10 @@ from typing import NamedTuple
 
 from armlab.content.po import Message
 
-NUMBER = re.compile(r"(?<![\w.{<⟨])[-−+±]?\d+(?:[.\u202f,]\d+)*(?:e[-−+]?\d+)?(?![A-Za-z\d])")
-"""A number that stands by itself: none in UR5 or q₁."""
+NUMBER = re.compile(
+    r"(?<![\w.{<⟨])[-−+±]?\d+(?:[.\u202f,]\d+)*(?:e[-−+]?\d+)?(?![A-Za-z\d])(?:·10(?=[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]))?(?:⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
+)
+"""A number that stands by itself, with its power of ten: none in UR5 or q₁."""
 
 HELD = re.compile(r"\{(\d+)\}|<(/?)(\d+)(/?)>")
 """A stand-in of a number or an element."""
