@@ -205,6 +205,7 @@ class Lab:
         """Show the session to a browser from now on."""
         session, token = view.session, view.session.token
         self._views[client.client_id] = view
+        self.pace.browsers = len(self._views)
         self._of_session.setdefault(token, set()).add(view)
         self._follow_jobs(session)
         if token not in self._players:
@@ -232,6 +233,7 @@ class Lab:
     async def _disconnect(self, client: viser.ClientHandle) -> None:
         self._tongues.pop(client.client_id, None)
         view = self._views.pop(client.client_id, None)
+        self.pace.browsers = len(self._views)
         if view is not None:
             view.close()
             views = self._of_session[view.session.token]

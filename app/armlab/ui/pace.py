@@ -43,11 +43,13 @@ class Pace:
     ----------
     spread : Spread
         Through which all that is shown goes.
+    browsers : int
+        How many are shown something.
     """
 
     def __init__(self, clock: Callable[[], float] = time.perf_counter, busy: Callable[[], float] | None = None) -> None:
         self._clock, self._busy = clock, busy or Load()
-        self.spread = Spread()
+        self.spread, self.browsers = Spread(), 0
         self._spent, self._at = 0.0, clock()
 
     def timed(self, call: Callable[..., Any], *arguments: Any) -> Any:

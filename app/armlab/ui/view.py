@@ -38,6 +38,7 @@ from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
 from armlab.ui.timeline_bar import TimelineBar
 from armlab.ui.tray import Tray
+from armlab.ui.turning import Turning
 from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)
@@ -99,6 +100,7 @@ class View:
         self._notices, self._untaken = Notices(client, session), session.untaken
         self._refresh: asyncio.TimerHandle | None = None
         self._refreshed = 0.0
+        self._turning = Turning(pace, self.show)
         self._closed = False
         self._first = first_window(session.state)
         self._asked = 0
@@ -214,8 +216,12 @@ class View:
 
     def show(self) -> None:
         """Show the present state: the scene at once, the panels soon."""
-        if self._closed:
-            return
+        if not self._closed:
+            before = self._shown
+            turned = before is not None and self._window(before) is not self._window(self.session.state)
+            self._turning(self._show_now, turned)
+
+    def _show_now(self) -> None:
         state, before = self.session.state, self._shown
         if state is not before:
             self._shown = state
@@ -382,6 +388,7 @@ class View:
         self._closed = True
         self.post(CloseWindow(self.client.client_id))
         self._pace.spread.drop(self)
+        self._turning.stop()
         self.camera.gaze.stop()
         self._overlay.close()
         self._lesson.close()

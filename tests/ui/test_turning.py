@@ -1,0 +1,115 @@
+"""Other pages are shown at once, however many a person opens; whoever turns them without end waits for the others."""
+
+import asyncio
+import re
+import time
+
+import pytest
+
+from armlab.ui import turning
+from armlab.ui.pace import Pace
+from armlab.ui.turning import SAVED_UP, SHARE, Turning
+from support.lab import running_lab
+from support.student import run, student
+
+SELECTED = re.compile(r'data-cell="film"[^>]*aria-selected="true"')
+
+PAGE = 0.01
+"""Seconds that a page takes here."""
+
+
+class Reader:
+    """Turns pages, each of which takes the same time of a clock of its own."""
+
+    def __init__(self, browsers):
+        self.now, self.shown, self.again = 0.0, 0, 0
+        self.pace = Pace(busy=lambda: 0.0)
+        self.pace.browsers = browsers
+        self.turning = Turning(self.pace, self.come, lambda: self.now)
+
+    def show(self):
+        self.shown += 1
+        self.now += PAGE
+
+    def come(self):
+        self.again += 1
+        self.turning(self.show, True)
+
+    def turn(self, count, turned=True):
+        for _ in range(count):
+            self.turning(self.show, turned)
+
+
+def test_many_pages_in_a_row_are_shown_and_then_one_waits_until_its_time():
+    async def main():
+        reader = Reader(browsers=2)
+        many = round(SAVED_UP / PAGE)
+        reader.turn(many)
+        assert reader.shown == many
+        reader.turn(30)
+        shown = reader.shown
+        assert many <= shown < many + 30
+        began = time.monotonic()
+        while not reader.again:
+            await asyncio.sleep(0.01)
+        assert time.monotonic() - began > 0.5 * PAGE / SHARE
+        assert reader.shown == shown + 1
+        reader.turning.stop()
+
+    run(main())
+
+
+def test_what_is_shown_on_the_same_page_costs_nothing_and_waits_with_it():
+    async def main():
+        reader = Reader(browsers=2)
+        reader.turn(1000, turned=False)
+        reader.turn(1000)
+        assert reader.shown < 1000 + 2 * SAVED_UP / PAGE
+        before = reader.shown
+        reader.turn(1, turned=False)
+        assert reader.shown == before
+        reader.turning.stop()
+        await asyncio.sleep(1.5 * PAGE / SHARE)
+        assert reader.again == 0
+
+    run(main())
+
+
+def test_nobody_waits_where_there_is_nobody_else_and_what_fails_counts():
+    async def main():
+        reader = Reader(browsers=1)
+        reader.turn(1000)
+        assert reader.shown == 1000
+
+        def fail():
+            reader.now += 10.0
+            raise ValueError("it fails")
+
+        reader = Reader(browsers=2)
+        with pytest.raises(ValueError, match="it fails"):
+            reader.turning(fail, True)
+        reader.turn(1)
+        assert reader.shown == 0
+        reader.turning.stop()
+
+    run(main())
+
+
+def test_who_turns_without_end_sees_the_last_page_and_others_notice_nothing(monkeypatch):
+    """The loop's time that is saved up is small here; a page takes more than none."""
+    monkeypatch.setattr(turning, "SAVED_UP", 0.0)
+
+    async def main(url):
+        greedy, other = await student(url), await student(url)
+        await greedy.open("table")
+        channel = greedy.channel("film")
+        for key in ["film", "table"] * 30 + ["film"]:
+            await greedy.press_on(channel, key)
+        await other.open("film")
+        assert SELECTED.search(other.html())
+        await greedy.until(lambda: SELECTED.search(greedy.html()) is not None)
+        await greedy.close()
+        await other.close()
+
+    with running_lab() as url:
+        run(main(url))
