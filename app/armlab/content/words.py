@@ -51,7 +51,7 @@ _ASIDE = re.compile(r".+?(<(\d+)>(?:(?!</\2>).)*</\2>)", re.DOTALL)
 _WRAPPED = re.compile(r"(<(\d+)>)((?:(?!</?\2>).)*)(</\2>)", re.DOTALL)
 
 _SAME = """
-    mm cm km rad deg kg Nm Hz kHz rpm min max sin cos tan atan det rank diag tr exp log ln sqrt sgn sign arg dim mod
+    mm cm km rad deg kg Nm Hz kHz rpm min max sin cos tan atan det diag tr exp log ln sqrt sgn sign arg dim mod
     DH PID SVD DLS IK FK TCP RPY UR PUMA SCARA CSV JSON LaTeX Python NumPy MATLAB SVG PNG TOML STL URDF GLB
     Ctrl Esc Enter Shift Tab Alt Home End PgUp PgDn px py pz qx qy qz dq ms II III IV PPR WS SO SE
     XYZ XZY YXZ YZX ZXY ZYX XYX XZX YXY YZY ZXZ ZYZ SciPy Newton Broyden Euler arccos arcsin arctan
