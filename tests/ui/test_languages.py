@@ -192,3 +192,17 @@ def test_an_option_is_chosen_in_one_language_and_heard_in_english():
 def test_a_broken_catalogue_is_refused_with_its_line(text):
     with pytest.raises(ContentError, match=r"^x\.po: line \d"):
         read_po("x.po", text)
+
+
+def test_what_a_person_typed_comes_back_as_it_was_typed():
+    given = {"{text}: got {typed}": "{text}: ricevuto {typed}", "speed": "velocità", "arm": "braccio"}
+    known = Words([Message(source, text) for source, text in given.items()])
+    assert known("speed: got 'arm'") == "velocità: ricevuto 'arm'"
+    assert known("v: got arm") == "v: ricevuto arm", "a name without words fits as well"
+    assert known("colour: got arm") == "colour: got arm", "one with unknown words does not"
+
+
+def test_a_power_of_ten_is_part_of_its_number():
+    words = Words([Message("largest error {0} of {1}", "errore massimo {0} su {1}")])
+    assert words("largest error 1.2·10⁻¹⁶ of 3²") == "errore massimo 1.2·10⁻¹⁶ su 3²"
+    assert words("largest error 10⁻¹⁶ of 5") == "errore massimo 10⁻¹⁶ su 5"

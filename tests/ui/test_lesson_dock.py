@@ -260,3 +260,28 @@ def test_a_tab_is_told_that_another_one_has_switched_its_lesson(url):
         await other.close()
 
     run(main())
+
+
+def test_the_first_window_of_a_lab_is_told_apart_as_any_other_and_a_link_tells_at_once(tmp_path):
+    async def main(url):
+        cookie = cookie_of(url)
+        first = await student(url, cookie)
+        second = await student(url, cookie)
+        load(url, cookie, "lesson/joint_types")
+        third = await student(url, cookie, "/lesson/joint_types")
+        for browser in (first, second):
+            await browser.until(lambda browser=browser: bool(browser.notices))
+            assert lessons()["joint_types"].title in browser.notices[-1]
+        assert third.notices == []
+        await third.close()
+        await first.until(lambda: "lesson-head" in first.html())
+        channel, told = piece(first, "lesson-head").split('data-chan="')[1].split('"')[0], len(second.notices)
+        value = json.dumps(["lesson-key", "first_arm", 1])
+        await first.send({"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": value}})
+        await second.until(lambda: len(second.notices) > told)
+        assert lessons()["first_arm"].title in second.notices[-1]
+        await first.close()
+        await second.close()
+
+    with running_lab(tmp_path) as url:
+        run(main(url))

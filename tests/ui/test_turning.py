@@ -8,7 +8,7 @@ import pytest
 
 from armlab.ui import turning
 from armlab.ui.pace import Pace
-from armlab.ui.turning import SAVED_UP, SHARE, Turning
+from armlab.ui.turning import LONGEST, SAVED_UP, SHARE, Turning
 from support.lab import running_lab
 from support.student import run, student
 
@@ -79,7 +79,9 @@ def test_nobody_waits_where_there_is_nobody_else_and_what_fails_counts():
     async def main():
         reader = Reader(browsers=1)
         reader.turn(1000)
-        assert reader.shown == 1000
+        reader.pace.browsers = 2
+        reader.turn(1)
+        assert reader.shown == 1001, "what was shown before is not paid back"
 
         def fail():
             reader.now += 10.0
@@ -90,6 +92,10 @@ def test_nobody_waits_where_there_is_nobody_else_and_what_fails_counts():
             reader.turning(fail, True)
         reader.turn(1)
         assert reader.shown == 0
+        began = time.monotonic()
+        while not reader.again:
+            assert time.monotonic() - began < 30.0 * LONGEST, "nobody waits for as long as a slow page was slow"
+            await asyncio.sleep(0.01)
         reader.turning.stop()
 
     run(main())
@@ -98,6 +104,8 @@ def test_nobody_waits_where_there_is_nobody_else_and_what_fails_counts():
 def test_who_turns_without_end_sees_the_last_page_and_others_notice_nothing(monkeypatch):
     """The loop's time that is saved up is small here; a page takes more than none."""
     monkeypatch.setattr(turning, "SAVED_UP", 0.0)
+    waits, wait = [], Turning._wait
+    monkeypatch.setattr(Turning, "_wait", lambda self: waits.append(wait(self)) or waits[-1])
 
     async def main(url):
         greedy, other = await student(url), await student(url)
@@ -107,6 +115,7 @@ def test_who_turns_without_end_sees_the_last_page_and_others_notice_nothing(monk
             await greedy.press_on(channel, key)
         await other.open("film")
         assert SELECTED.search(other.html())
+        assert max(waits) > 0.0
         await greedy.until(lambda: SELECTED.search(greedy.html()) is not None)
         await greedy.close()
         await other.close()

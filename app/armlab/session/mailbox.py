@@ -13,10 +13,10 @@ MOST = 500
 
 
 class Letter(NamedTuple):
-    """A command, and the window of the student that has posted it, 0 for the lab itself."""
+    """A command, and the window of the student that has posted it, None for the lab itself."""
 
     command: Command
-    window: int
+    window: int | None
 
 
 class Mailbox:
@@ -30,7 +30,7 @@ class Mailbox:
         self._lock = threading.Lock()
         self._waiting: deque[Letter] = deque()
 
-    def post(self, command: Command, window: int = 0) -> bool:
+    def post(self, command: Command, window: int | None = None) -> bool:
         """Add a command; return False when too many are waiting."""
         letter = Letter(command, window)
         with self._lock:

@@ -108,8 +108,8 @@ class Session:
     untaken : int
         How often a page may show what a person did and what does not hold: a command was refused, changed nothing, or
         was taken back before anybody was shown it. Pages then show again what holds.
-    switched_by : int
-        The window that has last opened or closed a lesson, 0 for the lab itself.
+    switched_by : int or None
+        The window that has last opened or closed a lesson, None for the lab itself.
     """
 
     token: str
@@ -120,7 +120,7 @@ class Session:
     notice: Notice | None = None
     notice_seen: int = 0
     untaken: int = 0
-    switched_by: int = 0
+    switched_by: int | None = None
     _elsewhere: dict[str, History] = field(default_factory=dict)
 
     @classmethod
@@ -133,7 +133,7 @@ class Session:
         """The arm on the table."""
         return self.state[RobotPart].robot
 
-    def apply(self, command: Command, at: float, window: int = 0) -> None:
+    def apply(self, command: Command, at: float, window: int | None = None) -> None:
         """Apply one command. A refused or failing one leaves the state as it was, and a notice.
 
         Parameters
@@ -141,24 +141,25 @@ class Session:
         command : Command
         at : float
             Seconds since 1970; strokes with a pause between them are steps of their own.
-        window : int
-            The one of the student that has posted it, 0 for the lab itself.
+        window : int or None
+            The one of the student that has posted it, None for the lab itself.
         """
         before = self.state
         asked, refused = (command.commands, command.refused) if isinstance(command, Asked) else ((command,), _nowhere)
         command = asked[0] if len(asked) == 1 else command
         try:
             if isinstance(command, Undo):
-                self.state = self._stepped(self.history.undo, self.history.redo, at)
+                self._become(self._stepped(self.history.undo, self.history.redo, at), window)
             elif isinstance(command, Redo):
-                self.state = self._stepped(self.history.redo, self.history.undo, at)
+                self._become(self._stepped(self.history.redo, self.history.undo, at), window)
             elif isinstance(command, StartFresh):
                 refuse_forgetting(self.state[LessonPart])
                 fresh = _beginning(self.token, self.opening)
-                self.state, self.history = fresh.replace(self.state[Panels]), History()
+                self._become(fresh.replace(self.state[Panels]), window)
+                self.history = History()
                 self._elsewhere.clear()
             else:
-                self._take(asked, at)
+                self._take(asked, at, window)
         except ArmlabError as refusal:
             if not refused(cut(str(refusal))):
                 self.tell(str(refusal))
@@ -170,10 +171,14 @@ class Session:
             self.tell(f"{name} failed inside the lab; nothing was changed.")
         if self.state is before or isinstance(command, (Undo, Redo, StartFresh)):
             self.untaken += 1
-        if self.state[LessonPart].open != before[LessonPart].open:
-            self.switched_by = window
 
-    def _take(self, commands: tuple[Command, ...], at: float) -> None:
+    def _become(self, state: State, window: int | None) -> None:
+        """Take on a state; who sees that its lesson is another one also sees which window has switched it."""
+        if state[LessonPart].open != self.state[LessonPart].open:
+            self.switched_by = window
+        self.state = state
+
+    def _take(self, commands: tuple[Command, ...], at: float, window: int | None) -> None:
         """Apply all commands in order, or none."""
         states = [self.state]
         for command in commands:
@@ -181,7 +186,7 @@ class Session:
         for command, after in zip(commands, states[1:], strict=True):
             if after is not self.state:
                 self._note(command, after, at)
-                self.state = after
+                self._become(after, window)
 
     def _note(self, command: Command, after: State, at: float) -> None:
         """Record a step of undo. Each place has its own history; a shared one and a preview start empty."""

@@ -53,8 +53,8 @@ class Worker(threading.Thread):
         with self._lock:
             return not self._waiting and not self._serving
 
-    def post(self, session: Session, command: Command, window: int = 0) -> None:
-        """Hand in a command of a window, 0 for the lab itself; returns at once, from any thread."""
+    def post(self, session: Session, command: Command, window: int | None = None) -> None:
+        """Hand in a command of a window, None for the lab itself; returns at once, from any thread."""
         if not session.mailbox.post(command, window):
             session.tell(TOO_MANY)
         with self._lock:

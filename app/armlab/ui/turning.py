@@ -12,6 +12,9 @@ SHARE, SAVED_UP = 0.01, 0.5
 """Share of the loop's time in which one browser is shown other pages, and the most that it saves up, seconds. A page
 takes some 10 ms: a person may open forty in a row and then one a second; who presses faster than that waits."""
 
+LONGEST = 1.0
+"""Longest time that it waits for the next page, seconds, however much the last one took."""
+
 
 class Turning:
     """The time spent on showing other pages to one browser; the more it has taken, the longer it waits.
@@ -42,16 +45,16 @@ class Turning:
         """
         if self._late is not None:
             return
-        if not turned:
+        if not turned or self._pace.browsers <= 1:
             show()
-        elif self._pace.browsers > 1 and (wait := self._wait()) > 0.0:
+        elif (wait := self._wait()) > 0.0:
             self._late = self._loop.call_later(wait, self._come)
         else:
             began = self._clock()
             try:
                 show()
             finally:
-                self._left -= self._clock() - began
+                self._left = max(self._left - self._clock() + began, -SHARE * LONGEST)
 
     def _wait(self) -> float:
         now = self._loop.time()

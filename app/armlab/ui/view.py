@@ -248,7 +248,7 @@ class View:
     def _lesson_changed(self, state: State, later: bool) -> None:
         """Adapt the camera to a lesson; one that was opened or closed later, by another page, is told."""
         lesson = state[LessonPart].lesson
-        if later and self.session.switched_by not in (0, self.client.client_id):
+        if later and self.session.switched_by not in (None, self.client.client_id):
             self._notices.elsewhere(lesson)
         home = None if lesson is None else lesson.camera
         self.camera.make_room(lesson is not None, home, state[LessonPart].bench)
