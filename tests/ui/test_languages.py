@@ -4,6 +4,7 @@ import json
 import urllib.request
 
 import pytest
+from viser import _messages as viser_messages
 
 from armlab.commands._translated import compared, of_translations
 from armlab.content.languages import ENGLISH, keys, languages, messages, preferred, words_in
@@ -206,3 +207,19 @@ def test_a_power_of_ten_is_part_of_its_number():
     words = Words([Message("largest error {0} of {1}", "errore massimo {0} su {1}")])
     assert words("largest error 1.2·10⁻¹⁶ of 3²") == "errore massimo 1.2·10⁻¹⁶ su 3²"
     assert words("largest error 10⁻¹⁶ of 5") == "errore massimo 10⁻¹⁶ su 5"
+
+
+def test_a_label_of_the_scene_is_said_and_stays_on_its_page():
+    """A node of another owner would be another one, which no later message moves or writes to."""
+    door = Door(Speech(Words([Message("target", "obiettivo")])))
+    label = viser_messages.LabelMessage(
+        "/name", viser_messages.LabelProps("target", "screen", 1.0, 0.1, False, "center-center")
+    )
+    update = viser_messages.SceneNodeUpdateMessage("/name", {"text": "target"})
+    for message in (label, update):
+        message.owner = "this page"
+        said = door.out(message)
+        assert said.owner == "this page"
+        assert said.name == "/name"
+    assert (label.props.text, update.updates) == ("target", {"text": "target"}), "the lab's own record stays English"
+    assert (door.out(label).props.text, door.out(update).updates) == ("obiettivo", {"text": "obiettivo"})

@@ -7,7 +7,7 @@ English; an option that the student chooses is said back in English.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from copy import copy
 from typing import Any
 
 from armlab.ui.speech import Speech
@@ -32,16 +32,16 @@ class Door:
             given = {name: value for name in _SAID if (value := getattr(props, name, None))}
             changed = self._changed(given)
             value = self._chosen(message.uuid, given["options"], message.value) if "options" in given else None
-            message = replace(message, props=replace(props, **changed)) if changed else message
-            return message if value is None else replace(message, value=value)
+            message = _with(message, props=_with(props, **changed)) if changed else message
+            return message if value is None else _with(message, value=value)
         if updates is not None:
             changed = self._changed({name: value for name, value in updates.items() if name in _SAID and value})
             known = self._options.get(getattr(message, "uuid", ""))
             if known and "value" in updates:
                 here = {english: said for said, english in known.items()}
                 changed["value"] = here.get(updates["value"], updates["value"])
-            return replace(message, updates={**updates, **changed}) if changed else message
-        return replace(message, title=self._speech.text(message.title)) if hasattr(message, "title") else message
+            return _with(message, updates={**updates, **changed}) if changed else message
+        return _with(message, title=self._speech.text(message.title)) if hasattr(message, "title") else message
 
     def back(self, message: Any) -> Any:
         """Return a message of the page with a chosen option in English."""
@@ -49,7 +49,7 @@ class Door:
         updates = getattr(message, "updates", None)
         if not known or not isinstance(updates, dict) or not isinstance(updates.get("value"), str):
             return message
-        return replace(message, updates={**updates, "value": known.get(updates["value"], updates["value"])})
+        return _with(message, updates={**updates, "value": known.get(updates["value"], updates["value"])})
 
     def _changed(self, texts: dict[str, Any]) -> dict[str, Any]:
         """Return the properties that are others in the language."""
@@ -60,6 +60,14 @@ class Door:
         """Keep what the options of a choice are called, and return the chosen one."""
         self._options[uuid] = {self._speech.text(each): each for each in options}
         return self._speech.text(value)
+
+
+def _with(message: Any, **fields: Any) -> Any:
+    """Return a copy with other fields; `dataclasses.replace` would forget whose page a node of the scene is on."""
+    found = copy(message)
+    for name, value in fields.items():
+        setattr(found, name, value)
+    return found
 
 
 def _all(speech: Speech, texts: Any) -> Any:
