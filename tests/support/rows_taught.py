@@ -1,4 +1,4 @@
-"""The inventory of the course as a table: what computes a row, the page that shows it, and the lesson that teaches it.
+"""The inventory of the course as a table: what computes a row, the pages that show it, and the lessons that teach it.
 
 ``python -m support.rows_taught`` in the folder of the tests prints it.
 """
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cache
 from html import unescape
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from armlab.content.citations import functions
 from armlab.content.lessons import lessons
@@ -21,6 +21,7 @@ from armlab.content.rows import rows
 from armlab.session.bench import PutInPlace, robot_of
 from armlab.session.job import Deliver, jobs
 from armlab.session.pages import pages
+from armlab.session.words import word
 from support.bare_gui import BareGui, BarePage, content
 from support.student import run
 
@@ -30,6 +31,23 @@ ARM = "planar_2r"
 """Arm of a page for which no example brings another."""
 
 _MARKUP = re.compile(r"<(style|select)\b.*?</\1>|<[^>]+>", re.S)
+
+
+class Shown(NamedTuple):
+    """What is seen of a row on a page: page, example (or only an arm), text, and what is done before, as in `seen`."""
+
+    page: str
+    example: str
+    text: str
+    steps: tuple[str, ...]
+
+
+class Said(NamedTuple):
+    """What a lesson says of a row: lesson, title of the step, and text."""
+
+    lesson: str
+    step: str
+    text: str
 
 
 @dataclass(frozen=True)
@@ -43,32 +61,31 @@ class Taught:
         Functions of `armlab.kin` that cite it by number, or else those that the row itself or the file names.
     pages : tuple of str
         Keys of the pages that claim it.
-    shown : tuple of str
-        Page, example (or only an arm), text that is seen there, and what is done before, as in `seen`; empty where the
-        file names none.
+    shown : tuple of Shown
+        What the file names for each of them.
     lessons : tuple of str
         Keys of the lessons that claim it.
-    step : tuple of str
-        Lesson and title of the step; empty where the file names none.
+    said : tuple of Said
+        What the file names for each of them.
     """
 
     row: str
     core: tuple[str, ...]
     pages: tuple[str, ...]
-    shown: tuple[str, ...]
+    shown: tuple[Shown, ...]
     lessons: tuple[str, ...]
-    step: tuple[str, ...]
+    said: tuple[Said, ...]
 
     @property
     def lacks(self) -> tuple[str, ...]:
         """Some of ``core``, ``page``, ``lesson``: what the row does not have."""
-        found = {"core": self.core, "page": self.pages, "lesson": self.step}
+        found = {"core": self.core, "page": self.pages, "lesson": self.lessons}
         return tuple(name for name, there in found.items() if not there)
 
 
 @cache
 def named() -> dict[str, dict[str, Any]]:
-    """Return the file: lesson and step, core, and what is seen, by row."""
+    """Return the file: what lessons say, core, and what is seen, by row."""
     return tomllib.loads(FILE.read_text(encoding="utf-8"))
 
 
@@ -76,6 +93,7 @@ def named() -> dict[str, dict[str, Any]]:
 def table() -> dict[str, Taught]:
     """Return the table, a row for each of the inventory, in the order of the notes."""
     file = named()
+    shown, said = file["shown"], file["taught"]
     found = {}
     for row in rows().values():
         cited = tuple(one.name for one in functions() if any(map(row.cites, one.cites.references)))
@@ -84,9 +102,9 @@ def table() -> dict[str, Taught]:
             row.id,
             core,
             tuple(key for key, page in pages().items() if row.id in page.about),
-            tuple(file["shown"].get(row.id, ())),
+            tuple(Shown(page, example, text, tuple(steps)) for page, example, text, *steps in shown.get(row.id, ())),
             tuple(key for key, lesson in lessons().lessons.items() if row.id in lesson.teaches),
-            tuple(file["taught"].get(row.id, ())),
+            tuple(Said(*each) for each in said.get(row.id, ())),
         )
     return found
 
@@ -139,8 +157,12 @@ class SpokenPage(BarePage):
         gui: Any = self._gui
         parts = [content(fields) for fields in gui.has]
         parts += [str(each.handle._impl.props.content) for each in gui.texts]
-        plain = unescape(_MARKUP.sub(" ", " ".join(_filled(part) for part in parts)))
-        return re.sub(r"\s+", " ", plain)
+        return plain(" ".join(_filled(part) for part in parts))
+
+
+def plain(markup: str) -> str:
+    """Return what stands in markup, with single blanks, but for what may be chosen from a list."""
+    return re.sub(r"\s+", " ", unescape(_MARKUP.sub(" ", markup)))
 
 
 def _filled(markup: str) -> str:
@@ -158,7 +180,8 @@ def seen(page: str, example: str, *steps: str) -> str:
     ----------
     page, example : str
     *steps : str
-        What is done then: ``press CELL``, a button of the page, or ``job KEY``, which is carried through.
+        What is done then: ``press CELL``, a button of the page, ``do WORD ARGUMENT=TEXT``, a command as lessons write
+        it, or ``job KEY``, which is carried through.
     """
     return run(_seen(page, example, steps))
 
@@ -171,14 +194,27 @@ async def _seen(page: str, example: str, steps: tuple[str, ...]) -> str:
         opened.show()
     for step in steps:
         what, _, name = step.partition(" ")
-        (_press if what == "press" else _carry_through)(opened, name)
+        {"press": _press, "do": _do, "job": _carry_through}[what](opened, name)
     return opened.text
+
+
+@cache
+def steps_of(lesson: str) -> dict[str, str]:
+    """Return the texts of the steps of a lesson by their titles: all that is to be read at each, without markup."""
+    return {step.title: plain(step.texts) for step in lessons().lessons[lesson].steps}
 
 
 def _press(opened: SpokenPage, wanted: str) -> None:
     """Press the button of a page that has this cell."""
     (fields,) = (fields for fields, cell, _ in opened.controls("button") if cell == wanted)
     opened.send(fields, wanted)
+
+
+def _do(opened: SpokenPage, written: str) -> None:
+    """Apply a command by its word and its arguments, texts alone."""
+    name, *given = written.split()
+    opened.session.apply(word(name).make(**dict(argument.split("=") for argument in given)), 2.0)
+    opened.show()
 
 
 def _carry_through(opened: SpokenPage, key: str) -> None:
@@ -194,10 +230,11 @@ def _carry_through(opened: SpokenPage, key: str) -> None:
 
 def main() -> None:
     """Print the table."""
-    print("| row | core | page: what is seen | lesson: step |\n| --- | --- | --- | --- |")
+    print("| row | core | pages: what is seen | lessons: steps |\n| --- | --- | --- | --- |")
     for each in table().values():
-        page = f"{each.shown[0]}: {each.shown[2]}".replace("|", r"\|") if each.shown else ", ".join(each.pages)
-        print(f"| {each.row} | {', '.join(each.core[:2])} | {page} | {': '.join(each.step)} |")
+        shown = "; ".join(f"{one.page}: {one.text}" for one in each.shown).replace("|", r"\|")
+        said = "; ".join(f"{one.lesson}: {one.step}" for one in each.said)
+        print(f"| {each.row} | {', '.join(each.core[:2])} | {shown} | {said} |")
 
 
 if __name__ == "__main__":

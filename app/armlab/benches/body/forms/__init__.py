@@ -13,7 +13,6 @@ PAGE = Page(
         "3.2",
         "3.3",
         "S3.1-rotation-matrix",
-        "S3.1-elementary",
         "S3.2.2-inverse",
         "S3.2.3-quaternion",
         "S3.2.3-quat-from-R",

@@ -11,6 +11,7 @@ PAGE = Page(
     tab="body",
     page="Euler & RPY",
     about=(
+        "S3.1-elementary",
         "S3.3.1-euler12",
         "S3.3.1-zxz",
         "S3.3.2-rpy",

@@ -11,9 +11,7 @@ PAGE = Page(
     tab="iterations",
     about=(
         "S4.4.1-newton-ik",
-        "S4.4.1-newton-singular",
         "S4.4.2-gradient",
-        "S4.4.2-lyapunov",
         "4.4",
         "basins of attraction",
         "which solution a method finds",

@@ -11,6 +11,7 @@ PAGE = Page(
     tab="motion",
     about=(
         "S6.0-cubic-quintic",
+        "S6.1-characteristics",
         "S6.2-classes",
         "S6.2.1-cubic",
         "S6.2.1-cosine",

@@ -11,10 +11,8 @@ PAGE = Page(
     tab="motion",
     page="Plots",
     about=(
-        "S6.1-space-time",
         "S6.3.2-optimality",
         "S6.3-cartesian",
-        "(6.18-6.19)",
         "plots of the motion",
         "velocity",
         "acceleration",

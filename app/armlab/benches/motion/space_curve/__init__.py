@@ -14,7 +14,6 @@ PAGE = Page(
         "S1.3-rest-to-rest",
         "S6.0-line",
         "S6.0-corner",
-        "S6.1-characteristics",
         "S6.1-curvature",
         "S6.1-arclength",
         "S6.1-space-time",

@@ -11,6 +11,7 @@ PAGE = Page(
     tab="motion",
     about=(
         "S6.0-planning",
+        "S6.0-line",
         "S6.0-pipeline",
         "S6.0-checklist",
         "S6.3-cartesian",

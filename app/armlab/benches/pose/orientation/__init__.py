@@ -12,7 +12,6 @@ PAGE = Page(
     about=(
         "3.2",
         "3.3",
-        "S3.1-elementary",
         "S3.2.2-inverse",
         "S3.2.3-quaternion",
         "S3.2.3-quat-from-R",

@@ -11,10 +11,8 @@ PAGE = Page(
     tab="absolute_encoder",
     page="Accuracy",
     about=(
-        "S2.3-measurement",
         "S1.7-accuracy-repeatability",
         "1.7",
-        "2.3",
         "accuracy",
         "repeatability",
         "precision",

@@ -12,9 +12,7 @@ PAGE = Page(
     page="Pose accuracy",
     about=(
         "S1.7-accuracy-repeatability",
-        "S2.3-measurement",
         "1.7",
-        "2.3",
         "ISO 9283",
         "pose accuracy",
         "pose repeatability",

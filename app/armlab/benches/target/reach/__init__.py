@@ -10,7 +10,6 @@ PAGE = Page(
     30,
     about=(
         "S1.1-inverse-kinematics",
-        "S5.2.1-dls",
         "inverse kinematics",
         "reach a point",
         "drag",

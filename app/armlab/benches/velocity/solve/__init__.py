@@ -12,7 +12,6 @@ PAGE = Page(
     about=(
         "S1.2-inverse-velocity",
         "S1.2.1-min-norm",
-        "S1.2.1-inverse-2x2",
         "S1.2.1-kernel-3R",
         "S5.1.3-mobility",
         "S5.1.3-3R-examples",
