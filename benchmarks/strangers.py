@@ -14,12 +14,14 @@ import urllib.error
 import urllib.request
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 sys.path[:0] = [str(Path(__file__).resolve().parents[1] / folder) for folder in ("app", "tests")]
 
 import msgspec  # noqa: E402
 import numpy as np  # noqa: E402
 
+from armlab.session.pages import pages  # noqa: E402
 from support.fake_browser import CAMERA, FakeBrowser, cookie_of  # noqa: E402
 from support.student import is_open  # noqa: E402
 
@@ -31,13 +33,14 @@ RATE = 100.0
 """Frames a second, a little fewer than are slowed down: who sends more is cut off, and does not send for a minute."""
 
 OPENING = 3.0
-"""Seconds a stranger waits for a bench: what was typed may have led to a page that hides it."""
+"""Seconds a stranger waits for a page: what was typed may have led to a lesson that hides it."""
 
 NICENESS = 10
 """Of strangers: the processor time they need is that of other machines."""
 
-BENCHES = ("table", "motion", "solutions", "iterate", "section", "lessons")
-"""Benches that strangers have open: their fields are filled at random."""
+ENDING = 0.002
+"""Part of the frames at which viser hangs up: no message at all, or a value of another type than its field. More of
+them, and what a stranger sends behind one would never be read."""
 
 TEXTS = (
     "9" * 400_000,
@@ -84,7 +87,7 @@ class Stranger:
         # As long as it takes: strangers that came again and again to a lab that is slow would send nothing at all.
         await browser.until(lambda: is_open(browser) or browser.close_code is not None)
         with contextlib.suppress(TimeoutError):
-            await asyncio.wait_for(browser.open(str(self._rng.choice(BENCHES))), OPENING)
+            await asyncio.wait_for(browser.open(str(self._rng.choice(list(pages())))), OPENING)
         while self.sent < count and browser.close_code is None:
             self._cells = re.findall(r'data-chan="([^"]*)"[^>]*data-cell="([^"]*)"', browser.html())
             for _ in range(TOGETHER):
@@ -94,17 +97,27 @@ class Stranger:
             await asyncio.sleep(TOGETHER / RATE)
 
     def _frame(self, browser: FakeBrowser) -> bytes:
-        kind = self._rng.choice(5, p=(0.5, 0.3, 0.15, 0.045, 0.005))
+        if self._rng.random() < ENDING:
+            return self._ending(browser)
+        kind = self._rng.choice(4, p=(0.5, 0.3, 0.15, 0.05))
         if kind == 0:
             return self._filled_field()
         if kind == 1:
             return self._damaged_message(browser)
-        if kind == 2:
-            return self._value(browser)
+        return self._value(browser) if kind == 2 else msgspec.msgpack.encode(CAMERA)
+
+    def _ending(self, browser: FakeBrowser) -> bytes:
+        """Return a part of a message, any bytes, or a message with a value of another type in one of its fields."""
         whole = msgspec.msgpack.encode(CAMERA)
-        if kind == 3:
-            return whole[: self._rng.integers(1, len(whole))] if self._rng.random() < 0.1 else whole
-        return self._rng.bytes(int(self._rng.integers(1, 200)))
+        kind = self._rng.integers(3)
+        if kind == 0:
+            return whole[: self._rng.integers(1, len(whole))]
+        if kind == 1:
+            return self._rng.bytes(int(self._rng.integers(1, 200)))
+        message = self._message(browser)
+        junk = [None, "x", [], {"a": 1}, [[1, 2], [3]], True]
+        message[self._field_of(message)] = junk[self._rng.integers(len(junk))]
+        return msgspec.msgpack.encode(message)
 
     def _filled_field(self) -> bytes:
         """Fill a field, or press a button, that is on the page; or one that is not."""
@@ -116,15 +129,27 @@ class Stranger:
         return msgspec.msgpack.encode({"type": "GuiUpdateMessage", "uuid": chan, "updates": {"value": value}})
 
     def _damaged_message(self, browser: FakeBrowser) -> bytes:
-        """Take an honest message and put something else into one of its fields."""
+        """Take an honest message and put numbers into one of its fields that nobody can work with."""
+        message = self._message(browser)
+        field = self._field_of(message)
+        numbers = self._rng.choice((0.0, -1.0, 1e308, -1e308, 1e-308, 1e18, np.nan, np.inf), size=4).tolist()
+        old = message[field]
+        if isinstance(old, str):
+            message[field] = str(self._rng.choice(["", "x" * 5_000, "/", "/0/1/2", "-1"]))
+        elif isinstance(old, int):
+            message[field] = (0, -1, 10**18)[self._rng.integers(3)]
+        else:
+            message[field] = numbers[: len(old)] if isinstance(old, tuple) else numbers[0]
+        return msgspec.msgpack.encode(message)
+
+    def _message(self, browser: FakeBrowser) -> dict[str, Any]:
+        """Return what a page says when its camera, or something in its scene, was moved."""
         name = str(self._rng.choice(sorted(browser.nodes)))
         handle = {"name": name, "owner": browser.owner, "wxyz": (1.0, 0.0, 0.0, 0.0), "position": (0.1, 0.2, 0.3)}
-        message = [CAMERA, {"type": "TransformControlsUpdateMessage", **handle}][self._rng.integers(2)]
-        message = dict(message)
-        field = str(self._rng.choice([key for key in message if key != "type"]))
-        junk = [None, "x", [], [1e308] * 3, [0.0] * 4, float("nan"), 10**18, {"a": 1}, [[1, 2], [3]], True]
-        message[field] = junk[self._rng.integers(len(junk))]
-        return msgspec.msgpack.encode(message)
+        return dict([CAMERA, {"type": "TransformControlsUpdateMessage", **handle}][self._rng.integers(2)])
+
+    def _field_of(self, message: dict[str, Any]) -> str:
+        return str(self._rng.choice([key for key in message if key != "type"]))
 
     def _value(self, browser: FakeBrowser) -> bytes:
         """Give a control some value."""
