@@ -8,8 +8,9 @@ import os
 import shutil
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from armlab.content.assignment import amiss, parse_assignment
 from armlab.content.course import misplaced, parse_course
@@ -53,17 +54,24 @@ class Desk:
             self._wrong += 1.0
             raise InputError("This is not the key of the teacher.")
 
-    def put(self, upload: Upload) -> str:
+    def put(self, upload: Upload, loaded: Mapping[str, str] = MappingProxyType({})) -> str:
         """Put a file into the folder; return its name there. The one that was there is kept as a hidden file.
+
+        Parameters
+        ----------
+        upload : Upload
+        loaded : mapping of str to str
+            Files of the lessons that whoever puts it there has loaded, by their names in a course.
 
         Raises
         ------
         ContentError
             It cannot be used: nothing changes.
         InputError
-            A lesson elsewhere has its name, the folder is full, or it cannot be written.
+            A lesson elsewhere has its name, a lesson of a course is not there for everybody, the folder is full, or it
+            cannot be written.
         """
-        _refuse_unusable(upload)
+        _refuse_unusable(upload, loaded)
         if len(list(self._folder.iterdir())) >= 2 * MOST_LESSONS:
             raise InputError(f"{upload.file}: the folder of the lessons is full")
         name = COURSE if upload.kind == COURSE_KIND else upload.file.partition("/")[0]
@@ -127,8 +135,8 @@ class Desk:
         there.replace(kept)
 
 
-def _refuse_unusable(upload: Upload) -> None:
-    """Raise `ContentError` where a file cannot be used by everybody, with what is there for everybody."""
+def _refuse_unusable(upload: Upload, loaded: Mapping[str, str]) -> None:
+    """Raise `ContentError` or `InputError` where a file cannot be used with what is there for everybody."""
     there = lessons()
     known = {*there.lessons, *there.broken}
     if upload.kind == LESSON_KIND:
@@ -139,6 +147,10 @@ def _refuse_unusable(upload: Upload) -> None:
             raise problem
     elif upload.kind == COURSE_KIND:
         course = parse_course("", upload.text, upload.file)
+        own = [key for key in course.lessons if key in loaded and key not in known]
+        if own:
+            files, them = ", ".join(loaded[key] for key in own), "it" if len(own) == 1 else "them"
+            raise InputError(f"{upload.file}: only you see {files} so far; put {them} there for everybody first")
         for error in misplaced(course, upload.text, upload.file, known, there.needs):
             raise error
     else:
