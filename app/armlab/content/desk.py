@@ -14,6 +14,7 @@ from types import MappingProxyType
 
 from armlab.content.assignment import amiss, parse_assignment
 from armlab.content.course import misplaced, parse_course
+from armlab.content.guesses import Guesses
 from armlab.content.held import hold_lesson
 from armlab.content.lesson_folder import COURSE, ENDING, LESSON, MOST_LESSONS, OF_ASSIGNMENT
 from armlab.content.lessons import lessons
@@ -21,9 +22,6 @@ from armlab.content.upload import ASSIGNMENT, COURSE_KIND, LESSON_KIND, Upload
 from armlab.errors import InputError
 
 SHORTEST_KEY, LONGEST_KEY = 8, 100
-TRIES, PAUSE = 5.0, 5.0
-"""Number of wrong keys in a row, and seconds for each one after them."""
-
 BEFORE = ".before-"
 """Beginning of the name under which the file that was there is kept; hidden files are no lessons."""
 
@@ -41,17 +39,21 @@ class Desk:
     """
 
     def __init__(self, folder: Path, key: str, clock: Callable[[], float] = time.monotonic) -> None:
-        self._folder, self._key, self._clock = folder.resolve(), key.encode(), clock
-        self._wrong, self._at = 0.0, clock()
+        self._folder, self._key, self._guesses = folder.resolve(), key.encode(), Guesses(clock)
 
-    def let_in(self, said: str) -> None:
-        """Raise `InputError` unless this is the key; who guesses has to wait."""
-        now = self._clock()
-        self._wrong, self._at = max(0.0, self._wrong - (now - self._at) / PAUSE), now
-        if self._wrong >= TRIES:
+    def let_in(self, said: str, browser: str, address: str) -> None:
+        """Raise `InputError` unless this is the key; who guesses has to wait, and nobody else.
+
+        Parameters
+        ----------
+        said : str
+        browser, address : str
+            Token of the browser that says it, and where it comes from.
+        """
+        if self._guesses.must_wait(browser, address):
             raise InputError("Too many wrong keys were tried. Wait a little.")
         if not hmac.compare_digest(said.strip()[:LONGEST_KEY].encode("utf-8", "replace"), self._key):
-            self._wrong += 1.0
+            self._guesses.note(browser, address)
             raise InputError("This is not the key of the teacher.")
 
     def put(self, upload: Upload, loaded: Mapping[str, str] = MappingProxyType({})) -> str:
