@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from armlab.content.desk import LONGEST_KEY, PAUSE, TRIES, Desk
+from armlab.content.desk import LONGEST_KEY, Desk
+from armlab.content.guesses import FORGOTTEN, MOST, PAUSE, TOGETHER, TRIES, Guesses
 from armlab.content.lessons import changed, lessons
 from armlab.content.upload import ASSIGNMENT, COURSE_KIND, LESSON_KIND, ROBOT, Upload
 from armlab.errors import ArmlabError, InputError
@@ -29,18 +30,56 @@ def names(folder):
     return sorted(path.name for path in folder.iterdir())
 
 
-def test_who_guesses_the_key_has_to_wait():
-    now = [0.0]
+def test_who_guesses_the_key_has_to_wait_and_the_teacher_does_not():
+    now, guesser, teacher = [0.0], ("browser", "10.0.0.7"), ("another", "10.0.0.1")
     desk = Desk(Path(), "secret key", lambda: now[0])
-    desk.let_in(" secret key ")
-    for wrong in ("", "Secret key", "secret key" * LONGEST_KEY, "\ud800", "x"):
+    desk.let_in(" secret key ", *guesser)
+    wrongs = ("", "Secret key", "secret key" * LONGEST_KEY, "\ud800", "x", "y")
+    assert len(wrongs) == TRIES + 1
+    for wrong in wrongs:
         with pytest.raises(InputError, match="not the key"):
-            desk.let_in(wrong)
-    assert TRIES == 5
+            desk.let_in(wrong, *guesser)
     with pytest.raises(InputError, match="Too many wrong keys"):
-        desk.let_in("secret key")
+        desk.let_in("secret key", *guesser)
+    desk.let_in("secret key", *teacher)
     now[0] += PAUSE + 0.1
-    desk.let_in("secret key")
+    desk.let_in("secret key", *guesser)
+
+
+def looked_at(guesses, who):
+    """Return how many wrong keys of some are looked at, each with the next of them."""
+    count = 0
+    for browser, address in who:
+        if guesses.must_wait(browser, address):
+            break
+        guesses.note(browser, address)
+        count += 1
+    return count
+
+
+def test_all_wrong_keys_together_are_bounded_whatever_browsers_and_addresses_they_come_from():
+    now = [0.0]
+    guesses = Guesses(lambda: now[0])
+    every = range(10 * MOST)
+    # A class at its own addresses, which all guess on and on: whoever has not guessed is looked at, or the first typo.
+    guessers = [(f"b{k}", f"a{k}") for k in range(int(TOGETHER[0]) // TRIES - 1)]
+    assert looked_at(guesses, (who for _ in every for who in guessers)) == TRIES * len(guessers) + TOGETHER[2]
+    assert looked_at(guesses, [("teacher", "a")] * TRIES) == TRIES
+    assert looked_at(guesses, ((f"c{k}", "a0") for k in every)) == TOGETHER[1]
+    assert looked_at(guesses, ((f"d{k}", f"e{k}") for k in every)) == 0
+    for _ in range(100):
+        now[0] += PAUSE
+        assert looked_at(guesses, ((f"f{now[0]} {k}", f"g{now[0]} {k}") for k in every)) == 1
+    now[0] += FORGOTTEN
+    assert not guesses.must_wait(*guessers[0])
+
+
+def test_no_more_browsers_and_addresses_are_remembered_than_are_needed():
+    now = [0.0]
+    guesses = Guesses(lambda: now[0])
+    for k in range(MOST):
+        guesses.note(f"b{k}", f"a{k}")
+    assert len(guesses._wrong) == MOST
 
 
 def test_what_is_put_there_is_for_everybody_and_what_was_there_is_kept(desk, tmp_path):

@@ -8,24 +8,34 @@ from functools import cache
 import pytest
 
 from armlab.content import lessons as module
-from armlab.content.lessons import Library, lessons
-from support.own_lessons import lesson, write
+from armlab.content.lesson_reading import Readings
+from armlab.content.lessons import Library, lesson, lessons
+from armlab.content.robots import catalogue
+from armlab.errors import ArmlabError
+from armlab.session.lesson_commands import OpenLesson
+from armlab.session.parts.lesson import LessonPart
+from armlab.session.state import State, apply
+from armlab.ui.lesson.page import _choice
+from support.forms import BareForm
+from support.own_lessons import lesson as lesson_text
+from support.own_lessons import write
+from support.small_lessons import VARIED
 
 
 @pytest.fixture
 def lab(tmp_path):
     folder = tmp_path / "lab"
     folder.mkdir()
-    return write(folder, first=lesson(title="First"))
+    return write(folder, first=lesson_text(title="First"))
 
 
 def test_the_first_reading_pauses_after_each_lesson_and_later_ones_do_not(lab):
-    write(lab, second=lesson(title="Second"))
+    write(lab, second=lesson_text(title="Second"))
     pauses = []
     found = Library([lab], pause=pauses.append)
     assert len(pauses) == 2
     assert min(pauses) > 0.0
-    write(lab, third=lesson(title="Third"))
+    write(lab, third=lesson_text(title="Third"))
     assert found.changed() == {"third"}
     assert len(pauses) == 2
 
@@ -44,11 +54,42 @@ def test_who_needs_the_lessons_ends_the_pauses(lab, monkeypatch):
     slowly.join()
 
 
+@pytest.fixture
+def unread(lab, monkeypatch):
+    """Let nobody have needed the lessons of the lab yet, which are those of a test."""
+    monkeypatch.setattr(module, "_READINGS", Readings())
+    monkeypatch.setattr(module, "_library", cache(module._library.__wrapped__))
+    monkeypatch.setattr(module, "folders_of_the_lab", lambda: [lab])
+
+
+def test_who_opens_a_lesson_does_not_wait_for_all_others(lab, unread):
+    write(lab, varied=VARIED, broken="hello")
+    state = State.initial(catalogue()["puma560"])
+    part = apply(apply(state, OpenLesson("first")), OpenLesson("varied", variant=3))[LessonPart]
+    assert module.lessons_read() is None
+    early = part.lesson, lesson("first")
+    form = BareForm()
+    form.show(_choice(form, early[0], "", tuple))
+    assert form.fields.content.count("<option") == 1
+    assert lessons()["first"] is early[1]
+    assert part.lesson is early[0]
+    form.show(_choice(form, early[0], "", tuple))
+    assert form.fields.content.count("<option") == 2
+
+
+@pytest.mark.parametrize(("key", "says"), [("none", "unknown name 'none'"), ("broken", "expected a first line")])
+def test_a_lesson_that_is_none_is_told_with_all_there_are(lab, unread, key, says):
+    write(lab, broken="hello")
+    with pytest.raises(ArmlabError, match=says):
+        lesson(key)
+    assert module.lessons_read() is not None
+
+
 def test_two_who_ask_at_once_get_one_library(monkeypatch):
     made, begun = [], threading.Barrier(2)
 
     class Slow:
-        def __init__(self, folders, pause):
+        def __init__(self, folders, pause, readings):
             time.sleep(0.1)
             made.append(self)
 

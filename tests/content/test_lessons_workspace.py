@@ -19,6 +19,12 @@ def test_every_row_on_workspaces_is_taught():
     assert asked <= taught
 
 
+def test_where_the_hand_is_brought_on_the_ring_differs_with_the_variant():
+    for step in (1, 4):
+        solved = (lesson("workspace_2r", variant).steps[step - 1].solution[0].q for variant in range(8))
+        assert len({tuple(q.tolist()) for q in solved}) > 2
+
+
 def numbers(key, variant=0):
     """Return the right answers of the numeric questions of a lesson."""
     found = (step.question for step in lesson(key, variant).steps)

@@ -5,9 +5,10 @@ import threading
 
 import pytest
 
-from armlab.content import lessons as module
+from armlab.content import lesson_reading as module
 from armlab.content.lesson_folder import MOST_LESSONS, MOST_TEXT
-from armlab.content.lessons import MOST_VARIANTS, Library, lesson, lessons, library
+from armlab.content.lesson_reading import MOST_VARIANTS
+from armlab.content.lessons import Library, lesson, lessons, library
 from armlab.content.pictures import MOST_PICTURES
 from armlab.errors import ContentError, InputError, UnknownName
 from support.lesson_texts import RICH
@@ -219,7 +220,7 @@ def test_the_number_of_variants_kept_is_bounded(lab, monkeypatch):
     (lab / "rich.md").write_text(RICH, encoding="utf-8")
     found = Library([lab])
     first = found.lesson("rich", 1)
-    monkeypatch.setattr("armlab.content.lessons.MOST_VARIANTS", 3)
+    monkeypatch.setattr("armlab.content.lesson_reading.MOST_VARIANTS", 3)
     for number in range(2, 6):
         found.lesson("rich", number)
     assert found.lesson("rich", 5) is found.lesson("rich", 5)

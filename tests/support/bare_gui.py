@@ -94,6 +94,11 @@ class BareGui(Gui):
         """Some address."""
         return "http://127.0.0.1:8080"
 
+    @property
+    def reader(self) -> tuple[str, str]:
+        """Some browser."""
+        return "browser", "127.0.0.1"
+
     def save(self, name: str, content: str | bytes) -> None:
         """Save nothing."""
 

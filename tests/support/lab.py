@@ -31,7 +31,7 @@ def library_for_itself() -> Iterator[None]:
     """Let what is done to the library of this process pass with the end of the block; nothing is read twice for it."""
     shared = lessons_module._library
     own = copy(shared())
-    for name in ("_folders", "_entries", "_good", "_variants", "_courses", "_assignments"):
+    for name in ("_folders", "_entries", "_good", "_courses", "_assignments"):
         setattr(own, name, copy(getattr(own, name)))
     lessons_module._library = cache(lambda: own)
     lessons_module._library()

@@ -158,6 +158,7 @@ WORDS = Words(
         ),
         ('<i title="Undo: move joint 3">UR5</i>', '<i title="Annulla: muovi il giunto 3">UR5</i>'),
         ("<p>✓ 1 of 2 solutions, mm</p>", "<p>✓ 1 soluzioni su 2, mm</p>"),
+        ("<p>1 of 2 solutions,\u00a0°/s</p>", "<p>1 soluzioni su 2,\u00a0°/s</p>"),
         ("<p>Undo: PUMA</p>", "<p>Annulla: PUMA</p>"),
         ("<p>Both text nobody knows</p>", "<p>Both text nobody knows</p>"),
         ("<p>One &lt; two &amp; more</p>", "<p>Uno &gt; due &amp; altri</p>"),

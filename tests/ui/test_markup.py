@@ -12,7 +12,7 @@ from armlab.session.parts.welcome import LeaveWelcome
 from armlab.session.session import Redo, Session, Undo
 from armlab.ui import markup
 from armlab.ui.figure.drawn import Gallery
-from armlab.ui.html import styles
+from armlab.ui.html import styles, tag
 from armlab.ui.overlay import APART, FIRST_HINT, Overlay
 from armlab.ui.plugin import Panel, whole_panel, without_the_arm
 from support.forms import BareFields
@@ -58,6 +58,17 @@ def test_texts_stay_texts(made, attributes):
 def test_of_several_choices_one_is_chosen():
     assert markup.chips("c", {"a": "A", "b": "B"}, "b", "").count('aria-pressed="true">B') == 1
     assert markup.options({"a": "A", "b": "B"}, "b").endswith('</option><option value="b" selected>B</option>')
+
+
+def test_a_unit_stands_on_the_line_of_the_last_word_of_its_label():
+    mass = tags_of(markup.row(("mass of ", tag("b", "A"), ", rpm/s"), ""))[1]
+    assert mass == "mass of A,\u00a0rpm/s"
+    for label, said in (
+        ("Moves, °", "Moves,\u00a0°"),
+        ("x y mm, °/s² ", "x y mm,\u00a0°/s² "),
+        ("to, from", "to, from"),
+    ):
+        assert tags_of(markup.row(label, ""))[1] == said
 
 
 def test_a_page_without_the_arm_says_so_where_no_other_has_to_do_with_it():

@@ -8,11 +8,13 @@ import os
 import shutil
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from armlab.content.assignment import amiss, parse_assignment
 from armlab.content.course import misplaced, parse_course
+from armlab.content.guesses import Guesses
 from armlab.content.held import hold_lesson
 from armlab.content.lesson_folder import COURSE, ENDING, LESSON, MOST_LESSONS, OF_ASSIGNMENT
 from armlab.content.lessons import lessons
@@ -20,9 +22,6 @@ from armlab.content.upload import ASSIGNMENT, COURSE_KIND, LESSON_KIND, Upload
 from armlab.errors import InputError
 
 SHORTEST_KEY, LONGEST_KEY = 8, 100
-TRIES, PAUSE = 5.0, 5.0
-"""Number of wrong keys in a row, and seconds for each one after them."""
-
 BEFORE = ".before-"
 """Beginning of the name under which the file that was there is kept; hidden files are no lessons."""
 
@@ -40,30 +39,41 @@ class Desk:
     """
 
     def __init__(self, folder: Path, key: str, clock: Callable[[], float] = time.monotonic) -> None:
-        self._folder, self._key, self._clock = folder.resolve(), key.encode(), clock
-        self._wrong, self._at = 0.0, clock()
+        self._folder, self._key, self._guesses = folder.resolve(), key.encode(), Guesses(clock)
 
-    def let_in(self, said: str) -> None:
-        """Raise `InputError` unless this is the key; who guesses has to wait."""
-        now = self._clock()
-        self._wrong, self._at = max(0.0, self._wrong - (now - self._at) / PAUSE), now
-        if self._wrong >= TRIES:
+    def let_in(self, said: str, browser: str, address: str) -> None:
+        """Raise `InputError` unless this is the key; who guesses has to wait, and nobody else.
+
+        Parameters
+        ----------
+        said : str
+        browser, address : str
+            Token of the browser that says it, and where it comes from.
+        """
+        if self._guesses.must_wait(browser, address):
             raise InputError("Too many wrong keys were tried. Wait a little.")
         if not hmac.compare_digest(said.strip()[:LONGEST_KEY].encode("utf-8", "replace"), self._key):
-            self._wrong += 1.0
+            self._guesses.note(browser, address)
             raise InputError("This is not the key of the teacher.")
 
-    def put(self, upload: Upload) -> str:
+    def put(self, upload: Upload, loaded: Mapping[str, str] = MappingProxyType({})) -> str:
         """Put a file into the folder; return its name there. The one that was there is kept as a hidden file.
+
+        Parameters
+        ----------
+        upload : Upload
+        loaded : mapping of str to str
+            Files of the lessons that whoever puts it there has loaded, by their names in a course.
 
         Raises
         ------
         ContentError
             It cannot be used: nothing changes.
         InputError
-            A lesson elsewhere has its name, the folder is full, or it cannot be written.
+            A lesson elsewhere has its name, a lesson of a course is not there for everybody, the folder is full, or it
+            cannot be written.
         """
-        _refuse_unusable(upload)
+        _refuse_unusable(upload, loaded)
         if len(list(self._folder.iterdir())) >= 2 * MOST_LESSONS:
             raise InputError(f"{upload.file}: the folder of the lessons is full")
         name = COURSE if upload.kind == COURSE_KIND else upload.file.partition("/")[0]
@@ -127,8 +137,8 @@ class Desk:
         there.replace(kept)
 
 
-def _refuse_unusable(upload: Upload) -> None:
-    """Raise `ContentError` where a file cannot be used by everybody, with what is there for everybody."""
+def _refuse_unusable(upload: Upload, loaded: Mapping[str, str]) -> None:
+    """Raise `ContentError` or `InputError` where a file cannot be used with what is there for everybody."""
     there = lessons()
     known = {*there.lessons, *there.broken}
     if upload.kind == LESSON_KIND:
@@ -139,6 +149,10 @@ def _refuse_unusable(upload: Upload) -> None:
             raise problem
     elif upload.kind == COURSE_KIND:
         course = parse_course("", upload.text, upload.file)
+        own = [key for key in course.lessons if key in loaded and key not in known]
+        if own:
+            files, them = ", ".join(loaded[key] for key in own), "it" if len(own) == 1 else "them"
+            raise InputError(f"{upload.file}: only you see {files} so far; put {them} there for everybody first")
         for error in misplaced(course, upload.text, upload.file, known, there.needs):
             raise error
     else:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import logging
 import time
-from collections import OrderedDict
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib.resources.abc import Traversable
 from pathlib import Path
@@ -18,29 +16,28 @@ from armlab.content.assignments import AssignmentFiles
 from armlab.content.course import Chapter, Course, amiss, by_chapters, ordered, sound
 from armlab.content.courses import CourseFiles
 from armlab.content.folder import Folder
-from armlab.content.held import held_assignment, held_lesson, named
+from armlab.content.held import held_assignment, held_lesson
 from armlab.content.lesson import Lesson as Lesson
 from armlab.content.lesson import Step as Step
 from armlab.content.lesson_file import parse_lesson as parse_lesson
-from armlab.content.lesson_folder import Source, Stamp, sources_of
+from armlab.content.lesson_folder import Source, lesson_of, sources_of
 from armlab.content.lesson_head import front_line
 from armlab.content.lesson_lines import LessonError
-from armlab.content.robots import Catalogue
+from armlab.content.lesson_reading import Good, Reading, Readings
+from armlab.content.robots import KEY, Catalogue
 from armlab.errors import ContentError, InputError, UnknownName
 from armlab.registry import known_name
 
-log = logging.getLogger(__name__)
-
 _READING = Lock()
+
+_READINGS = Readings()
+"""The lab's lessons that have been read, alone or with all others."""
 
 _NEEDED = Event()
 """Set when somebody waits for the lessons."""
 
 GIVING_WAY = 1.0
 """Pause after each lesson that is read before anybody needs it, in times of what its reading took."""
-
-MOST_VARIANTS = 256
-"""Number of variants of lessons that are kept: a class of this size reads none twice."""
 
 PROBLEM_SETS = "problem_sets"
 """Folder of the lab's own assignments and their lessons, within that of its lessons."""
@@ -142,25 +139,6 @@ class Lessons(Folder[Lesson]):
         return super().__getitem__(key)
 
 
-@dataclass(frozen=True)
-class _Good:
-    """The last readable version of a lesson, and its source."""
-
-    lesson: Lesson
-    text: str
-    pictures: Mapping[str, str] | None
-
-
-@dataclass(frozen=True)
-class _Entry:
-    """The content of the files of one lesson."""
-
-    stamp: Stamp
-    file: str
-    content: tuple[str, Mapping[str, str] | None] | None
-    problem: ContentError | None
-
-
 class Library:
     """Folders of lessons. A broken file is reported and disturbs nothing else.
 
@@ -174,6 +152,8 @@ class Library:
         The robots there are; those of the lab when left out.
     pause : callable, optional
         Called after each lesson of the first reading with the processor time that it took, seconds.
+    readings : Readings, optional
+        What has been read of them already, and where it is kept what is read.
     """
 
     def __init__(
@@ -181,13 +161,14 @@ class Library:
         folders: Iterable[Traversable],
         catalogue: Catalogue | None = None,
         pause: Callable[[float], object] | None = None,
+        readings: Readings | None = None,
     ) -> None:
-        self._catalogue, self._pause = catalogue, pause
+        self._pause = pause
+        self._readings = Readings(catalogue) if readings is None else readings
         self._folders: list[tuple[Traversable, str]] = []
         self._lock = RLock()
-        self._entries: dict[str, _Entry] = {}
-        self._good: dict[str, _Good] = {}
-        self._variants: OrderedDict[tuple[str, str, int], Lesson] = OrderedDict()
+        self._entries: dict[str, Reading] = {}
+        self._good: dict[str, Good] = {}
         self._courses, self._assignments = CourseFiles(), AssignmentFiles()
         self._said: list[str] = []  # problems of the folders themselves
         self._lessons = Lessons({}, ())
@@ -215,18 +196,8 @@ class Library:
         if variant == 0 or not first.varies:
             return first
         with self._lock:
-            good = self._good[key] if held is None else _Good(first, held.upload.text, held.upload.pictures)
-            place = (key, good.lesson.digest, variant)
-            if place in self._variants:
-                self._variants.move_to_end(place)
-                return self._variants[place]
-        found = parse_lesson(named(key), good.text, good.lesson.file, self._catalogue, variant, good.pictures)
-        found = replace(found, key=key)
-        with self._lock:
-            self._variants[place] = found
-            while len(self._variants) > MOST_VARIANTS:
-                self._variants.popitem(last=False)
-        return found
+            good = self._good[key] if held is None else Good(first, held.upload.text, held.upload.pictures)
+        return self._readings.variant(key, good, variant)
 
     def add_folder(self, path: Path) -> frozenset[str]:
         """Add a teacher's folder of lessons and return the keys that came with it; none replaces one there is.
@@ -251,16 +222,18 @@ class Library:
         read when no file has another time or size.
         """
         with self._lock:
-            found: dict[str, _Entry] = {}
+            found: dict[str, Reading] = {}
             problems: list[ContentError] = []
             changed: set[str] = set()
             for source in self._sources(problems):
                 began = time.thread_time()
-                entry = self._looked_at(source)
+                entry = self._readings.read(source)
+                if entry.good is not None:
+                    self._good[source.key] = entry.good
                 if self._pause is not None:
                     self._pause(time.thread_time() - began)
                 found[source.key] = entry
-                if _differ(entry, self._entries.get(source.key)):
+                if entry.differs(self._entries.get(source.key)):
                     changed.add(source.key)
             changed |= self._entries.keys() - found.keys()
             self._entries = found
@@ -283,28 +256,6 @@ class Library:
                     problem = f"the lesson {source.key!r} is there already, in {place}; rename this one"
                     problems.append(ContentError(source.file, "", problem))
         return list(chosen.values())
-
-    def _looked_at(self, source: Source) -> _Entry:
-        """Return the content of the files of a lesson, or the previous one when they are unchanged."""
-        before = self._entries.get(source.key)
-        if before is not None and (before.stamp, before.file) == (source.stamp, source.file):
-            return before
-        content = None
-        try:
-            content = source.read()
-            if before is not None and (before.content, before.file) == (content, source.file):
-                return replace(before, stamp=source.stamp)
-            lesson = parse_lesson(source.key, content[0], source.file, self._catalogue, 0, content[1])
-        except ContentError as error:
-            return _Entry(source.stamp, source.file, content, error)
-        except Exception as error:
-            # A mistake in our reading: it belongs into the log, and the class still gets the other files.
-            log.exception("%s cannot be read", source.file)
-            return _Entry(
-                source.stamp, source.file, content, ContentError(source.file, "", f"cannot be used: {error!r}")
-            )
-        self._good[source.key] = _Good(lesson, *content)
-        return _Entry(source.stamp, source.file, content, None)
 
     def _listed(self, problems: list[ContentError]) -> Lessons:
         there = {key: good.lesson for key, good in self._good.items() if key in self._entries}
@@ -334,10 +285,6 @@ class Library:
         return (LessonError(good.lesson.file, "after", each, front_line(good.text, "after")) for each in said)
 
 
-def _differ(entry: _Entry, before: _Entry | None) -> bool:
-    return before is None or replace(entry, stamp=()) != replace(before, stamp=())
-
-
 def library() -> Library:
     """Return the library of this process, which begins with the lessons that come with the lab.
 
@@ -361,7 +308,7 @@ def read_unhurried() -> None:
 
 @cache
 def _library() -> Library:
-    return Library(folders_of_the_lab(), pause=lambda took: _NEEDED.wait(GIVING_WAY * took))
+    return Library(folders_of_the_lab(), pause=lambda took: _NEEDED.wait(GIVING_WAY * took), readings=_READINGS)
 
 
 def folders_of_the_lab() -> list[Traversable]:
@@ -381,8 +328,21 @@ def lessons_read() -> Lessons | None:
 
 
 def lesson(key: str, variant: int = 0) -> Lesson:
-    """Return a lesson with the values of a variant; see `Library.lesson`."""
-    return library().lesson(key, variant)
+    """Return a lesson with the values of a variant; see `Library.lesson`.
+
+    While not all lessons of the lab have been read, one of them is read alone: nobody waits seconds for the others.
+    """
+    good = None if _library.cache_info().currsize else _alone(key)
+    return library().lesson(key, variant) if good is None else _READINGS.variant(key, good, variant)
+
+
+def _alone(key: str) -> Good | None:
+    """Return a lesson of the lab without any other; None for what is none or cannot be used, as all together tell."""
+    known = _READINGS.known(key)
+    if known is not None or not KEY.match(key):
+        return known
+    source = lesson_of(folders_of_the_lab()[0], key)
+    return None if source is None else _READINGS.read(source).good
 
 
 def add_folder(path: Path) -> frozenset[str]:

@@ -36,12 +36,15 @@ NUMBER = re.compile(
 HELD = re.compile(r"\{(\d+)\}|<(/?)(\d+)(/?)>")
 """A stand-in of a number or an element."""
 
+UNIT = r"(?:°|mm|cm|m|rad|s|%|N|W|V|A|Hz|N m|mm²|m²|rpm)(?:/s[²³]?|/mm|/min)?"
+"""Pattern of a unit behind a text."""
+
 _NAMED = re.compile(r"\{([a-z_]+)\}")
 _WORD = re.compile(r"[A-Za-zÀ-ÿ]{2,}")
 _AROUND = re.compile(
     r"((?:<\d+/>|[^\w<{(“\[⟨∂ẋ]+ |\s)*)"
     r"(.*?)"
-    r"((?:<\d+/>|\s|,? (?:in )?(?:°|mm|cm|m|rad|s|%|N|W|V|A|Hz|N m|mm²|m²|rpm)(?:/s[²³]?|/mm|/min)?|[…:›]| \.\.\.)*)",
+    rf"((?:<\d+/>|\s|,?[ \u00a0](?:in )?{UNIT}|[…:›]| \.\.\.)*)",
     re.DOTALL,
 )
 _AXES = re.compile("[xyz]+")

@@ -210,6 +210,7 @@ class Front:
         # The Origin is one that was compared with the host: what people type to get here.
         origin = request.headers["Origin"]
         headers = {"X-Armlab-Token": token, "X-Armlab-Secret": self._secret, "X-Armlab-Origin": origin}
+        headers |= {"X-Armlab-Address": request.remote or ""}
         wish = self._wishes.take(token)
         if wish is not None:
             headers["X-Armlab-Wish"] = wish

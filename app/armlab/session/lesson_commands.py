@@ -66,7 +66,7 @@ class OpenLesson(Command):
 
     def _refuse_in_assignment(self, part: LessonPart) -> None:
         refuse_in_assignment(part)
-        if not lessons()[self.key].listed and not is_held(self.key):
+        if not at_place(self.key).listed and not is_held(self.key):
             raise InputError(f"The lesson {self.key!r} belongs to an assignment, and is opened with it.")
 
     def _refuse_of_others(self, state: State) -> None:
@@ -77,7 +77,7 @@ class OpenLesson(Command):
     def _place(self, part: LessonPart) -> str:
         if self.variant is not None and not 0 <= self.variant <= MOST_VARIANT:
             raise InputError(f"variant: expected 0 to {MOST_VARIANT}, got {self.variant}")
-        if self.variant is not None or not lessons()[self.key].varies:
+        if self.variant is not None or not at_place(self.key).varies:
             return place_of(self.key, self.variant or 0)
         known = (place for place in reversed(list(part.progress_of)) if place.startswith(f"{self.key}/"))
         return next(known, place_of(self.key, part.number))

@@ -32,7 +32,7 @@ TOKEN_HEADER = "X-Armlab-Token"
 WISH_HEADER = "X-Armlab-Wish"
 ASKED_HEADER, LANGUAGE_HEADER = "X-Armlab-Asked", "X-Armlab-Language"
 SECRET_HEADER = "X-Armlab-Secret"
-ORIGIN_HEADER = "X-Armlab-Origin"
+ORIGIN_HEADER, ADDRESS_HEADER = "X-Armlab-Origin", "X-Armlab-Address"
 
 CLOSING = 0.5
 """Time for the orderly end of a connection to the front, which runs on the same computer, seconds. Messages of a page
@@ -132,10 +132,10 @@ def speak(client: viser.ClientHandle, door: Door) -> None:
     connection._handle_incoming_message = heard
 
 
-def origin_of(client: viser.ClientHandle) -> str:
-    """Return the address under which a page knows the lab, such as ``http://lab:8080``; empty if it is closed."""
+def said_by_front(client: viser.ClientHandle, header: str) -> str:
+    """Return what the front says of a page in a header; empty if the page is closed, or without that header."""
     headers = request_headers(client._viser_server, client) or {}
-    return next((value for name, value in headers.items() if name.lower() == ORIGIN_HEADER.lower()), "")
+    return next((value for name, value in headers.items() if name.lower() == header.lower()), "")
 
 
 def gui_id(handle: Any) -> str:

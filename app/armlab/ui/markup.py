@@ -5,12 +5,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
+from armlab.content.words import UNIT
 from armlab.ui.html import Inside, Markup, classes, joined, tag
 
 SIGNS = {"ok": "✓", "warn": "◐", "todo": "◐", "no": "✕"}
 """Signs of the kinds of verdict, because no meaning is carried by a colour alone."""
+
+_BEFORE_UNIT = re.compile(rf", (?={UNIT}\s*\Z)")
 
 
 def button(
@@ -114,13 +118,27 @@ def area(channel: str, cell: str, value: str, label: str, lines: int, **more: st
     return tag("textarea.field", value, rows=lines, spellcheck="false", **named, data_chan=channel, data_cell=cell)
 
 
+def unparted(label: Inside) -> Inside:
+    """Return the label of a field with its unit on the line of the last word, however narrow the column is.
+
+    >>> unparted("Moves, °")
+    'Moves,\\xa0°'
+    """
+    if label is None or isinstance(label, Markup):
+        return label
+    if isinstance(label, str):
+        return _BEFORE_UNIT.sub(",\u00a0", label)
+    parts = [*label]
+    return [*parts[:-1], *(unparted(last) for last in parts[-1:])]
+
+
 def row(label: Inside, inside: Inside, wide: bool = False, cells: bool = False, hint: str = "") -> Markup:
     """Return a line of controls after a label.
 
     ``wide`` leaves room for a long label; ``cells`` keeps fields of equal width on one line.
     """
     around = tag("div.cells" if cells else "div", inside)
-    return tag(classes("div.row", wide=wide), tag("span", label), around, title=hint or None)
+    return tag(classes("div.row", wide=wide), tag("span", unparted(label)), around, title=hint or None)
 
 
 def progress_bar(done: float) -> Markup:

@@ -187,7 +187,15 @@ class Gui:
     @property
     def origin(self) -> str:
         """The address under which this browser knows the lab, without a slash at its end."""
-        return adapter.origin_of(self._client)
+        return adapter.said_by_front(self._client, adapter.ORIGIN_HEADER)
+
+    @property
+    def reader(self) -> tuple[str, str]:
+        """The token of this browser, and the address that it comes from."""
+        return (
+            adapter.said_by_front(self._client, adapter.TOKEN_HEADER),
+            adapter.said_by_front(self._client, adapter.ADDRESS_HEADER),
+        )
 
     def clear(self, linger: bool = False) -> None:
         """Remove all controls; if they linger, a button pressed just before still works."""

@@ -5,6 +5,7 @@ import re
 import pytest
 
 from armlab.benches.lessons.author.ui.asked import MOST
+from armlab.content.guesses import TRIES
 from armlab.content.lesson_file import parse_lesson
 from support.fake_browser import cookie_of
 from support.lab import running_lab
@@ -89,6 +90,20 @@ def test_questions_are_written_on_the_page_and_saved_with_the_lesson(url):
         await browser.press("ask-remove 0")
         await browser.until(lambda: "0.25 ± 0.01 m" not in browser.html())
         await browser.close()
+
+    run(main())
+
+
+def test_the_teacher_does_not_wait_for_those_who_guess(url):
+    async def main():
+        guesser, teacher = await at_the_page(url), await at_the_page(url)
+        for k in range(TRIES + 2):
+            await guesser.press("teacher-key", f"wrong key {k}")
+        await guesser.until(lambda: "Too many wrong keys were tried" in refusal(guesser))
+        await teacher.press("teacher-key", KEY)
+        await teacher.until(lambda: 'data-cell="teacher-key"' not in teacher.html())
+        await guesser.close()
+        await teacher.close()
 
     run(main())
 

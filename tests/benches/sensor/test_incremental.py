@@ -17,6 +17,7 @@ from armlab.benches.sensor.incremental.ui.page import read_moves
 from armlab.benches.sensor.incremental.ui.scene import heads, levels
 from armlab.benches.sensor.incremental.ui.signals import MOST_SEEN, large, signals, span_of
 from armlab.benches.sensor.incremental.ui.words import state_markup, verdict
+from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.sensors.absolute import TURN
@@ -49,6 +50,14 @@ def example(key):
 
 def counts(state):
     return dict(zip(DECODERS, fact(state, "counts"), strict=True))
+
+
+def test_the_lesson_asks_what_is_counted_at_the_other_edge_of_the_window():
+    asked = next(step for step in lesson("incremental_encoder").steps if step.title == "Trembling at an edge").question
+    here = example("trembling")
+    there = apply(here, Set(Incremental, "start", here[Incremental].start + 0.5 * TURN / here[Incremental].pulses))
+    assert asked.judge(str(counts(there)["rising"])).right
+    assert not asked.judge(str(counts(here)["rising"])).right
 
 
 def test_the_examples_count_as_their_sentences_say():

@@ -291,7 +291,7 @@ def place_of(key: str, variant: int) -> str:
     UnknownName, ContentError
         There is no such lesson, or it cannot be used.
     """
-    return f"{key}/{variant}" if lessons()[key].varies else key
+    return f"{key}/{variant}" if lesson(key).varies else key
 
 
 def where_in(assignment: str, place: str) -> str:

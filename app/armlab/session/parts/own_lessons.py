@@ -13,6 +13,7 @@ from typing import ClassVar, Self
 from armlab.content.assignment import amiss
 from armlab.content.course import Chapter, Course, parse_course
 from armlab.content.held import HeldAssignment, HeldLesson, hold_assignment, hold_lesson
+from armlab.content.lesson import Lesson
 from armlab.content.lesson_folder import COURSE
 from armlab.content.lessons import lessons
 from armlab.content.robots import Robot
@@ -82,6 +83,11 @@ class OwnLessons(Part):
             except (ContentError, InputError) as error:
                 problems[upload.file] = error
         return replace(self, files=ordered, held=MappingProxyType(held), problems=MappingProxyType(problems))
+
+    @property
+    def lessons(self) -> dict[str, Lesson]:
+        """The lessons among them that can be used, by the names under which a course or an assignment has them."""
+        return {each.upload.name: each.lesson for each in self.held.values() if isinstance(each, HeldLesson)}
 
     def holds(self, key: str) -> bool:
         """Return whether a lesson or an assignment with this key is one of them."""

@@ -13,6 +13,7 @@ from typing import Any
 
 import viser
 
+from armlab.content.lessons import Lessons, lessons_read
 from armlab.session.assignment_commands import LookAtClock
 from armlab.session.clock import now
 from armlab.session.parts.lesson import LessonPart
@@ -50,7 +51,7 @@ class LessonDock:
         self._open = ""
         self._ends: float | None = None
         self._timer: asyncio.TimerHandle | None = None
-        self._shown: State | None = None
+        self._shown: tuple[State, Lessons | None] | None = None
 
     def open(self, state: State) -> bool:
         """Make or remove the dock for the state; return whether the lesson has changed or closed."""
@@ -67,8 +68,9 @@ class LessonDock:
         """Show a state in the dock, if the dock exists."""
         if self._page is None or not state[LessonPart].open:
             return
-        if state is not self._shown or self._page.stale:
-            self._shown = state
+        found, shown = lessons_read(), self._shown  # the page tells of other lessons, too
+        if shown is None or shown[0] is not state or shown[1] is not found or self._page.stale:
+            self._shown = state, found
             try:
                 self._page.show(state)
             except Exception:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_head import time_said
-from armlab.content.lessons import Lessons, lessons
+from armlab.content.lessons import Lessons, lessons_read
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.way import Way
@@ -19,11 +19,11 @@ def with_end(form: Form, lesson: Lesson, part: LessonPart, foot: Markup) -> Mark
     """Return the foot of the last step with the lesson that comes next.
 
     That is a main button when all steps are done, with what one can do now; until then it stands below the foot, and
-    can be pressed all the same.
+    can be pressed all the same. Which one it is nobody knows until all lessons have been read.
     """
     done = len(part.progress.passed(lesson)) == len(lesson.steps)
-    there = lessons()
-    onward = _onward(form, Way.of(part, there), there, done)
+    there = lessons_read()
+    onward = None if there is None else _onward(form, Way.of(part, there), there, done)
     return joined(_can_now(lesson.can), onward, foot) if done else joined(foot, onward)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from armlab.content.lessons import Lesson, lessons
+from armlab.content.lessons import Lesson, lessons_read
 from armlab.content.question import Choices
 from armlab.content.question import Form as Answered
 from armlab.errors import InputError
@@ -161,14 +161,18 @@ def _variant(part: LessonPart, text: str) -> OpenLesson:
 
 
 def _choice(form: Form, lesson: Lesson, course: str, anew: Callable[[], Wish]) -> Markup:
-    """Return the list of lessons by chapter of the course that is shown, with the buttons beside it."""
-    there = lessons().lessons
+    """Return the list of lessons by chapter of the course that is shown, with the buttons beside it.
+
+    Until all lessons have been read it has the open one alone.
+    """
+    found = lessons_read()
+    chapters = () if found is None else found.chapters(course)
+    titles = {} if found is None else {key: each.title for key, each in found.lessons.items()}
     groups: dict[str, dict[str, str]] = {}
-    chapters = lessons().chapters(course)
     if lesson.key not in {key for chapter in chapters for key in chapter.lessons}:
         groups[""] = {lesson.key: lesson.title}  # it is of another course, or its file was taken away
     for chapter in chapters:
-        groups.setdefault(chapter.title, {}).update({key: there[key].title for key in chapter.lessons})
+        groups.setdefault(chapter.title, {}).update({key: titles[key] for key in chapter.lessons})
     again, close = "Begin this lesson again", "Close the lesson"
     return tag(
         "div.lesson-head",

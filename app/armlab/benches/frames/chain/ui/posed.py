@@ -67,7 +67,7 @@ def _row(
 
         return form.field(f"{cell} {k}", units.entry(float(values[k]), turns), f"{name} in {unit}", taken)
 
-    return row((label, ", ", unit), [field(k, name) for k, name in enumerate(names)], wide=True, cells=True)
+    return row((label, f", {unit}"), [field(k, name) for k, name in enumerate(names)], wide=True, cells=True)
 
 
 def matrix_fields(

@@ -15,7 +15,7 @@ from armlab.session.state import Command, State
 from armlab.ui.form import Form
 from armlab.ui.format import components, number, pairs, readable
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.markup import fold, row, verdict_box
+from armlab.ui.markup import fold, row, unparted, verdict_box
 from armlab.ui.units import Units, typed_numbers, units_of
 
 AXES = ("x", "y", "z")
@@ -67,12 +67,12 @@ def screw_form(form: Form, state: State) -> Inside:
     fields = (
         tag(
             "label",
-            f"angle, {units.angle_unit} ",
+            unparted(f"angle, {units.angle_unit} "),
             form.field("screw angle", units.entry(angle, True), "Angle about the axis", turned),
         ),
         tag(
             "label",
-            f"along it, {units.length_unit} ",
+            unparted(f"along it, {units.length_unit} "),
             form.field("screw distance", units.entry(distance, False), "Distance along the axis", slid),
         ),
     )

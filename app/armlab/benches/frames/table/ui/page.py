@@ -28,7 +28,7 @@ from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.markup import verdict_box
+from armlab.ui.markup import unparted, verdict_box
 from armlab.ui.matrices import MatrixView
 from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.units import Units, units_of
@@ -80,7 +80,7 @@ def _table(form: Form, state: State) -> Inside:
     return (
         tag("h3", "The table {T} in the world ", tag("span.copies", tag("small", "handle at the "), chips)),
         length_row(form, "table", "x y z", corner_of(state), units, SetTable),
-        tag("div.kit-numbers", tag("label", f"turned about z, {units.angle_unit} ", turn)),
+        tag("div.kit-numbers", tag("label", unparted(f"turned about z, {units.angle_unit} "), turn)),
     )
 
 
@@ -104,8 +104,8 @@ def _object(form: Form, state: State) -> Inside:
         ),
         tag(
             "div.kit-numbers",
-            tag("label", f"h, {units.length_unit} ", height),
-            tag("label", f"about z of the tool, {units.angle_unit} ", spin),
+            tag("label", unparted(f"h, {units.length_unit} "), height),
+            tag("label", unparted(f"about z of the tool, {units.angle_unit} "), spin),
         ),
     )
 

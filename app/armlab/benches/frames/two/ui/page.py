@@ -30,7 +30,7 @@ from armlab.ui.examples import examples
 from armlab.ui.eye import Facing
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.markup import row
+from armlab.ui.markup import row, unparted
 from armlab.ui.matrices import MatrixView
 from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.units import Units, units_of
@@ -87,8 +87,8 @@ def _robot_b(form: Form, state: State) -> Inside:
     length = form.field("link", units.entry(part.link, False), "Length of the links of B", link)
     turn = form.field("between", units.entry(part.between, True), "Angle from the tool of A to that of B", between)
     fields = (
-        tag("label", f"links, {units.length_unit} ", length),
-        tag("label", f"EA to EB, {units.angle_unit} ", turn),
+        tag("label", unparted(f"links, {units.length_unit} "), length),
+        tag("label", unparted(f"EA to EB, {units.angle_unit} "), turn),
     )
     handle = [_handle(form, part, key) for key in ROBOTS]
     return (

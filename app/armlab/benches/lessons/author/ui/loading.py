@@ -42,6 +42,7 @@ class Loading:
 
     def __init__(self, gui: Gui, post: Post) -> None:
         gui.heading("Load, and see it as a student")
+        self._gui = gui
         self._form, self._more = gui.form(post, MOST_SENT), gui.form(post, MOST_SENT)
         self._pasted, self._given = "", ""
 
@@ -129,10 +130,17 @@ class Loading:
         if desk() is None or state[Teacher].let_in:
             return None
         field = self._more.field(
-            "teacher-key", "", "Key of the teacher", _let_in, inputmode="", type="password", maxlength="100"
+            "teacher-key", "", "Key of the teacher", self._let_in, inputmode="", type="password", maxlength="100"
         )
         says = "With the key that the lab was started with, what you load can be put there for everybody."
         return fold("Load for everybody", tag("p", says), row("Key", field), key="key")
+
+    def _let_in(self, text: str) -> Wish:
+        found = desk()
+        if found is None or not text:
+            return ()
+        found.let_in(text, *self._gui.reader)
+        return LetIn()
 
 
 def _load(said: str) -> Wish:
@@ -144,14 +152,6 @@ def _load(said: str) -> Wish:
 
 def _look(key: str, lesson: bool) -> Command:
     return PreviewLesson(key, PAGE) if lesson else PreviewAssignment(key, PAGE)
-
-
-def _let_in(text: str) -> Wish:
-    found = desk()
-    if found is None or not text:
-        return ()
-    found.let_in(text)
-    return LetIn()
 
 
 def _title(held: Held) -> str:
