@@ -115,7 +115,7 @@ def open_ours(context: BrowserContext, url: str, window: tuple[int, int]) -> tup
 
 
 def open_bare(context: BrowserContext, url: str, window: tuple[int, int]) -> tuple[Page, str]:
-    page = context.new_page()
+    page = new_page(context, painted=not TINY)
     page.set_viewport_size({"width": window[0], "height": window[1]})
     page.goto(url)
     page.wait_for_function("() => window.__viserMutable?.nodeRefFromName?.['/arm/0/1/2/3/4/5/body']")

@@ -60,6 +60,7 @@ class Tab:
         self._container, self._gui, self._post = container, make_gui(), post
         self._gui.again = self._show_again
         self._head: Form | None = None
+        self._headed: tuple[str, frozenset[str]] | None = None
         self._window, self._page_of = window, page_of
         self._show: Show | None = None
         self._shown: State | None = None
@@ -74,9 +75,10 @@ class Tab:
 
     def show_head(self, state: State) -> None:
         """Show the pages of the tab in a state, with the present one marked."""
-        if self._head is None:
+        headed = stands, hidden = self._page_of(state), hidden_panels(state)
+        if self._head is None or headed == self._headed:
             return
-        stands, hidden = self._page_of(state), hidden_panels(state)
+        self._headed = headed
         pages = [
             self._head.button(
                 key,

@@ -104,7 +104,6 @@ class View:
         self._closed = False
         self._first = first_window(session.state)
         self._asked = 0
-        self._headed: tuple[Window, frozenset[str]] | None = None
 
     def build(self) -> Generator[None, None, None]:
         """Build the page in pieces of a millisecond or two; the browser gets it when it is complete."""
@@ -171,11 +170,8 @@ class View:
 
     def _show_heads(self, state: State) -> None:
         """Show the pages of each tab, with the present one marked."""
-        headed = self._window(state), hidden_panels(state)
-        if headed != self._headed:
-            self._headed = headed
-            for tab in self._tabs.values():
-                tab.show_head(state)
+        for tab in self._tabs.values():
+            tab.show_head(state)
 
     def _show_overlay(self) -> None:
         window = self._window(state := self.session.state)
