@@ -10,6 +10,7 @@ from __future__ import annotations
 import importlib
 import pkgutil
 from collections.abc import Iterable, Iterator
+from functools import cache
 from types import ModuleType
 from typing import Any, TypeVar
 
@@ -87,26 +88,30 @@ def _with_role(role: str) -> Iterator[str]:
     folder, _, word = role.rpartition(".")
     for page in bench_pages():
         where = _within(page, folder)
-        for info in pkgutil.iter_modules(importlib.import_module(where).__path__) if where else ():
-            if info.name == word or info.name.startswith(f"{word}_"):
-                yield f"{where}.{info.name}"
+        for name in _inside(where) if where else ():
+            if name == word or name.startswith(f"{word}_"):
+                yield f"{where}.{name}"
 
 
 def _within(page: str, folder: str) -> str:
     """Return the name of a sub-package of a page, or of the page itself; empty where there is none such."""
     if not folder:
         return page
-    there = pkgutil.iter_modules(importlib.import_module(page).__path__)
-    return f"{page}.{folder}" if folder in {info.name for info in there} else ""
+    return f"{page}.{folder}" if folder in _inside(page) else ""
+
+
+@cache
+def _inside(package: str) -> dict[str, bool]:
+    """Return the names of the modules of a package, and whether each is a package; its folder is looked at once."""
+    return {info.name: info.ispkg for info in pkgutil.iter_modules(importlib.import_module(package).__path__)}
 
 
 def bench_pages() -> Iterator[str]:
     """Yield the names of the packages of all pages, such as ``armlab.benches.robot.table``."""
-    benches = importlib.import_module(BENCHES)
-    for tab in pkgutil.iter_modules(benches.__path__, f"{BENCHES}."):
-        for page in pkgutil.iter_modules(importlib.import_module(tab.name).__path__, f"{tab.name}."):
-            if page.ispkg:
-                yield page.name
+    for tab in _inside(BENCHES):
+        for page, is_package in _inside(f"{BENCHES}.{tab}").items():
+            if is_package:
+                yield f"{BENCHES}.{tab}.{page}"
 
 
 def _public(package: ModuleType) -> Iterator[str]:

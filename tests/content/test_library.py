@@ -57,6 +57,15 @@ def test_the_lessons_of_the_lab_are_there():
         lesson("frist_arm")
 
 
+def test_a_variant_is_there_while_the_files_are_looked_at():
+    with library()._lock:
+        seen = []
+        reader = threading.Thread(target=lambda: seen.append(library().lesson("first_arm", 3).variant))
+        reader.start()
+        reader.join(10.0)
+        assert seen == [3]
+
+
 def test_a_broken_lesson_disturbs_no_other(lab):
     (lab / "broken.md").write_text("nothing", encoding="utf-8")
     (lab / "binary.md").write_bytes(b"\xff\xfe\x00")

@@ -8,6 +8,7 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.errors import UnknownName
+from armlab.front.wishes import refused
 from armlab.session.bench import benches, page_of, robot_of
 from armlab.session.errata_links import LookUp
 from armlab.session.example_links import LookAt
@@ -88,6 +89,8 @@ def test_a_link_to_an_example_puts_it_in_place_and_opens_its_page():
     with pytest.raises(UnknownName, match="triangle"):
         done(state, LookAt("laws/triangel"))
     assert {page_of(f"{bench.key}/{next(iter(bench.examples))}") for bench in benches().values()} <= set(pages())
+    names = [(bench.key, key) for bench in benches().values() for key in bench.examples]
+    assert [name for name in names if refused({"name": name[0], "example": name[1]}) is not None] == []
 
 
 def test_the_link_of_a_lesson_that_waits_leads_back_to_it():

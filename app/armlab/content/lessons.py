@@ -195,8 +195,8 @@ class Library:
         first, held = self._lessons[key], held_lesson(key)
         if variant == 0 or not first.varies:
             return first
-        with self._lock:
-            good = self._good[key] if held is None else Good(first, held.upload.text, held.upload.pictures)
+        # Without the lock, which is held while files are looked at: the page waits for this.
+        good = self._good[key] if held is None else Good(first, held.upload.text, held.upload.pictures)
         return self._readings.variant(key, good, variant)
 
     def add_folder(self, path: Path) -> frozenset[str]:

@@ -137,7 +137,7 @@ def _frames(scenario: Scenario, server: viser.ViserServer) -> Iterator[float]:
     drawn = Drawn(figure, figure.glbs(), [])
     # A server draws as a client does; here nobody can hand in commands.
     canvas = Canvas(cast(viser.ClientHandle, server), drawn, lambda command: None, poses[0], 0)
-    start = state.replace(state[Joints].moved_to(poses[0]), Timeline.initial(state[RobotPart].robot))
+    start = state.replace(state[Joints].freed_at(poses[0]), Timeline.initial(state[RobotPart].robot))
     for layer in (stage.LAYER, arm_layer.LAYER):
         layer.build(LayerCanvas(canvas), start)(start)
     _draw_way(server, canvas, np.asarray(arm.position(poses), dtype=np.float64))

@@ -22,7 +22,7 @@ from armlab.session.parts.target import Target
 from armlab.session.session import Session
 from armlab.session.state import Command, State
 from armlab.ui import commands
-from armlab.ui.camera import Camera
+from armlab.ui.camera import Camera, Wish
 from armlab.ui.canvas import Canvas
 from armlab.ui.colours import BLUE
 from armlab.ui.figure.drawn import Drawn, Gallery
@@ -81,9 +81,7 @@ class View:
     ) -> None:
         self.client, self.post = client, post
         self.session: Session = session
-        self.camera: Camera = Camera(
-            client, lambda: session.state[Joints].q, lambda: wish_of(session.state, self._opened(session.state))
-        )
+        self.camera: Camera = Camera(client, lambda: self._present[Joints].q, self._wish)
         self._gallery, self._pace = gallery, pace
         self._loop = asyncio.get_running_loop()
         self._canvas: Canvas | None = None
@@ -248,6 +246,15 @@ class View:
             self._notices.elsewhere(lesson)
         home = None if lesson is None else lesson.camera
         self.camera.make_room(lesson is not None, home, state[LessonPart].bench)
+
+    @property
+    def _present(self) -> State:
+        """The state that the scene shows; that of the session becomes another one in the middle of a look at it."""
+        return self.session.state if self._shown is None else self._shown
+
+    def _wish(self) -> Wish:
+        state = self._present
+        return wish_of(state, self._opened(state))
 
     def _look(self, state: State) -> None:
         """Let the camera look at what the open pages want, when that is something else than before."""

@@ -7,6 +7,7 @@ import json
 import math
 import re
 import threading
+from dataclasses import replace
 
 import msgspec
 import numpy as np
@@ -21,7 +22,7 @@ from armlab.benches.motion.plan.state import planned_now
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import Trajectory, law_type, path_type
-from armlab.session.parts.joints import Joints
+from armlab.session.parts.joints import Joints, LockJoint
 from armlab.session.parts.timeline import OpenClip
 from armlab.session.state import State, apply
 from armlab.ui.figure.anatomy import anatomy_of
@@ -102,6 +103,15 @@ def test_a_motion_that_is_too_long_is_refused_and_no_server_is_left():
     for thread in left:
         thread.join(5.0)
     assert not any(thread.is_alive() for thread in left)
+
+
+def test_a_joint_that_is_held_moves_in_a_recording():
+    state = opened()
+    joints = state[Joints].moved_to(state[Joints].q + np.array([1.0, 0.0, 0.0, 0.0, 0.0, 0.0]))
+    held = apply(state.replace(joints), LockJoint(0, True))
+    wanted, found = (messages_of(record(replace(scenario(state), state=each), "viser")) for each in (state, held))
+    turned = [[m for _, m in messages if m["type"] == "SetOrientationMessage"] for _, messages in (wanted, found)]
+    assert turned[0] == turned[1] != []
 
 
 def test_a_recording_says_nothing_on_standard_output(capsys):
