@@ -232,7 +232,7 @@ def test_a_closed_dialog_holds_nothing_but_its_field_and_looks_for_nothing(url, 
 
     asked = []
     monkeypatch.setattr(
-        "armlab.ui.search.dialog.find", lambda query, state: (asked.append(query), find(query, state))[1]
+        "armlab.ui.search.dialog.find", lambda query, *of: (asked.append(query), find(query, *of))[1]
     )
     run(main())
 
