@@ -89,7 +89,7 @@ def _chapter(number: int, chapter: Chapter, book: Guidebook, course: Course) -> 
     guide = book.guides.get(course.key)
     written = guide.chapters.get(chapter.title, NOTHING) if guide is not None else NOTHING
     named = [(head, book.mistakes.get(head.key, Named())) for head in heads]
-    title = tag("div", tag("h2", f"{number} {chapter.title}"), tag("span.small", _minutes(heads)))
+    title = tag("div", tag("h2", f"{number} ", tag("span", chapter.title)), tag("span.small", _minutes(heads)))
     return tag(
         "section",
         title,
