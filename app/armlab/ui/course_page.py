@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from armlab.content.course import Chapter, Course
 from armlab.content.lesson_head import Head, time_said
 from armlab.content.outline import Outline
-from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.paper import address, document
 
 LOOK = """
@@ -71,8 +71,7 @@ def _needed(head: Head, outline: Outline, course: Course) -> list[str]:
 
 def _lesson(head: Head, needed: Sequence[str]) -> Markup:
     can: Inside = tag("ul", [tag("li", sentence) for sentence in head.can]) if head.can else None
-    titles = joined(*(tag("span", title) for title in needed), between=", ")
-    after = tag("small", " after: ", titles) if needed else None
+    after = tag("small", f" after: {' · '.join(needed)}") if needed else None
     said = tag("div", tag("b", tag("a", head.title, href=f"/lesson/{head.key}")), after, can)
     return tag("li", tag("i"), said, tag("span", time_said(head.minutes)))
 
