@@ -14,7 +14,6 @@ from collections.abc import AsyncIterator, Sequence
 import aiohttp
 from aiohttp import WSCloseCode, web
 
-from armlab.content.languages import keys, preferred
 from armlab.front.doors import Doors
 from armlab.front.limits import Addresses, Limits, Meter
 from armlab.front.page import Page
@@ -127,9 +126,8 @@ class Front:
         if refusal is not None:
             return refusal
         kind = request.path.split("/")[1]
-        asked = request.query.get(LANGUAGE)
-        language = asked if asked in keys() else preferred(request.headers.get("Accept-Language", ""))
-        page = await asyncio.to_thread(self._papers.page, kind, request.match_info.get("name", ""), language)
+        languages = request.query.get(LANGUAGE, ""), request.headers.get("Accept-Language", "")
+        page = await asyncio.to_thread(self._papers.page, kind, request.match_info.get("name", ""), *languages)
         if page is None:
             return _text(404, "There is no such course.")
         return _html(request, page, OF_PAPER)

@@ -15,7 +15,6 @@ from threading import Lock
 from typing import Any, NamedTuple
 
 from armlab import resources
-from armlab.content.languages import ENGLISH
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; form-action 'none'; base-uri 'none'; frame-ancestors 'self'"
 """Content-Security-Policy of these pages, which hold no script."""
@@ -93,6 +92,12 @@ class _Pages:
         return self._made[key, language]
 
 
+def _language(asked: str, accepted: str) -> str:
+    from armlab.content.languages import keys, preferred
+
+    return asked if asked in keys() else preferred(accepted)
+
+
 def _in_language(page: str, language: str) -> str:
     from armlab.ui.paper import in_language
 
@@ -114,7 +119,7 @@ class PaperPages:
         self._folders, self._interval, self._lock = folders, interval, Lock()
         self._pages: dict[str, _Pages] = {}
 
-    def page(self, kind: str, key: str = "", language: str = ENGLISH) -> Printed | None:
+    def page(self, kind: str, key: str = "", asked: str = "", accepted: str = "") -> Printed | None:
         """Return a page; None where there is none such.
 
         Parameters
@@ -123,11 +128,13 @@ class PaperPages:
             One of `KINDS`.
         key : str
             That of a course; empty for the first.
-        language : str
-            Key of the one in which it is read.
+        asked : str
+            Key of the language in which it is to be; empty, or unknown, for that of the browser.
+        accepted : str
+            The languages that the browser asks for, as in the header ``Accept-Language``.
         """
         with self._lock:
             if kind not in self._pages:
                 folders = [resources.folder("lessons"), *(path.resolve() for path in self._folders)]
                 self._pages[kind] = _Pages(KINDS[kind](folders), self._interval)
-            return self._pages[kind].page(key, language)
+            return self._pages[kind].page(key, _language(asked, accepted))

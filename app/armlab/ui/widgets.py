@@ -175,7 +175,8 @@ class Gui:
     tray : Tray or None
         Where they are shown large.
     language : str
-        The language in which they are read. What is shown is said in it by itself; a file to read has to be.
+        Key of the language in which they are read: texts that are shown are said in it by themselves, a saved file
+        to read has to be.
     """
 
     def __init__(self, client: viser.ClientHandle, camera: Camera, open_panel: Callable[[str], None]) -> None:
