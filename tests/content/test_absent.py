@@ -26,6 +26,11 @@ def test_what_robotics_has_and_the_lab_has_not_is_said(query, says):
     assert bool(absent(query)) == bool(says)
 
 
+def test_whoever_asks_in_another_language_is_told_as_well():
+    assert absent("gli ostacoli", "it") == absent("obstacles") != ""
+    assert absent("dinamica dell'errore", "it") == absent("gli ostacoli") == ""
+
+
 def test_nothing_that_the_lab_has_is_said_to_be_absent():
     titles = [row.title for row in rows().values()] + [lesson.title for lesson in lessons().lessons.values()]
     assert [title for title in titles if absent(title)] == []

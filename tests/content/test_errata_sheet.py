@@ -11,6 +11,7 @@ from armlab.content.errata_sheet import FORMATS, sheet
 from armlab.content.lessons import lessons
 from armlab.errors import UnknownName
 from armlab.kin.errata import run, trials
+from armlab.ui.paper import in_language
 
 LOW = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 """Raised digits, written low."""
@@ -37,7 +38,8 @@ def test_every_erratum_is_in_the_list_once(format):
     text = sheet(format)
     found = re.findall(r'<section id="([^"]*)"' if format == "html" else r"^### (\S+) ", text, re.MULTILINE)
     assert found == list(errata())
-    assert "118: 45 A (wrong if copied), 26 B (claims too much), 43 C (misprint), 4 H (history)." in text
+    told = re.sub("</?span>", "", text)
+    assert "118: 45 A (wrong if copied), 26 B (claims too much), 43 C (misprint), 4 H (history)." in told
 
 
 def test_the_page_is_whole_and_needs_nothing_else():
@@ -46,6 +48,13 @@ def test_the_page_is_whole_and_needs_nothing_else():
     assert (tags.open, tags.wrong) == ([], [])
     assert not re.search(r"<(script|link|img)|src=|https?://(?!www\.w3\.org/1998/Math)", text)
     assert "@media print" in text
+
+
+def test_in_another_language_its_heads_and_what_was_run_are_said_in_it():
+    text = in_language(sheet("html", 1, ("5.58",)), "it")
+    assert '<html lang="it">' in text
+    assert '<b class="head">stampato</b>' in text
+    assert re.search(r'<p class="ran">Stampato \S+ m, corretto \S+ m: ', text)
 
 
 def test_residuals_are_those_of_the_points_of_the_seed():

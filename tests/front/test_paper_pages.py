@@ -89,6 +89,18 @@ def test_another_address_is_no_course(url, path, status):
     assert b"<b>" not in body
 
 
+@pytest.mark.parametrize(
+    ("asked", "accepted", "said"), [("?lang=it", "", "it"), ("", "it, en;q=0.5", "it"), ("?lang=en", "it", "en")]
+)
+def test_a_page_is_in_the_language_of_its_address_or_of_the_browser_and_leads_to_the_same(url, asked, accepted, said):
+    _, _, body = get(f"{url}guide{asked}", {"Accept-Language": accepted})
+    page = body.decode()
+    assert f'<html lang="{said}">' in page
+    assert f'href="/course/lab?lang={said}"' in page
+    assert ("Gli errori degli studenti" in page, "What students get wrong" in page) == (said == "it", said == "en")
+    assert ("Il tuo primo braccio" in page) == (said == "it"), "the title of a lesson that is translated"
+
+
 def test_a_page_is_small_on_its_way(url):
     _, headers, body = get(f"{url}course", {"Accept-Encoding": "gzip"})
     assert headers["Content-Encoding"] == "gzip"
@@ -123,7 +135,7 @@ def test_an_own_course_comes_first_and_follows_its_file(tmp_path):
     assert "Do  this." in text
     assert pages.page("course") is pages.page("course")
     assert gzip.decompress(pages.page("course").compressed) == pages.page("course").html
-    assert 'href="/course/lab"' in page
+    assert 'href="/course/lab?lang=en"' in page
     assert "Robot arms" in html_of(pages, "lab")
     assert pages.page("course", "gone") is None
     file.write_text(COURSE.format(title="other course").replace("ik_2r", "gone"), encoding="utf-8")
@@ -205,7 +217,7 @@ says = "One of {{=n}} is missing, at {{q1}}."
     assert "<math" in page
     assert "Why &lt;b&gt;so&lt;/b&gt;?" in page
     assert pages.page("guide") is pages.page("guide")
-    assert 'href="/guide/lab"' in page
+    assert 'href="/guide/lab?lang=en"' in page
 
     file.write_text(WRITTEN.replace('"Mine"', '"Mime"') + "# longer", encoding="utf-8")
     page = html_of(pages, kind="guide")

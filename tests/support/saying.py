@@ -6,13 +6,21 @@ import contextlib
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from armlab.content.absent import ABSENT, HAS
+from armlab.content.formulas import sheet
+from armlab.content.index import told
+from armlab.content.index_items import items_of
 from armlab.content.po import Message
+from armlab.content.query import NUMBERED, SKIPPED
 from armlab.content.robots import catalogue
+from armlab.content.synonyms import GROUPS
 from armlab.content.words import Words
 from armlab.errors import ArmlabError
 from armlab.session.bench import benches, choosing, page_of
 from armlab.session.pages import pages
 from armlab.ui import script_words
+from armlab.ui.formulas_page import formulas_page
+from armlab.ui.search.offers import things
 from armlab.ui.speech import Speech
 from support.bare_gui import BarePage, Handle, content
 
@@ -159,10 +167,25 @@ def every_example(listener: Listener) -> None:
 
 
 def known_before(listener: Listener) -> None:
-    """Listen to what is known before a page is opened: titles, what is found, and what scripts say."""
+    """Listen to what is known before a page is opened: titles, what scripts say, what is searched, and the formulas."""
     listener.at("frame")
     for page in pages().values():
         for text in (page.title, page.name, *(export.title for export in page.exports)):
             listener.speech.text(text)
     for text in script_words.SCRIPT_WORDS:
         listener.speech.text(text)
+    listener.at("search")
+    for text in what_the_search_goes_by():
+        listener.speech.text(text)
+    listener.at("paper")
+    listener.speech.markup(formulas_page(sheet()) or "")
+
+
+def what_the_search_goes_by() -> Iterator[str]:
+    """Yield all texts in whose words the search finds something, besides those of lessons and of code."""
+    for item in items_of((), things()):
+        if item.entry.kind != "function":
+            yield from (text for text, _ in told(item))
+    yield from (word for words in (*ABSENT.values(), HAS) for word in words)
+    yield from map(", ".join, GROUPS)
+    yield from (SKIPPED, *NUMBERED)

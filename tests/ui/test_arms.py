@@ -108,6 +108,12 @@ def test_arms_are_found_by_name_joints_and_maker(asked, found):
     assert not all(fits(robot, asked) for robot in catalogue().robots.values())
 
 
+def test_arms_are_found_also_in_the_language_in_which_they_are_shown():
+    assert fits(catalogue()["gen3"], "7 giunti", "it")
+    assert fits(catalogue()["gen3"], "7 joints", "it")
+    assert not fits(catalogue()["gen3"], "7 giunti")
+
+
 def test_choosing_an_arm_puts_it_on_the_table_and_closes_the_dialog(url):
     async def main():
         browser = await opened(url)

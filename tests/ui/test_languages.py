@@ -98,6 +98,8 @@ def test_two_students_read_two_languages_and_one_changes_it(url):
         assert 'id="al-words"' not in one.html()
         assert "Variabili di giunto" in other.html()
         assert "Joint variables" not in other.html()
+        await other.press("search", "annulla")
+        await other.until(lambda: 'data-cell="hit command:undo"' in other.html())
         await other.open("picture")
         await other.press("en")
         await other.until(lambda: 'id="al-anew"' in other.html())

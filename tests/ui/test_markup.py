@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import pytest
 
 from armlab.benches.control.loop.state import Loop
+from armlab.content.languages import ENGLISH
 from armlab.content.robots import catalogue
 from armlab.session.fields import Set
 from armlab.session.parts.welcome import LeaveWelcome
@@ -86,7 +87,9 @@ def test_what_lies_over_the_scene_steps_back_and_forth_where_there_is_something(
         return made[0]
 
     monkeypatch.setattr("armlab.ui.overlay.Fields", fields)
-    overlay = Overlay(SimpleNamespace(gui=None), session, posted.append, Gallery(), posted.append, posted.append)
+    overlay = Overlay(
+        SimpleNamespace(gui=None), session, posted.append, Gallery(), posted.append, posted.append, ENGLISH
+    )
     overlay.show(handle=True, coming=False)
     assert FIRST_HINT in made[0].content
     overlay.show(handle=True, coming=False, apart=True)

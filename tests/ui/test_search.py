@@ -9,6 +9,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from armlab.content.languages import ENGLISH, words_in
 from armlab.content.lessons import lessons
 from armlab.content.robots import catalogue
 from armlab.page import Export
@@ -28,7 +29,9 @@ from support.sources import PACKAGE
 from support.student import run, settled, student
 
 TESTS = Path(__file__).resolve().parents[1]
-SEARCHES = tomllib.loads((TESTS / "data/searches.toml").read_text(encoding="utf-8"))["searches"]
+SEARCHES, IN_ITALIAN = map(
+    tomllib.loads((TESTS / "data/searches.toml").read_text(encoding="utf-8")).get, ("searches", "in_italian")
+)
 
 HIDING = 'robot = "planar_2r"\nhidden = ["joints", "ellipsoid", "motion_files", "robot"]\n'
 
@@ -67,8 +70,8 @@ def url(tmp_path_factory):
         yield address
 
 
-def places(query, state):
-    return [f"{entry.kind}:{entry.key}" for entry in find(query, state)]
+def places(query, state, language=ENGLISH):
+    return [f"{entry.kind}:{entry.key}" for entry in find(query, state, language)]
 
 
 # -- what comes first --------------------------------------------------------------------------------------------
@@ -83,6 +86,19 @@ def test_there_are_a_hundred_searches_and_none_comes_twice():
 @pytest.mark.parametrize(("query", "first"), [each[:2] for each in SEARCHES], ids=[each[0] for each in SEARCHES])
 def test_the_right_thing_comes_first(query, first, start):
     assert next(iter(places(query, start)), "") == first
+
+
+def test_the_right_thing_comes_first_in_another_language_and_not_for_who_reads_english(start):
+    assert {query: next(iter(places(query, start, "it")), "") for query, *_ in IN_ITALIAN} == {
+        query: first for query, first, *_ in IN_ITALIAN
+    }
+    assert places("annulla", start) == places("scuro", start) == []
+    words = words_in("it")
+    for key, page in pages().items():
+        thing = offers()["bench", key].thing
+        assert f"bench:{key}" in places(f"{words(thing.within)} {words(thing.title)}", start, "it")[:3], page.title
+    for query in EXAMPLES:
+        assert places(words(query), start, "it"), query
 
 
 def test_every_page_arm_command_setting_file_and_lesson_is_found_by_its_own_title(start):
@@ -231,9 +247,7 @@ def test_a_closed_dialog_holds_nothing_but_its_field_and_looks_for_nothing(url, 
         await browser.close()
 
     asked = []
-    monkeypatch.setattr(
-        "armlab.ui.search.dialog.find", lambda query, state: (asked.append(query), find(query, state))[1]
-    )
+    monkeypatch.setattr("armlab.ui.search.dialog.find", lambda query, *of: (asked.append(query), find(query, *of))[1])
     run(main())
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from armlab.content.languages import ENGLISH, words_in
 from armlab.content.query import plain
 
 ABSENT: Mapping[str, tuple[str, ...]] = {
@@ -33,16 +34,20 @@ ABSENT: Mapping[str, tuple[str, ...]] = {
 """Sentences, each with the words by which such a topic is looked for."""
 
 
-def absent(query: str) -> str:
-    """Return a sentence where a query asks for what the lab does not have; empty for any other.
+def absent(query: str, language: str = ENGLISH) -> str:
+    """Return a sentence where a query, in a language or in English, asks for what the lab does not have.
+
+    It is empty for any other.
 
     >>> absent("obstacle avoidance"), absent("error dynamics")
     ('The lab has no obstacles: nothing checks for collisions, and no path is searched around them.', '')
     """
-    asked = f" {plain(query)} "
-    if any(f" {known} " in asked for known in HAS):
-        return ""
-    return next((says for says, words in ABSENT.items() if any(f" {word} " in asked for word in words)), "")
+    asked, said = f" {plain(query)} ", words_in(language)
+
+    def names(words: tuple[str, ...]) -> bool:
+        return any(f" {plain(name)} " in asked for word in words for name in (word, said(word)))
+
+    return "" if names(HAS) else next((says for says, words in ABSENT.items() if names(words)), "")
 
 
 HAS = ("error dynamics", "dynamics of the error", "motor dynamics", "dc motor")

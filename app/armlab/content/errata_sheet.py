@@ -78,15 +78,15 @@ def sheet(format: str = "html", seed: int = SEED, keys: tuple[str, ...] = ()) ->
     return "\n".join(write(chosen, found, seed)) + "\n"
 
 
-def _by_chapter(chosen: Iterable[Erratum]) -> Iterator[tuple[str, list[Erratum]]]:
+def _by_chapter(chosen: Iterable[Erratum]) -> Iterator[tuple[str, str, list[Erratum]]]:
+    """Yield the number of each chapter with a blank, none for the appendix, its title, and its errata."""
     for key, group in groupby(chosen, lambda each: each.chapter):
-        title = chapters()[key]
-        yield title if key == "A" else f"{key} {title}", list(group)
+        yield "" if key == "A" else f"{key} ", chapters()[key], list(group)
 
 
-def _counts(chosen: Iterable[Erratum]) -> str:
+def _counts(chosen: Iterable[Erratum]) -> list[str]:
     letters = [each.severity for each in chosen]
-    return ", ".join(f"{letters.count(key)} {key} ({says})" for key, says in SEVERITIES.items() if key in letters)
+    return [f"{letters.count(key)} {key} ({says})" for key, says in SEVERITIES.items() if key in letters]
 
 
 def _number(value: float) -> str:
@@ -109,9 +109,10 @@ def _ran(each: Erratum, found: dict[str, Run]) -> str:
 
 
 def _markdown(chosen: list[Erratum], found: dict[str, Run], seed: int) -> Iterator[str]:
-    yield from ("# Errata of the course notes", "", ABOUT.format(seed=seed), "", f"{len(chosen)}: {_counts(chosen)}.")
-    for title, group in _by_chapter(chosen):
-        yield from ("", f"## {title}")
+    yield from ("# Errata of the course notes", "", ABOUT.format(seed=seed), "")
+    yield f"{len(chosen)}: {', '.join(_counts(chosen))}."
+    for number, title, group in _by_chapter(chosen):
+        yield from ("", f"## {number}{title}")
         for each in group:
             yield from ("", f"### {each.id} {each.title}", "", f"{each.place}; {each.severity}, {each.says}", "")
             yield from (f"* **Printed:** {each.printed}", f"* **Correct:** {each.correct}", f"* **Why:** {each.why}")
@@ -122,18 +123,23 @@ def _html(chosen: list[Erratum], found: dict[str, Run], seed: int) -> Iterator[s
     yield '<!doctype html><html lang="en"><head><meta charset="utf-8">'
     yield f"<title>Errata of the course notes</title><style>{STYLE}</style></head><body>"
     yield f"<h1>Errata of the course notes</h1><p>{html.escape(ABOUT.format(seed=seed))}</p>"
-    yield f"<p>{len(chosen)}: {html.escape(_counts(chosen))}.</p>"
-    for title, group in _by_chapter(chosen):
-        yield f"<h2>{html.escape(title)}</h2>"
+    yield f"<p>{len(chosen)}: {', '.join(map(_span, _counts(chosen)))}.</p>"
+    for number, title, group in _by_chapter(chosen):
+        yield f"<h2>{number}{_span(title)}</h2>"
         yield from (_section(each, found) for each in group)
     yield "</body></html>"
 
 
+def _span(text: str) -> str:
+    """Return a text as an element of its own, which can be said in another language whatever stands around it."""
+    return f"<span>{html.escape(text)}</span>"
+
+
 def _section(each: Erratum, found: dict[str, Run]) -> str:
-    about = f"{each.place}; {each.severity}, {each.says}"
+    about = f"{_span(each.place)}; {each.severity}, {_span(each.says)}"
     return "".join(
         (
-            f'<section id="{each.id}"><h3>{each.id} {html.escape(each.title)}<small>{html.escape(about)}</small></h3>',
+            f'<section id="{each.id}"><h3>{each.id} {_span(each.title)}<small>{about}</small></h3>',
             f'<div class="both"><div><b class="head">printed</b>{to_html(each.printed, FILE)}</div>',
             f'<div><b class="head">correct</b>{to_html(each.correct, FILE)}</div></div>',
             f'{to_html(each.why, FILE)}<p class="ran">{html.escape(_ran(each, found))}</p></section>',

@@ -1,8 +1,8 @@
 """The index of the lab: topics, lessons, pages and other things on a word, a section or an equation of the notes.
 
 A query is split into terms. A number refers to the notes, anything else is a word, found also by its beginning, by a
-synonym or with one slip. Every term gives points to what it is found in; what lacks a term is left out, unless
-everything does.
+synonym or with one slip, in English or in the language of who asks. Every term gives points to what it is found in;
+what lacks a term is left out, unless everything does.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from armlab.content.index_items import Entry as Entry
 from armlab.content.index_items import Item, Kind, items_of
 from armlab.content.index_items import Taught as Taught
 from armlab.content.index_items import Thing as Thing
+from armlab.content.languages import ENGLISH, words_in
 from armlab.content.lessons import Lessons, lessons
 from armlab.content.query import Term, one_slip, plain, terms_of, tokens, without_one
 from armlab.content.synonyms import singular, synonyms
@@ -74,6 +75,7 @@ def search(
     things: Iterable[Thing] = (),
     taught: Iterable[Taught] | None = None,
     hidden: Collection[Place] = frozenset(),
+    language: str = ENGLISH,
 ) -> list[Entry]:
     """Return the entries on words, sections or equations, the best first.
 
@@ -90,6 +92,8 @@ def search(
         The lessons; those of the lab when left out.
     hidden : collection of (str, str)
         Kind and key of what is not to be found now.
+    language : str
+        Key of a language whose words are understood besides the English ones. The entries are in English.
 
     Returns
     -------
@@ -102,7 +106,7 @@ def search(
     (['S3.2.2-inverse'], "Rodrigues'")
     """
     taught = taught_in(lessons()) if taught is None else tuple(taught)
-    return _index(taught, tuple(things)).search(text[:LONGEST], hidden)[: max(0, limit)]
+    return _index(taught, tuple(things), language).search(text[:LONGEST], hidden)[: max(0, limit)]
 
 
 def taught_in(found: Lessons) -> tuple[Taught, ...]:
@@ -122,6 +126,7 @@ Postings = dict[str, Points]
 
 @dataclass(frozen=True, eq=False)
 class _Index:
+    language: str
     items: tuple[Item, ...]
     names: tuple[Mapping[str, float], ...]
     words: Postings
@@ -130,7 +135,7 @@ class _Index:
     belonging: Mapping[str, tuple[int, ...]]
 
     def search(self, text: str, hidden: Collection[Place]) -> list[Entry]:
-        terms = terms_of(text)
+        terms = terms_of(text, self.language)
         if not terms:
             return [item.entry for item in self.items if item.entry.kind == "chapter"]
         each = [self._shared(self._points(term, len(terms) > 1)) for term in terms]
@@ -179,7 +184,7 @@ class _Index:
         for form, worth in self._forms(word):
             _raise(best, self.words[form], worth)
         bare = word.replace("-", "")
-        for other in synonyms((bare, singular(bare))):
+        for other in synonyms((bare, singular(bare)), self.language):
             _raise(best, self._all_of(other.replace("-", " ").split()), SYNONYM)
         if "-" in word:
             _raise(best, self._of_parts([self._word(part) for part in word.split("-")]), 1.0)
@@ -246,23 +251,24 @@ def _numbered(item: Item, term: Term) -> float:
 
 
 @lru_cache(maxsize=8)
-def _index(taught: tuple[Taught, ...], things: tuple[Thing, ...]) -> _Index:
-    """Return the index of these lessons and things, which is kept between queries."""
+def _index(taught: tuple[Taught, ...], things: tuple[Thing, ...], language: str) -> _Index:
+    """Return the index of these lessons and things in a language, which is kept between queries."""
     items = items_of(taught, things)
     belonging: defaultdict[str, list[int]] = defaultdict(list)
     for i, item in enumerate(items):
         if item.entry.kind not in ("chapter", "row"):
             for row in item.entry.rows:
                 belonging[row].append(i)
-    words = _postings(items)
+    words = _postings(items, language)
     slips: defaultdict[str, list[str]] = defaultdict(list)
     for word in words:
         if len(word) >= SHORTEST_SLIP:
             for part in without_one(word):
                 slips[part].append(word)
     return _Index(
+        language=language,
         items=items,
-        names=tuple(map(_whole, items)),
+        names=tuple(_whole(item, language) for item in items),
         words=words,
         ordered=tuple(sorted(words)),
         slips={part: tuple(whole) for part, whole in slips.items()},
@@ -270,26 +276,39 @@ def _index(taught: tuple[Taught, ...], things: tuple[Thing, ...]) -> _Index:
     )
 
 
-def _whole(item: Item) -> dict[str, float]:
+def told(item: Item) -> list[tuple[str, float]]:
+    """Return the texts by whose words an item is found, and the points of a word in each."""
+    entry = item.entry
+    texts = [(title, TITLE) for title in (entry.title, *item.names)]
+    texts += [*((word, WORDS) for word in item.words), (entry.within, PARENT)]
+    return [*texts, (entry.detail, DETAIL)] if entry.kind in SHOWS_DETAIL else texts
+
+
+def _said(item: Item, text: str, language: str) -> tuple[str, ...]:
+    """Return a text of an item, and what it is in a language; code is the same in all."""
+    same = language == ENGLISH or item.entry.kind == "function"
+    return (text,) if same else (text, words_in(language)(text))
+
+
+def _whole(item: Item, language: str) -> dict[str, float]:
     """Return the whole queries that find an item, and the points for each."""
     worth = WORTH.get(item.entry.kind, 1.0)
-    names = {plain(word): worth * WHOLE_NAME for word in item.words}
+    names = {plain(name): worth * WHOLE_NAME for word in item.words for name in _said(item, word, language)}
     if item.entry.kind == "function":
         return names
-    titles = (item.entry.title, f"{item.entry.within} {item.entry.title}", *item.names)
-    return {**names, **dict.fromkeys(map(plain, titles), WHOLE_TITLE)}
+    within, *titles = (_said(item, text, language) for text in (item.entry.within, item.entry.title, *item.names))
+    alone = [title for said in titles for title in said]
+    whole = [f"{place} {title}" for place, title in zip(within, titles[0], strict=True)]
+    return {**names, **dict.fromkeys(map(plain, (*alone, *whole)), WHOLE_TITLE)}
 
 
-def _postings(items: Iterable[Item]) -> Postings:
+def _postings(items: Iterable[Item], language: str) -> Postings:
     """Return the items that contain each word, with points; a short title counts slightly more."""
     words: defaultdict[str, Points] = defaultdict(dict)
     for i, item in enumerate(items):
-        entry, worth = item.entry, WORTH.get(item.entry.kind, 1.0)
-        texts = [(title, TITLE) for title in (entry.title, *item.names)]
-        texts += [*((word, WORDS) for word in item.words), (entry.within, PARENT)]
-        texts += [(entry.detail, DETAIL)] if entry.kind in SHOWS_DETAIL else []
-        for text, most in texts:
-            found = list(tokens(text))
+        worth = WORTH.get(item.entry.kind, 1.0)
+        for said, most in [(said, most) for text, most in told(item) for said in _said(item, text, language)]:
+            found = list(tokens(said))
             points = most - min(len(found), MOST_OFF)
             for token in found:
                 for form, factor in ((singular(token), PLURAL), (token, 1.0)):

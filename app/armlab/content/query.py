@@ -1,19 +1,24 @@
-"""Queries to the index: numbers of the notes and words in any notation, also with one slip."""
+"""Queries to the index: numbers of the notes and words in any notation, also with one slip, and in any language.
+
+English is understood in all of them.
+"""
 
 from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cache
 from typing import NamedTuple
 
+from armlab.content.languages import ENGLISH, words_in
 from armlab.content.rows import KINDS, Reference, chapters, reference
 
-SKIPPED = frozenset(
-    ["a", "an", "and", "as", "at", "by", "do", "for", "from", "how", "i", "in", "is", "it", "its", "my"]
-)
-SKIPPED |= frozenset(["of", "on", "or", "the", "to", "what", "with"])
-"""Words without meaning for a query."""
+SKIPPED = "a an and as at by do for from how i in is it its my of on or the to what with"
+"""Words without meaning for a query; those of another language are the translation of this text."""
+
+NUMBERED = ("chapter", "section", "equation", "formula", "figure", "definition", "theorem")
+"""Words that stand before a number of the notes."""
 
 _GREEK = {
     letter: f" {unicodedata.name(letter).rpartition(' ')[2].lower().replace('lamda', 'lambda')} "
@@ -22,6 +27,10 @@ _GREEK = {
 _SIGNS = str.maketrans({**_GREEK, **dict.fromkeys("‐‑‒–—−", "-"), "’": "'", "×": " x "})
 _WORD = r"[^\W_]+(?:['-][^\W_]+)*"
 _POSSESSIVE = re.compile("'s?(?=-|$)")
+_ARTICLE = re.compile(r"\b(?:[dl]|un|\w*ll)'(?=[aeiouh])")
+"""An article or preposition that is joined to its word, as in dell'organo."""
+
+_BEFORE_NUMBER = re.compile(r"[^\W\d_]+(?=[.,]?\s*\(?\d)")
 _TERM = re.compile(
     r"(?P<id>\bs(?:\d+(?:\.\d+)*|a|r)-[a-z0-9-]*|\bs\d+\.\d+(?:\.\d+)?(?![\w.]))"
     r"|(?:\b(?P<kind>sec|section|chap|chapter|ch|eq|eqn|equation|formula|fig|figure|def|definition|th|thm|theorem)s?\b"
@@ -57,15 +66,26 @@ class Term(NamedTuple):
     reference: Reference | None = None
 
 
-def terms_of(text: str) -> list[Term]:
-    """Return the terms of a query; words without meaning only when there are no others.
+def terms_of(text: str, language: str = ENGLISH) -> list[Term]:
+    """Return the terms of a query in a language; words without meaning only when there are no others.
 
     >>> [(term.kind, term.text) for term in terms_of("Rodrigues' formula (3.46)")]
     [('word', 'rodrigues'), ('equation', '3.46')]
     """
-    found = [_term(match) for match in _TERM.finditer(plain(text, signs=True))]
-    telling = [term for term in found if term.kind != "word" or term.text not in SKIPPED]
+    skipped, numbered = _own_words(language)
+    asked = _ARTICLE.sub("", plain(text, signs=True))
+    asked = _BEFORE_NUMBER.sub(lambda word: numbered.get(word[0], word[0]), asked)
+    found = [_term(match) for match in _TERM.finditer(asked)]
+    telling = [term for term in found if term.kind != "word" or term.text not in skipped]
     return telling or found
+
+
+@cache
+def _own_words(language: str) -> tuple[frozenset[str], Mapping[str, str]]:
+    """Return the words of a language without meaning, and those before numbers, each with the English one."""
+    words = words_in(language)
+    skipped = frozenset(plain(f"{SKIPPED} {words(SKIPPED)}").split())
+    return skipped, {plain(words(name)): name for name in NUMBERED}
 
 
 def _term(found: re.Match[str]) -> Term:
@@ -101,7 +121,7 @@ def tokens(text: str) -> Iterator[str]:
     >>> list(tokens("Newton's pseudo-inverse"))
     ['newton', 'pseudo', 'inverse', 'pseudoinverse']
     """
-    for word in re.findall(_WORD, plain(text, signs=True).replace("_", " ")):
+    for word in re.findall(_WORD, _ARTICLE.sub("", plain(text, signs=True)).replace("_", " ")):
         parts = _POSSESSIVE.sub("", word).replace("'", "").split("-")
         yield from parts
         if len(parts) > 1:

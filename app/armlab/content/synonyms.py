@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from functools import cache
+
+from armlab.content.languages import ENGLISH, words_in
 
 GROUPS: tuple[tuple[str, ...], ...] = (
     ("arm", "robot", "manipulator"),
@@ -43,12 +46,18 @@ GROUPS: tuple[tuple[str, ...], ...] = (
     ("waypoint", "via point"),
     ("zoom", "camera"),
 )
-"""Groups of synonyms, in lower case. Only single words are looked for; what they stand for may be several words."""
+"""Groups of synonyms, in lower case. Only single words are looked for; what they stand for may be several words.
+
+Those of another language are the translations of the groups, each as a list in one text."""
 
 
-def _others() -> dict[str, tuple[str, ...]]:
+@cache
+def _others(language: str) -> Mapping[str, tuple[str, ...]]:
+    """Return the words that have synonyms in a language or in English, with these."""
+    words = words_in(language)
+    lists = dict.fromkeys((*GROUPS, *(tuple(words(", ".join(group)).split(", ")) for group in GROUPS)))
     found: dict[str, dict[str, None]] = {}
-    for group in GROUPS:
+    for group in lists:
         for word in group:
             if " " not in word:
                 found.setdefault(word.replace("-", ""), {}).update(
@@ -57,16 +66,14 @@ def _others() -> dict[str, tuple[str, ...]]:
     return {word: tuple(others) for word, others in found.items()}
 
 
-_SYNONYMS = _others()
-
-
-def synonyms(forms: Iterable[str]) -> tuple[str, ...]:
+def synonyms(forms: Iterable[str], language: str = ENGLISH) -> tuple[str, ...]:
     """Return the words, and rows of words, that mean the same as one of some forms of a word.
 
     >>> synonyms(["ik"])
     ('inverse kinematics',)
     """
-    return tuple(dict.fromkeys(other for form in forms for other in _SYNONYMS.get(form, ())))
+    known = _others(language)
+    return tuple(dict.fromkeys(other for form in forms for other in known.get(form, ())))
 
 
 def singular(word: str) -> str:

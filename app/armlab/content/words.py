@@ -188,25 +188,33 @@ class Words:
         return found
 
     def _find(self, text: str) -> str | None:
-        found = self._whole(text)
+        start, core, end = _core(text)
+        found = self._exact(text)
+        if found is None and core != text and (inside := self._exact(core)) is not None:
+            return f"{start}{inside}{end}"  # says more than a message with names that fits the signs as well
         if found is None:
-            start, core, end = _core(text)
-            if core != text:
-                inside = self.find(core)
-                return None if inside is None else f"{start}{inside}{end}"
+            found = self._named(text)
+        if found is None and core != text:
+            inside = self.find(core)
+            return None if inside is None else f"{start}{inside}{end}"
         if found is None:
             found = self._in_pieces(text, _parts(text))
         if found is None:
             found = self._in_pieces(text, _sentences(text))
         return self._in_pieces(text, _listed(text), whole=True) if found is None else found
 
-    def _whole(self, text: str) -> str | None:
+    def _exact(self, text: str) -> str | None:
         """Return the translation of a message, with the numbers that it has in the text."""
         source, back = renumbered(text)
         found = self._texts.get(source)
-        if found is not None:
-            self._on_hit(source)
-            return _as_in(found, back)
+        if found is None:
+            return None
+        self._on_hit(source)
+        return _as_in(found, back)
+
+    def _named(self, text: str) -> str | None:
+        """Return the translation of a message with names, with the numbers and the names of the text."""
+        source, back = renumbered(text)
         for pattern, of, says in self._patterns if len(source) <= LONGEST_NAMED else ():
             match = pattern.fullmatch(source)
             if match is not None and self._fits(match, back):

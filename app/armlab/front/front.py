@@ -126,7 +126,8 @@ class Front:
         if refusal is not None:
             return refusal
         kind = request.path.split("/")[1]
-        page = await asyncio.to_thread(self._papers.page, kind, request.match_info.get("name", ""))
+        languages = request.query.get(LANGUAGE, ""), request.headers.get("Accept-Language", "")
+        page = await asyncio.to_thread(self._papers.page, kind, request.match_info.get("name", ""), *languages)
         if page is None:
             return _text(404, "There is no such course.")
         return _html(request, page, OF_PAPER)

@@ -1,6 +1,6 @@
 """The pages to print: courses, guides for their teachers, formulas; what one needs is imported when it is asked for.
 
-They belong to no browser and need no lab behind the front.
+They belong to no browser and need no lab behind the front: the address, or else the browser, tells their language.
 """
 
 from __future__ import annotations
@@ -75,20 +75,33 @@ class _Pages:
         self._kind, self._interval = kind, interval
         self._seen: Any = None
         self._until = 0.0
-        self._made: dict[str, Printed] = {}
+        self._made: dict[tuple[str, str], Printed] = {}
 
-    def page(self, key: str) -> Printed | None:
+    def page(self, key: str, language: str) -> Printed | None:
         now = time.monotonic()
         if self._seen is None or now >= self._until:
             seen, self._until = self._kind.look(), now + self._interval
             if seen is not self._seen:
                 self._seen, self._made = seen, {}
-        if key not in self._made:
+        if (key, language) not in self._made:
             made = self._kind.made(self._seen, key)
             if made is None:
                 return None
-            self._made[key] = Printed(made.encode(), gzip.compress(made.encode(), 6))
-        return self._made[key]
+            said = _in_language(made, language).encode()
+            self._made[key, language] = Printed(said, gzip.compress(said, 6))
+        return self._made[key, language]
+
+
+def _language(asked: str, accepted: str) -> str:
+    from armlab.content.languages import keys, preferred
+
+    return asked if asked in keys() else preferred(accepted)
+
+
+def _in_language(page: str, language: str) -> str:
+    from armlab.ui.paper import in_language
+
+    return in_language(page, language)
 
 
 class PaperPages:
@@ -106,7 +119,7 @@ class PaperPages:
         self._folders, self._interval, self._lock = folders, interval, Lock()
         self._pages: dict[str, _Pages] = {}
 
-    def page(self, kind: str, key: str = "") -> Printed | None:
+    def page(self, kind: str, key: str = "", asked: str = "", accepted: str = "") -> Printed | None:
         """Return a page; None where there is none such.
 
         Parameters
@@ -115,9 +128,13 @@ class PaperPages:
             One of `KINDS`.
         key : str
             That of a course; empty for the first.
+        asked : str
+            Key of the language in which it is to be; empty, or unknown, for that of the browser.
+        accepted : str
+            The languages that the browser asks for, as in the header ``Accept-Language``.
         """
         with self._lock:
             if kind not in self._pages:
                 folders = [resources.folder("lessons"), *(path.resolve() for path in self._folders)]
                 self._pages[kind] = _Pages(KINDS[kind](folders), self._interval)
-            return self._pages[kind].page(key)
+            return self._pages[kind].page(key, _language(asked, accepted))

@@ -27,6 +27,7 @@ class Page(Protocol):
     client: viser.ClientHandle
     camera: Camera
     session: Session
+    language: str
 
     def post(self, command: Command) -> None:
         """Post a command."""

@@ -8,7 +8,7 @@ from armlab.content.course import Chapter, Course
 from armlab.content.lesson_head import Head, time_said
 from armlab.content.outline import Outline
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.paper import document
+from armlab.ui.paper import address, document
 
 LOOK = """
 header > div { display: flex; gap: 2em; margin-top: 1.2em; }
@@ -71,7 +71,7 @@ def _needed(head: Head, outline: Outline, course: Course) -> list[str]:
 
 def _lesson(head: Head, needed: Sequence[str]) -> Markup:
     can: Inside = tag("ul", [tag("li", sentence) for sentence in head.can]) if head.can else None
-    after = tag("small", f" after: {', '.join(needed)}") if needed else None
+    after = tag("small", f" after: {' · '.join(needed)}") if needed else None
     said = tag("div", tag("b", tag("a", head.title, href=f"/lesson/{head.key}")), after, can)
     return tag("li", tag("i"), said, tag("span", time_said(head.minutes)))
 
@@ -79,5 +79,5 @@ def _lesson(head: Head, needed: Sequence[str]) -> Markup:
 def _others(course: Course, outline: Outline) -> Markup | None:
     """Return links to the other courses."""
     others = [each for each in outline.courses if each is not course]
-    links = [tag("li", tag("a", each.title, href=f"/course/{each.key}")) for each in others]
+    links = [tag("li", tag("a", each.title, href=address("course", each.key))) for each in others]
     return tag("nav", tag("p", "Other courses:"), tag("ul", links)) if links else None

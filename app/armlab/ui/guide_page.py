@@ -13,7 +13,7 @@ from armlab.content.guidebook import Guidebook
 from armlab.content.lesson_head import Head, time_said
 from armlab.content.lesson_mistakes import Mistakes, Named
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.paper import document, text
+from armlab.ui.paper import address, document, text
 
 MOST = 3
 """Largest number of mistakes of a lesson that are printed; the others are folded and seen on a screen only."""
@@ -89,7 +89,7 @@ def _chapter(number: int, chapter: Chapter, book: Guidebook, course: Course) -> 
     guide = book.guides.get(course.key)
     written = guide.chapters.get(chapter.title, NOTHING) if guide is not None else NOTHING
     named = [(head, book.mistakes.get(head.key, Named())) for head in heads]
-    title = tag("div", tag("h2", f"{number} {chapter.title}"), tag("span.small", _minutes(heads)))
+    title = tag("div", tag("h2", f"{number} ", tag("span", chapter.title)), tag("span.small", _minutes(heads)))
     return tag(
         "section",
         title,
@@ -156,9 +156,9 @@ def _said(step: str, says: Sequence[str]) -> Inside:
 def _others(book: Guidebook, course: Course) -> Markup:
     """Return links to what else there is on paper."""
     others = [each for each in book.outline.courses if each is not course]
-    links = [("The course, for students", f"/course/{course.key}" if course.key else "/course")]
-    links += [("Formulas on two pages", "/formulas")]
-    links += [(f"Guide to {each.title}", f"/guide/{each.key}") for each in others]
+    links = [("The course, for students", address("course", course.key))]
+    links += [("Formulas on two pages", address("formulas"))]
+    links += [(f"Guide to {each.title}", address("guide", each.key)) for each in others]
     return tag(
         "nav", tag("p", "More on paper:"), tag("ul", [tag("li", tag("a", title, href=to)) for title, to in links])
     )

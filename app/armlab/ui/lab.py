@@ -186,6 +186,7 @@ class Lab:
             self.gallery,
             lambda command: self.worker.post(session, command, client.client_id),
             self.pace,
+            tongue.language,
         )
         pieces, went_on = view.build(), time.perf_counter()
         for more in chain((True for _ in pieces), (False,)):

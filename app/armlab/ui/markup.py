@@ -10,6 +10,7 @@ from collections.abc import Mapping
 
 from armlab.content.words import UNIT
 from armlab.ui.html import Inside, Markup, classes, joined, tag
+from armlab.ui.paper import address
 
 SIGNS = {"ok": "✓", "warn": "◐", "todo": "◐", "no": "✕"}
 """Signs of the kinds of verdict, because no meaning is carried by a colour alone."""
@@ -85,8 +86,7 @@ def on_paper(text: str, kind: str, key: str = "", hint: str = "") -> Markup:
     key : str
         The course; empty for the first.
     """
-    to = f"/{kind}/{key}" if key else f"/{kind}"
-    return tag("a.chip", text, href=to, target="_blank", rel="noopener", title=hint)
+    return tag("a.chip", text, href=address(kind, key), target="_blank", rel="noopener", title=hint)
 
 
 def select(channel: str, cell: str, label: str, inside: Inside, hint: str = "") -> Markup:

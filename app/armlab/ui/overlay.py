@@ -78,6 +78,8 @@ class Overlay:
         Called with the text in which the page's script tells which tabs are seen.
     on_screen : callable
         Called with the wishes of the person's system and room.
+    language : str
+        In which the person looks for an arm.
     """
 
     def __init__(
@@ -88,10 +90,11 @@ class Overlay:
         gallery: Gallery,
         on_tabs: Callable[[str], None],
         on_screen: Callable[[Screen], None],
+        language: str,
     ) -> None:
         self._client, self._session, self._post, self._gallery = client, session, post, gallery
         self._form = Form(lambda on_input: Fields(client.gui, on_input), post, lambda: None, beside=False)
-        self._on_tabs, self._on_screen = on_tabs, on_screen
+        self._on_tabs, self._on_screen, self._language = on_tabs, on_screen, language
         self._arms: ArmsDialog | None = None
         self._tab, self._asked, self._begun = "", "", False
 
@@ -163,7 +166,7 @@ class Overlay:
         from armlab.ui.arms.dialog import ArmsDialog
 
         if self._arms is None:
-            self._arms = ArmsDialog(self._client, self._post, self._gallery, self._session)
+            self._arms = ArmsDialog(self._client, self._post, self._gallery, self._session, self._language)
         self._arms.open()
 
     def _top(self, state: State) -> Markup:

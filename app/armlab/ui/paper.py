@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from armlab.content.languages import ENGLISH
 from armlab.content.notes import for_reader
 from armlab.ui.html import Inside, Markup, joined, styles, tag
+from armlab.ui.speech import speech_in
 
 LOOK = """
 :root { color-scheme: light; }
@@ -47,8 +49,31 @@ def document(title: str, look: str, *body: Inside) -> str:
         tag("title", f"{title} – Armlab"),
         styles((LOOK, look)),
     )
-    page = tag("html", tag("head", meta), tag("body", body), lang="en")
+    page = tag("html", tag("head", meta), tag("body", body), lang=ENGLISH)
     return for_reader(f"<!doctype html>\n{page}\n")
+
+
+def in_language(page: str, language: str) -> str:
+    """Return a page to print in a language: the door of paper, as `armlab.ui.door` is that of the lab."""
+    return page if language == ENGLISH else speech_in(language).markup(page)
+
+
+def address(kind: str, key: str = "") -> str:
+    """Return the address of a page to print, in English; on a page in another language it leads to the same language.
+
+    Parameters
+    ----------
+    kind : str
+        First word of the address, such as ``course``.
+    key : str
+        The course; empty for the first.
+
+    Examples
+    --------
+    >>> address("course", "lab")
+    '/course/lab?lang=en'
+    """
+    return f"/{kind}/{key}?lang={ENGLISH}" if key else f"/{kind}?lang={ENGLISH}"
 
 
 def text(html: str) -> Markup:

@@ -10,17 +10,22 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
+from functools import cache
 from html import unescape
 from typing import Any, NamedTuple
 
 from markupsafe import escape
 
+from armlab.content.languages import ENGLISH, words_in
 from armlab.content.words import HELD, NUMBER, Words, has_words, with_numbers, without_numbers
 
 _TOKEN = re.compile(r"<(math|style|textarea|pre|output)\b.*?</\1>|<[^>]*>|[^<]+", re.DOTALL)
 _NAME = re.compile(r"</?([a-zA-Z0-9]+)")
-_SAID = re.compile(r' (title|aria-label|placeholder|label|alt|aria-valuetext|data-name|data-title)="([^"]*)"')
+_SAID = re.compile(r' (title|aria-label|placeholder|label|alt|aria-valuetext|data-name|data-title|data-ask)="([^"]*)"')
 _HELD = re.compile(r"\{(\d+)\}|<(\d+)/>|<(\d+)>(.*?)</\3>", re.DOTALL)
+
+_SPOKEN = re.compile(rf'((?: lang="|[?]lang=)){ENGLISH}\b')
+"""The language of an element, or of the page to which an address leads."""
 
 _DATA = re.compile(r' (data-(?:pages|notes|bring|tray|picture))="([^"]*)"')
 _LINES = re.compile(r"\s*\n\s*")
@@ -53,10 +58,12 @@ class Speech:
     Parameters
     ----------
     words : Words
+    language : str
+        Its key, which takes the place of that of English where an element or an address tells it.
     """
 
-    def __init__(self, words: Words) -> None:
-        self._words = words
+    def __init__(self, words: Words, language: str = ENGLISH) -> None:
+        self._words, self._language = words, language
         self._runs: dict[str, str] = {}
 
     def text(self, text: str) -> str:
@@ -85,6 +92,8 @@ class Speech:
         """Return an element's start with those of its attributes that a person reads."""
         if '="' not in token:
             return token
+        if "lang=" in token:
+            token = _SPOKEN.sub(lambda spoken: f"{spoken[1]}{self._language}", token)
         if _DATA.search(token):
             return _DATA.sub(lambda data: f' {data[1]}="{escape(self._data(data[1], unescape(data[2])))}"', token)
         return _SAID.sub(lambda said: f' {said[1]}="{escape(self._words(unescape(said[2])))}"', token)
@@ -146,6 +155,12 @@ class Speech:
         plain = without_numbers(unescape(piece.text))
         found = self._words.find(plain.text)
         return piece.text if found is None else str(escape(with_numbers(found, plain.numbers)))
+
+
+@cache
+def speech_in(language: str) -> Speech:
+    """Return the texts of a language, the same for all pages: what is kept of them is not personal."""
+    return Speech(words_in(language), language)
 
 
 class _Holder:

@@ -3,30 +3,28 @@
 from __future__ import annotations
 
 import json
-from functools import cache
 
 import viser
 
-from armlab.content.languages import ENGLISH, preferred, words_in
+from armlab.content.languages import ENGLISH, preferred
 from armlab.session.parts.language import LanguagePart
 from armlab.session.session import Session
 from armlab.ui import adapter
 from armlab.ui.door import Door
 from armlab.ui.html import tag
 from armlab.ui.script_words import SCRIPT_WORDS
-from armlab.ui.speech import Speech
-
-
-@cache
-def speech_in(language: str) -> Speech:
-    """Return the texts of a language besides English, the same for all pages: what is kept of them is not personal."""
-    return Speech(words_in(language))
+from armlab.ui.speech import speech_in
 
 
 class Tongue:
     """The language of the page of one browser.
 
     A page in English is left alone. When its student chooses another language, the page is told to load itself anew.
+
+    Attributes
+    ----------
+    language : str
+        Its key.
 
     Parameters
     ----------
@@ -38,19 +36,19 @@ class Tongue:
 
     def __init__(self, client: viser.ClientHandle, session: Session, accepted: str) -> None:
         self._client, self._session, self._of_browser = client, session, preferred(accepted)
-        self._language, self._told = self._wanted(), False
-        if self._language == ENGLISH:
+        self.language, self._told = self._wanted(), False
+        if self.language == ENGLISH:
             return
-        speech = speech_in(self._language)
+        speech = speech_in(self.language)
         adapter.speak(client, Door(speech))
         said = json.dumps({text: speech.text(text) for text in SCRIPT_WORDS})
-        client.gui.add_html(str(tag("i", id="al-words", hidden=True, lang=self._language, data_words=said)))
+        client.gui.add_html(str(tag("i", id="al-words", hidden=True, lang=self.language, data_words=said)))
 
     def _wanted(self) -> str:
         return self._session.state[LanguagePart].read_in(self._of_browser)
 
     def show(self) -> None:
         """Let the page load itself anew, once, if another language has been chosen."""
-        if not self._told and self._wanted() != self._language:
+        if not self._told and self._wanted() != self.language:
             self._told = True
             self._client.gui.add_html(str(tag("i", id="al-anew", hidden=True)))

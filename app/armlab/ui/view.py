@@ -69,6 +69,7 @@ class View:
     client : viser.ClientHandle
     session : Session
     camera : Camera
+    language : str
     """
 
     def __init__(
@@ -78,8 +79,9 @@ class View:
         gallery: Gallery,
         post: Callable[[Command], None],
         pace: Pace,
+        language: str,
     ) -> None:
-        self.client, self.post = client, post
+        self.client, self.post, self.language = client, post, language
         self.session: Session = session
         self.camera: Camera = Camera(client, lambda: self._present[Joints].q, self._wish)
         self._gallery, self._pace = gallery, pace
@@ -109,7 +111,7 @@ class View:
         with self.client.atomic():
             self._theme(self.session.state)
             self._overlay = Overlay(
-                self.client, self.session, self.post, self._gallery, self._tabs_seen, self._screen_told
+                self.client, self.session, self.post, self._gallery, self._tabs_seen, self._screen_told, self.language
             )
             self._search = SearchDialog(self)
             self._timeline = TimelineBar(self.client, self.post)
@@ -144,7 +146,7 @@ class View:
 
     def _gui(self) -> Gui:
         gui = Gui(self.client, self.camera, self.open_tab)
-        gui.again, gui.tray = self._refresh_now, self._tray
+        gui.again, gui.tray, gui.language = self._refresh_now, self._tray, self.language
         return gui
 
     # -- which panels are open -----------------------------------------------------------------------------------

@@ -11,6 +11,7 @@ from typing import Any, cast
 
 import viser
 
+from armlab.content.languages import ENGLISH
 from armlab.content.notes import for_reader
 from armlab.session.state import Post
 from armlab.ui import adapter, markup
@@ -173,11 +174,14 @@ class Gui:
         Its plots.
     tray : Tray or None
         Where they are shown large.
+    language : str
+        Key of the language in which they are read: texts that are shown are said in it by themselves, a saved file
+        to read has to be.
     """
 
     def __init__(self, client: viser.ClientHandle, camera: Camera, open_panel: Callable[[str], None]) -> None:
         self._client, self._gui, self.camera, self.open_panel = client, client.gui, camera, open_panel
-        self.scope, self.has_notes = "", False
+        self.scope, self.has_notes, self.language = "", False, ENGLISH
         self.again: Callable[[], None] = lambda: None
         self.page, self.plots, self.tray = "", list[Enlarged](), cast(Tray | None, None)
         self._made: list[Any] = []

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from functools import partial
 
+from armlab.content.languages import ENGLISH, words_in
+from armlab.content.query import plain
 from armlab.content.robots import FAMILIES, Robot, catalogue
 from armlab.ui.form import Form, Wish
 from armlab.ui.html import Inside, Markup, styles, tag
@@ -27,38 +29,45 @@ def choice_markup(
     form: Form,
     own: Iterable[Robot],
     present: Robot,
-    asked: str,
+    asked: tuple[str, str],
     choose: Callable[[Robot], Wish],
     begin: Callable[[], Wish],
 ) -> Inside:
     """Return the arms that a text means, by family; without a text all of them, after the button for a new one.
 
-    ``choose`` gets the arm that is pressed; ``begin`` is called for a new one.
+    ``asked`` is the text, and the language of who types it. ``choose`` gets the arm that is pressed; ``begin`` is
+    called for a new one.
     """
     sections: list[Inside] = []
     for family, robots in groups(own).items():
         entries = [
-            _entry(form, family, robot, present, partial(choose, robot)) for robot in robots if fits(robot, asked)
+            _entry(form, family, robot, present, partial(choose, robot)) for robot in robots if fits(robot, *asked)
         ]
-        if not sections and not asked.strip():
+        if not sections and not asked[0].strip():
             entries.insert(0, _new(form, begin))
         if entries:
-            sections.append(tag("section", tag("h3", family[0].upper() + family[1:]), tag("div.arms", entries)))
+            sections.append(tag("section", tag("h3", _capital(family)), tag("div.arms", entries)))
     if not sections:
         sections.append(tag("p.dim", "No arm was found. Try a name, a maker, a family, RRP or 7 joints."))
     return sections, broken_files("robot", catalogue().problems)
 
 
-def fits(robot: Robot, asked: str) -> bool:
-    """Return whether every word of a text stands in what is said of an arm.
+def fits(robot: Robot, asked: str, language: str = ENGLISH) -> bool:
+    """Return whether every word of a text stands in what is said of an arm, in English or in a language.
 
     >>> fits(catalogue()["puma560"], "spherical 6R"), fits(catalogue()["scara"], "puma")
     (True, False)
     """
     kinds = kinds_of(robot)
     only = f"{len(kinds)}{kinds[0]}" if len(set(kinds)) == 1 else ""
-    said = f"{robot.name} {robot.key} {robot.family} {kinds} {only} {_joints(robot)} {robot.summary}".lower()
-    return all(word in said for word in asked.lower().split())
+    told = (robot.family, _joints(robot), robot.summary)
+    also = map(words_in(language), (_capital(robot.family), *told[1:]))
+    said = plain(" ".join((robot.name, robot.key, kinds, only, *told, *also)))
+    return all(word in said for word in plain(asked).split())
+
+
+def _capital(family: str) -> str:
+    return family[0].upper() + family[1:]
 
 
 def name_of(family: str, robot: Robot) -> str:

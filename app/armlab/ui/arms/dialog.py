@@ -38,10 +38,14 @@ class ArmsDialog:
     gallery : Gallery
         Paints the pictures.
     session : Session
+    language : str
+        In which the person looks for an arm.
     """
 
-    def __init__(self, client: viser.ClientHandle, post: Post, gallery: Gallery, session: Session) -> None:
-        self._client, self._gallery, self._session = client, gallery, session
+    def __init__(
+        self, client: viser.ClientHandle, post: Post, gallery: Gallery, session: Session, language: str
+    ) -> None:
+        self._client, self._gallery, self._session, self._language = client, gallery, session, language
         self._form = Form(lambda on_input: Fields(client.gui, on_input), post, self.show, beside=False)
         self._loop = asyncio.get_running_loop()
         self._hung: dict[str, Any] = {}
@@ -72,7 +76,8 @@ class ArmsDialog:
             back = self._form.button("arms-back", "‹ All arms", self.open, "chip")
             self._form.show(self._around("New arm", back, self._new.markup(robot.name)))
         else:
-            arms = choice_markup(self._form, self._own(), robot, self._asked, self._choose, self._begin)
+            asked = self._asked, self._language
+            arms = choice_markup(self._form, self._own(), robot, asked, self._choose, self._begin)
             self._form.show(self._around("Choose an arm", self._field(), arms))
 
     def close(self) -> None:

@@ -122,7 +122,7 @@ class SearchDialog:
         if not query.strip():
             self._found = ()
             return
-        looking = asyncio.get_running_loop().run_in_executor(None, find, query, state)
+        looking = asyncio.get_running_loop().run_in_executor(None, find, query, state, self._page.language)
         looking.add_done_callback(partial(self._came, looked))
 
     def _came(self, looked: tuple[object, ...], looking: asyncio.Future[list[Entry]]) -> None:
@@ -148,7 +148,7 @@ class SearchDialog:
             found = [entry for entry in found if entry.kind != "row" and topic in entry.rows]
         listed = self._hits(found[:SHOWN], state)
         shown: Inside = group(topic_head(topic), listed, "Topic") if topic else listed
-        return _said(query, len(found), bool(topic)), shown
+        return _said(query, len(found), bool(topic), self._page.language), shown
 
     def _hits(self, entries: list[Entry], state: State) -> list[Markup]:
         every = offers()
@@ -169,9 +169,9 @@ def _topic(query: str) -> str:
     return name if known(name) else ""
 
 
-def _said(query: str, count: int, is_topic: bool) -> str:
+def _said(query: str, count: int, is_topic: bool, language: str) -> str:
     """Return a sentence on the number of finds, or on what the lab does not have."""
-    if lacking := absent(query):
+    if lacking := absent(query, language):
         return f"{lacking} Found all the same: {count}." if count else lacking
     if count > SHOWN:
         return f"The first {SHOWN} of {count}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from armlab.content.index import Entry, search, taught_in
+from armlab.content.languages import ENGLISH
 from armlab.content.lessons import lessons, lessons_read, read_unhurried
 from armlab.session.panel_commands import hidden_panels
 from armlab.session.state import State
@@ -12,8 +13,8 @@ MOST = 1000
 """Largest number of finds that are counted."""
 
 
-def find(query: str, state: State) -> list[Entry]:
-    """Return everything on a query, the best first; nothing for an empty one.
+def find(query: str, state: State, language: str = ENGLISH) -> list[Entry]:
+    """Return everything on a query in a language or in English, the best first; nothing for an empty one.
 
     The lessons are those read last: whoever searches in the first second does not wait for them.
     """
@@ -21,7 +22,7 @@ def find(query: str, state: State) -> list[Entry]:
         return []
     known = lessons_read()
     taught = () if known is None or LESSONS in hidden_panels(state) else taught_in(known)
-    return search(query, MOST, things=things(), taught=taught, hidden=hidden(state))
+    return search(query, MOST, things=things(), taught=taught, hidden=hidden(state), language=language)
 
 
 def prepare() -> None:

@@ -23,6 +23,7 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, tag
 from armlab.ui.markup import fold
+from armlab.ui.paper import in_language
 from armlab.ui.picks import lessons_to_come
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.widgets import Gui
@@ -68,8 +69,12 @@ def _sheet(gui: Gui, form: Form) -> Inside:
 def _save(gui: Gui, key: str) -> None:
     """Let the browser save the list, which takes a second to make and is made beside the work for others."""
     loop = asyncio.get_running_loop()
-    made = loop.run_in_executor(None, sheet, key)
+    made = loop.run_in_executor(None, _written, key, gui.language)
     made.add_done_callback(lambda found: gui.save(f"errata.{FORMATS[key].ending}", found.result()))
+
+
+def _written(key: str, language: str) -> str:
+    return in_language(sheet(key), language) if key == "html" else sheet(key)
 
 
 PANEL = Panel(
