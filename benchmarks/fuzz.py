@@ -12,7 +12,7 @@ from pathlib import Path
 
 import drag
 import servers
-from rounds import quantile, sized
+from rounds import TINY, quantile, sized
 from support.fake_browser import FakeBrowser
 
 TITLE = "Strangers: random frames and requests beside a student who drags"
@@ -55,7 +55,7 @@ def lab(said) -> Iterator[servers.Server]:
     """Run Armlab with its complaints in a file."""
     paths = [str(servers.HERE.parent / "app"), str(servers.HERE.parent / "tests")]
     process = subprocess.Popen(
-        [sys.executable, "-c", servers.LAB.format(paths=paths, labs=0)],
+        [sys.executable, "-c", servers.LAB.format(paths=paths, labs=0, tiny=TINY)],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=said,

@@ -20,7 +20,7 @@ sys.path[:0] = {paths!r}
 from armlab.ui.plugin import panels
 from support.lab import open_lab
 lab = open_lab(None, "puma560", {labs})
-if lab.lab is not None:
+if lab.lab is not None and not {tiny}:
     panels()  # as the command does when its first page is open
 print(lab.port, flush=True)
 sys.stdin.read()
@@ -60,7 +60,7 @@ class Server:
 def lab(labs: int = 0) -> Iterator[Server]:
     """Run Armlab: one process, or a front with so many labs behind it."""
     paths = [str(HERE.parent / "app"), str(HERE.parent / "tests")]
-    with started(["-c", LAB.format(paths=paths, labs=labs)]) as server:
+    with started(["-c", LAB.format(paths=paths, labs=labs, tiny=TINY)]) as server:
         yield server
 
 

@@ -128,14 +128,14 @@ def test_undo_takes_back_a_whole_drag_in_every_tab(url):
         first, second = await student(url, cookie), await student(url, cookie)
         before = slider_values(first)
         await drag_by(first, (0.0, 0.12, 0.0))
-        assert slider_values(first) != before
+        await second.until(lambda: slider_values(second) != before)
+        await settled(second)
+        dragged = slider_values(second)
         await second.press("undo")
-        await settled(first)
-        assert slider_values(first) == before
-        assert slider_values(second) == before
+        for browser in (first, second):
+            await browser.until(lambda browser=browser: slider_values(browser) == before)
         await second.press("redo")
-        await settled(first)
-        assert slider_values(first) != before
+        await first.until(lambda: slider_values(first) == dragged)
         await first.close()
         await second.close()
 

@@ -23,7 +23,7 @@ ROUTES = (
 PAPERS = ("/course", "/course/{name}", "/guide", "/guide/{name}", "/formulas")
 """Addresses of the pages to print, which wish nothing of the lab; the first word is their kind."""
 
-NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,63}\Z")
+NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}\Z")
 VARIANT = re.compile(r"[0-9]{1,4}\Z")
 ERRATUM = re.compile(r"[0-9A-Z]\.[0-9A-Za-z]{1,8}\Z")
 

@@ -22,7 +22,7 @@ from armlab.session.parts.target import Target
 from armlab.session.session import Session
 from armlab.session.state import Command, State
 from armlab.ui import commands
-from armlab.ui.camera import Camera, Wish
+from armlab.ui.camera import Camera
 from armlab.ui.canvas import Canvas
 from armlab.ui.colours import BLUE
 from armlab.ui.figure.drawn import Drawn, Gallery
@@ -83,7 +83,9 @@ class View:
     ) -> None:
         self.client, self.post, self.language = client, post, language
         self.session: Session = session
-        self.camera: Camera = Camera(client, lambda: self._present[Joints].q, self._wish)
+        self.camera: Camera = Camera(
+            client, lambda: self._present[Joints].q, lambda: wish_of(state := self._present, self._opened(state))
+        )
         self._gallery, self._pace = gallery, pace
         self._loop = asyncio.get_running_loop()
         self._canvas: Canvas | None = None
@@ -168,11 +170,6 @@ class View:
     def _hidden(self, state: State) -> frozenset[str]:
         return hidden_layers(state, self._opened(state))
 
-    def _show_heads(self, state: State) -> None:
-        """Show the pages of each tab, with the present one marked."""
-        for tab in self._tabs.values():
-            tab.show_head(state)
-
     def _show_overlay(self) -> None:
         window = self._window(state := self.session.state)
         if window.asked != self._asked:
@@ -253,10 +250,6 @@ class View:
     def _present(self) -> State:
         """The state that the scene shows; that of the session becomes another one in the middle of a look at it."""
         return self.session.state if self._shown is None else self._shown
-
-    def _wish(self) -> Wish:
-        state = self._present
-        return wish_of(state, self._opened(state))
 
     def _look(self, state: State) -> None:
         """Let the camera look at what the open pages want, when that is something else than before."""
@@ -370,7 +363,8 @@ class View:
         self._refreshed = self._loop.time()
         again, self._untaken = self._untaken != self.session.untaken, self.session.untaken
         state = self.session.state
-        self._show_heads(state)
+        for tab in self._tabs.values():
+            tab.show_head(state)
         for key in self._window(state).seen:
             self._pace.timed(self._tabs[key].show, state, again)
             yield

@@ -190,8 +190,8 @@ def test_the_examples_show_what_they_say():
     assert value(stalled, "steady_speed") == pytest.approx(0.0, abs=1e-9)
     assert value(stalled, "copper") == pytest.approx(120.0, rel=2e-3)
     assert value(opened(ChooseMotorExample("generator")), "supplied") < -50.0
-    assert value(opened(ChooseMotorExample("no_L")), "order") == 1
-    assert value(opened(ChooseMotorExample("no_L")), "damping") is None
+    assert value(opened(ChooseMotorExample("no_inductance")), "order") == 1
+    assert value(opened(ChooseMotorExample("no_inductance")), "damping") is None
     heavy = value(opened(ChooseMotorExample("heavy")), "mechanical_constant")
     assert heavy == pytest.approx(100.0 * value(opened(), "mechanical_constant"))
     ramp, step = (opened(ChooseMotorExample(key)) for key in ("ramp", "twins"))
@@ -222,7 +222,9 @@ def test_the_diagram_has_the_values_of_the_moment_and_the_loop_inside():
     for shown in ("12 V", "9.214 A", "460.7 mN m", "11.87 rad/s", "593.7 mV", "100 mN m", "1.2°"):
         assert shown in text
     assert "inside of the motor" in text
-    assert "1/R" in said(diagram(opened(ChooseMotorExample("no_L"))[Motor].motor, moment_of(state), units_of(state)))
+    assert "1/R" in said(
+        diagram(opened(ChooseMotorExample("no_inductance"))[Motor].motor, moment_of(state), units_of(state))
+    )
 
 
 def test_the_poles_are_told_with_their_approximations():
@@ -233,7 +235,7 @@ def test_the_poles_are_told_with_their_approximations():
     swinging = said(poles_markup(opened(ChooseMotorExample("swinging"))[Motor]))
     assert "−5.1 + 49.76 j" in swinging
     assert "oscillating: damping ratio 0.102" in swinging
-    assert "One pole" in said(poles_markup(opened(ChooseMotorExample("no_L"))[Motor]))
+    assert "One pole" in said(poles_markup(opened(ChooseMotorExample("no_inductance"))[Motor]))
     assert said(plane(opened()[Motor].motor)).count("mo-pole") == 2
 
 

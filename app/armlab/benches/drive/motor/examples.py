@@ -80,7 +80,7 @@ EXAMPLES = part_examples(
         "into the supply, and v i is negative.",
     ),
     PartExample(
-        "no_L",
+        "no_inductance",
         "Without inductance: first order",
         Motor(L=0.0),
         "The current follows the voltage at once and starts at v/R = 10 A. One pole is left, and the speed is nearly "
