@@ -26,6 +26,7 @@ from armlab.ui.markup import fold
 from armlab.ui.paper import in_language
 from armlab.ui.picks import lessons_to_come
 from armlab.ui.plugin import Panel, Show
+from armlab.ui.recording import maker
 from armlab.ui.widgets import Gui
 
 SHEET = "All of them on paper, by chapter: printed and correct side by side, with both residuals."
@@ -67,9 +68,8 @@ def _sheet(gui: Gui, form: Form) -> Inside:
 
 
 def _save(gui: Gui, key: str) -> None:
-    """Let the browser save the list, which takes a second to make and is made beside the work for others."""
-    loop = asyncio.get_running_loop()
-    made = loop.run_in_executor(None, _written, key, gui.language)
+    """Let the browser save the list, which takes a second to make, once for all who ask for it together."""
+    made = asyncio.get_running_loop().run_in_executor(maker(), _written, key, gui.language)
     made.add_done_callback(lambda found: gui.save(f"errata.{FORMATS[key].ending}", found.result()))
 
 
