@@ -20,6 +20,7 @@ sys.path[:0] = [str(Path(__file__).resolve().parents[1] / folder) for folder in 
 
 import msgspec  # noqa: E402
 import numpy as np  # noqa: E402
+from websockets.exceptions import WebSocketException  # noqa: E402
 
 from armlab.session.pages import pages  # noqa: E402
 from support.fake_browser import CAMERA, FakeBrowser, cookie_of  # noqa: E402
@@ -34,6 +35,9 @@ RATE = 100.0
 
 OPENING = 3.0
 """Seconds a stranger waits for a page: what was typed may have led to a lesson that hides it."""
+
+THROWN_OUT = (OSError, TimeoutError, WebSocketException)
+"""What a stranger meets who is thrown out, or refused for a while: that is what is tried."""
 
 NICENESS = 10
 """Of strangers: the processor time they need is that of other machines."""
@@ -73,10 +77,10 @@ class Stranger:
 
     async def flood(self, count: int) -> None:
         while self.sent < count:
-            with contextlib.suppress(Exception):  # thrown out, or refused for a while: that is what is tried
+            with contextlib.suppress(*THROWN_OUT):
                 await self._one_socket(count)
             if self._browser is not None:
-                with contextlib.suppress(Exception):
+                with contextlib.suppress(*THROWN_OUT):
                     await self._browser.close()
             await asyncio.sleep(0.2)
 

@@ -17,6 +17,7 @@ from armlab.content.synonyms import GROUPS
 from armlab.content.words import Words
 from armlab.errors import ArmlabError
 from armlab.session.bench import benches, choosing, page_of
+from armlab.session.job import Deliver, jobs
 from armlab.session.pages import pages
 from armlab.ui import script_words
 from armlab.ui.formulas_page import formulas_page
@@ -110,7 +111,7 @@ def controls_made() -> Iterator[list[dict[str, Any]]]:
 
 
 def every_page(listener: Listener, arms: Iterable[str] = ARMS) -> Iterator[BarePage]:
-    """Listen to every page of the lab as it opens, with each arm; yields each page afterwards."""
+    """Listen to every page of the lab as it opens and when its long work is done, with each arm; yields it then."""
     for key in pages():
         for arm in arms:
             with controls_made() as made:
@@ -118,7 +119,21 @@ def every_page(listener: Listener, arms: Iterable[str] = ARMS) -> Iterator[BareP
             listener.at(f"page/{key}")
             listener.hear_controls(made)
             listener.hear(page)
+            _work_done(listener, page)
             yield page
+
+
+def _work_done(listener: Listener, page: BarePage) -> None:
+    """Carry the long work of a page through, and listen to what it says of it."""
+    for job in jobs().values():
+        wanted = job.wanted(page.session.state, frozenset({page._gui.page}))
+        if wanted is None:
+            continue
+        for found in job.run(wanted.inputs):
+            if found is not None:
+                page._post(Deliver(job, wanted.inputs, found))
+        page.show()
+        listener.hear(page)
 
 
 def pressed(listener: Listener, page: BarePage) -> None:
@@ -164,6 +179,7 @@ def every_example(listener: Listener) -> None:
                 page._post(choosing(name))
                 page.show()
             listener.hear(page)
+            _work_done(listener, page)
 
 
 def known_before(listener: Listener) -> None:

@@ -7,9 +7,11 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.kin.workspace.cloud import samples
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
 from armlab.ui.eye import TALL, Eye, Z
 from support.fake_browser import CAMERA, cookie_of
-from support.lab import running_lab
+from support.lab import open_lab, running_lab
 from support.own_lessons import in_lesson, lesson, write
 from support.student import run, settled, student
 
@@ -128,3 +130,25 @@ def test_the_points_that_a_page_samples_come_into_the_picture(url):
         await browser.close()
 
     run(main())
+
+
+def test_the_camera_looks_at_the_arm_that_is_shown_while_the_worker_has_put_another_one_there():
+    lab = open_lab(opening="puma560")
+
+    async def main():
+        browser = await student(f"http://127.0.0.1:{lab.port}/")
+        (views,) = lab.lab._of_session.values()
+        (view,) = views
+        there = view.session.state
+        view.session.state = State.initial(catalogue()["scara"])  # as the worker does at any moment
+        try:
+            assert view.camera._pose() is there[Joints].q
+            assert view.camera._arm_is_here
+        finally:
+            view.session.state = there
+        await browser.close()
+
+    try:
+        run(main())
+    finally:
+        lab.stop()

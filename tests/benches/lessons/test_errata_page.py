@@ -1,6 +1,8 @@
 """The page Errata as it is shown: the list, the card of one, and the tasks to spot the error."""
 
+import asyncio
 import re
+import threading
 
 import pytest
 
@@ -20,6 +22,7 @@ from armlab.session.parts.errata_practice import Practice
 from armlab.session.state import State, apply
 from support.bare_gui import BarePage, content
 from support.forms import BareForm, asked
+from support.student import run
 
 
 @pytest.fixture
@@ -164,3 +167,27 @@ def test_what_has_no_value_is_marked_as_such_in_the_picture(state):
     assert shown.count('class="er-none"') == len(found.printed)
     other = chosen(state, "5.58")[Errata].run
     assert "no value" not in str(dots(other, other.trial))
+
+
+@pytest.mark.parametrize(("cell", "says"), [("errata-html", "<p>residuo</p>"), ("errata-markdown", "residual")])
+def test_the_list_is_saved_in_the_language_of_who_asks_and_made_once_for_all(monkeypatch, cell, says):
+    threads, written = [], {"html": "<p>residual</p>", "markdown": "residual"}
+
+    def sheet(key):
+        threads.append(threading.current_thread())
+        return written[key]
+
+    monkeypatch.setattr("armlab.benches.lessons.errata.ui.page.sheet", sheet)
+
+    async def main():
+        page, saved = BarePage("errata", catalogue()["puma560"]), []
+        page._gui.language = "it"
+        page._gui.save = lambda name, content: saved.append(content)
+        for _ in range(4):
+            press(page, cell)
+        while len(saved) < 4:
+            await asyncio.sleep(0.01)
+        return saved
+
+    assert run(main()) == [says] * 4
+    assert len(set(threads)) == 1

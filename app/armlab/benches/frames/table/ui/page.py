@@ -34,7 +34,7 @@ from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
-HANDLED = {"table": "table", "object": "object"}
+HANDLED = {"table": "table {T}", "object": "object"}
 
 NEAR, ALIGNED = 1e-3, math.radians(0.1)
 """Distance, metres, and angle, radians, up to which the tool is called there: what the numbers on screen tell."""
