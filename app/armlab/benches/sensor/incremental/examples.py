@@ -50,7 +50,7 @@ EXAMPLES = part_examples(
         "uneven",
         "×2 by the rising edges of A and of B",
         Incremental(pulses=4, moves=(360.0 * DEG,), decoder="x2_notes"),
-        "Two counts in each period, one where A rises and one where B does: right on average, but not equally far apart."
+        "Two counts in each period, one where A rises, one where B does: right on average, but not equally far apart."
         "⟦ The notes count the rising edges of A and of B for D = 2.⟧",
     ),
     PartExample(
