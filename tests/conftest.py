@@ -20,24 +20,25 @@ DATA = Path(__file__).parent / "data"
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_collection(session: pytest.Session) -> Generator[None, object, object]:
-    """Let the workers share the work of compiling what they collect; and nobody look for garbage among the tests."""
+    """Let the workers share the work of compiling what they collect; and nobody ever look for garbage among the tests."""
     compile_in_turns(*turns(session.config))
     gc.disable()
     try:
         return (yield)
     finally:
+        gc.freeze()
         gc.enable()
 
 
 @pytest.hookimpl(trylast=True)  # after tests that were not asked for have been left out
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Let every worker begin with browsers; see `support.order`."""
+    """Let every worker begin with what takes longest; see `support.order`."""
     workers = getattr(config, "workerinput", {}).get("workercount", 1)
-    items[:] = ordered(items, _has_browser, lambda item: item.path, workers)
+    items[:] = ordered(items, _comes_first, lambda item: item.path, workers)
 
 
-def _has_browser(item: pytest.Item) -> bool:
-    return item.get_closest_marker("browser") is not None
+def _comes_first(item: pytest.Item) -> bool:
+    return any(item.get_closest_marker(name) is not None for name in ("browser", "together"))
 
 
 @pytest.fixture

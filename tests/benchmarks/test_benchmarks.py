@@ -13,6 +13,8 @@ import pytest
 
 from armlab.content.robots import catalogue
 
+pytestmark = pytest.mark.together
+
 HERE = Path(__file__).resolve().parents[2] / "benchmarks"
 sys.path.append(str(HERE))
 

@@ -1,4 +1,4 @@
-"""The order of a run: every worker begins with browsers, which take longest, and wait half of the time."""
+"""The order of a run: every worker begins with what takes longest, such as browsers, which wait half of the time."""
 
 from __future__ import annotations
 
