@@ -15,11 +15,20 @@ from armlab.errors import ArmlabError
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State, apply
+from armlab.ui import lab as lab_module
 from armlab.ui.lesson.page import _choice
 from support.forms import BareForm
 from support.own_lessons import lesson as lesson_text
 from support.own_lessons import write
 from support.small_lessons import VARIED
+
+
+@pytest.fixture(autouse=True)
+def no_lab_looks(monkeypatch):
+    """Let the lab that browsers of this process share not look at the lessons meanwhile, for it reads them then."""
+    there = module.lessons_read()
+    monkeypatch.setattr(lab_module, "changed", frozenset)
+    monkeypatch.setattr(lab_module, "lessons", lambda: there)
 
 
 @pytest.fixture

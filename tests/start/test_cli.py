@@ -22,7 +22,7 @@ from support.student import run, student
 
 NONE = (
     "import armlab.resources as there; real = there.folder; "
-    "there.folder = lambda name: real('robots') if name == 'lessons' else real(name); "
+    "there.folder = lambda name: real('no_such_folder') if name == 'lessons' else real(name); "
 )
 """Code that makes a lab find no lessons; a lab of a process of its own finds them all."""
 
