@@ -101,6 +101,27 @@ def test_a_page_is_in_the_language_of_its_address_or_of_the_browser_and_leads_to
     assert ("Il tuo primo braccio" in page) == (said == "it"), "the title of a lesson that is translated"
 
 
+@pytest.mark.parametrize(
+    ("path", "said"),
+    [
+        ("robot/PUMA", "Questa pagina non esiste."),
+        ("lesson/first_arm/x", "Questa pagina non esiste: una variante è un numero da 0 a 9999."),
+        ("erratum/x", "Questa pagina non esiste: una correzione ha un codice come 5.58."),
+        (
+            "state/a.b",
+            "Questo collegamento è danneggiato: ci si aspettano al più 1500 lettere, cifre, - e _. Copialo di nuovo.",
+        ),
+        ("course/none", "Questo corso non esiste."),
+    ],
+)
+def test_what_is_not_there_is_told_in_the_language_of_the_browser(url, path, said):
+    assert get(url + path, {"Accept-Language": "it"})[2].decode() == said
+    assert get(f"{url}{path}?lang=it")[2].decode() == said
+    assert (
+        get(url + path, {"Accept-Language": "fr"})[2].decode().startswith(("There is no such", "This link is damaged"))
+    )
+
+
 def test_a_page_is_small_on_its_way(url):
     _, headers, body = get(f"{url}course", {"Accept-Encoding": "gzip"})
     assert headers["Content-Encoding"] == "gzip"

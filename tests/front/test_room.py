@@ -1,6 +1,7 @@
 """A lab that asks for a room code: strangers get the question and nothing else."""
 
 import urllib.parse
+from html import unescape
 
 import pytest
 
@@ -37,6 +38,15 @@ def test_a_stranger_gets_the_question_and_no_cookie(url):
         assert b"<script" not in body
         assert headers["Set-Cookie"] is None
         assert "default-src 'none'" in headers["Content-Security-Policy"]
+
+
+def test_the_question_is_in_the_language_of_the_browser(url):
+    for path, says in [("", "Questo laboratorio chiede il codice"), ("?code=red", "Questo non è il codice dell'aula.")]:
+        page = get(url + path, {"Accept-Language": "it-IT,it;q=0.9"})[2].decode()
+        assert '<html lang="it">' in page
+        assert says in unescape(page)
+        assert 'aria-label="Codice dell&#39;aula"' in page
+        assert ">Entra nel laboratorio</button>" in page
 
 
 def test_a_stranger_opens_no_socket(url):

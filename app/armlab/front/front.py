@@ -18,7 +18,7 @@ from armlab.front.doors import Doors
 from armlab.front.limits import Addresses, Limits, Meter
 from armlab.front.page import Page
 from armlab.front.paper_pages import POLICY as OF_PAPER
-from armlab.front.paper_pages import PaperPages, Printed
+from armlab.front.paper_pages import PaperPages, Printed, in_their_language
 from armlab.front.relay import relay
 from armlab.front.room import FORM, POLICY, Room
 from armlab.front.tokens import Tokens
@@ -117,19 +117,19 @@ class Front:
         is_socket = request.headers.get("Upgrade", "").lower() == "websocket"
         refusal = self._turned_away(request, is_socket)
         if refusal is not None:
-            return refusal
+            return await _told(request, refusal)
         return await (self._serve_socket(request) if is_socket else self._serve_page(request))
 
     async def _visit_paper(self, request: web.Request) -> web.StreamResponse:
         """Answer with a page to print, which belongs to no browser."""
         refusal = self._turned_away(request, False)
         if refusal is not None:
-            return refusal
+            return await _told(request, refusal)
         kind = request.path.split("/")[1]
-        languages = request.query.get(LANGUAGE, ""), request.headers.get("Accept-Language", "")
-        page = await asyncio.to_thread(self._papers.page, kind, request.match_info.get("name", ""), *languages)
+        name = request.match_info.get("name", "")
+        page = await asyncio.to_thread(self._papers.page, kind, name, *_languages(request))
         if page is None:
-            return _text(404, "There is no such course.")
+            return await _told(request, _text(404, "There is no such course."))
         return _html(request, page, OF_PAPER)
 
     def _turned_away(self, request: web.Request, is_socket: bool) -> web.Response | None:
@@ -312,6 +312,19 @@ def _html(request: web.Request, page: Page | Printed, policy: str) -> web.Respon
 
 def _text(status: int, text: str) -> web.Response:
     return web.Response(status=status, text=text)
+
+
+def _languages(request: web.Request) -> tuple[str, str]:
+    """Return the language that an address asks for, and those that its browser asks for."""
+    return request.query.get(LANGUAGE, ""), request.headers.get("Accept-Language", "")
+
+
+async def _told(request: web.Request, refusal: web.Response) -> web.Response:
+    """Return a refusal in the language of its reader; a redirect has no words."""
+    if refusal.text:
+        # The first time a catalogue is read, which takes a while.
+        refusal.text = await asyncio.to_thread(in_their_language, refusal.text, *_languages(request))
+    return refusal
 
 
 async def _protect(_request: web.Request, response: web.StreamResponse) -> None:

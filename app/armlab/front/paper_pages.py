@@ -104,6 +104,14 @@ def _in_language(page: str, language: str) -> str:
     return in_language(page, language)
 
 
+def in_their_language(page: str, asked: str, accepted: str) -> str:
+    """Return a page, or a sentence, in the language of its reader; languages as in `PaperPages.page`."""
+    from armlab.content.languages import ENGLISH
+
+    language = _language(asked, accepted)
+    return page if language == ENGLISH else _in_language(page, language)
+
+
 class PaperPages:
     """All pages to print. Safe to use from several threads.
 

@@ -26,7 +26,7 @@ input, button {{ font: inherit; padding: .4em .7em }} input {{ width: 11em }} p 
 <h1>Armlab</h1>
 <p>{said}</p>
 <form>
-<input name="code" aria-label="Room code" autofocus autocomplete="off" maxlength="100"> <button>Enter</button>
+<input name="code" aria-label="Room code" autofocus autocomplete="off" maxlength="100"> <button>Enter the lab</button>
 </form>
 """
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; form-action 'self'; base-uri 'none'; frame-ancestors 'self'"
