@@ -110,8 +110,8 @@ EXAMPLES: Registry[Example] = Registry(
             "planar_2r",
             (_line(179.6, **_DLS, name="damped, with feedback"), _line(179.6, name="J⁻¹")),
             "J⁻¹ would need some 2600 °/s. Damped near the singularity the joints stay below 120 °/s; the tool is up "
-            "to 25 mm from where it should be, and feedback brings it back.⟦ λ, path and K_p are ours: the notes do not "
-            "give them.⟧",
+            "to 25 mm from where it should be, and feedback brings it back.⟦ λ, path and K_p are ours: the notes do "
+            "not give them.⟧",
         ),
         Example(
             "newton",
