@@ -109,8 +109,9 @@ EXAMPLES: Registry[Example] = Registry(
             "⟦5.2.1: ⟧Damped, line at 179.6°",
             "planar_2r",
             (_line(179.6, **_DLS, name="damped, with feedback"), _line(179.6, name="J⁻¹")),
-            "J⁻¹ would need some 2600 °/s. Damped near the singularity the joints stay below 120 °/s; the tool leaves "
-            "its line by 25 mm, and feedback brings it back.⟦ λ, path and K_p are ours: the notes do not give them.⟧",
+            "J⁻¹ would need some 2600 °/s. Damped near the singularity the joints stay below 120 °/s; the tool is up "
+            "to 25 mm from where it should be, and feedback brings it back.⟦ λ, path and K_p are ours: the notes do "
+            "not give them.⟧",
         ),
         Example(
             "newton",
