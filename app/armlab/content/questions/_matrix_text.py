@@ -109,6 +109,10 @@ def _entry(word: str, i: int, k: int, unit: str) -> float:
     place = f"Row {i}, column {k}"
     if word == "?":
         raise InputError(f"{place} is empty.")
+    # Where angles are asked for, 30° is read as 30 degrees and not as the number 0.52.
+    value = _with_unit(word, place, unit) if UNITS[unit][0] == "an angle" else None
+    if value is not None:
+        return value
     try:
         return parse(word).value({})
     except InputError as error:
