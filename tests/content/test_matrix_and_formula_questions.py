@@ -60,6 +60,13 @@ def test_a_vector_may_lie_or_stand(text):
 
 
 @pytest.mark.parametrize(
+    "text", ["60 90 -60", "60° 90° -60°", "60 deg 90 deg, -60 deg", "pi/3 rad, 90, -60°", "60; 90; -60"]
+)
+def test_angles_in_a_matrix_may_have_their_unit(text):
+    assert ask("matrix", 'answer = [[60, 90, -60]]\ntolerance = 0.5\nunit = "deg"').judge(text).right
+
+
+@pytest.mark.parametrize(
     ("question", "text", "says", "name"),
     [
         (M, "1 4 7; 2 5 8; 3 6 10", "This is the transposed matrix", "transposed"),
