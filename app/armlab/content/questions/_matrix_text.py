@@ -86,10 +86,14 @@ def _at_both(line: str) -> list[str]:
 
 
 def _at_spaces(line: str) -> list[str]:
-    """Split at spaces outside of brackets, except around an operator: ``1 - 2`` is one entry, ``1 -2`` two."""
+    """Split at spaces outside of brackets, except around an operator or before a unit.
+
+    ``1 - 2`` is one entry, ``1 -2`` two, ``60 deg`` one.
+    """
     line = re.sub(r"\s*([*/^·×])\s*", r"\1", line)
     line = re.sub(r"(?<=[\w)])\s+([-+])\s+(?=\S)", r"\1", line)
     line = re.sub(r"([a-z])\s+\(", r"\1(", line)
+    line = re.sub(r"(?<=[\d.)])\s+(?=(?:deg|°|rad|mm|cm|m)(?:\s|$))", "", line)
     return [word for word in _outside(line, " ") if word]
 
 
@@ -109,8 +113,8 @@ def _entry(word: str, i: int, k: int, unit: str) -> float:
     place = f"Row {i}, column {k}"
     if word == "?":
         raise InputError(f"{place} is empty.")
-    # Where angles are asked for, 30° is read as 30 degrees and not as the number 0.52.
-    value = _with_unit(word, place, unit) if UNITS[unit][0] == "an angle" else None
+    # As a formula 60° is a number of radians: where entries have a unit, their own one is looked for first.
+    value = _with_unit(word, place, unit) if unit else None
     if value is not None:
         return value
     try:
