@@ -198,6 +198,26 @@ def test_mistakes_in_questions(old, new, says):
         lesson(STEP + QUESTION.replace(old, new))
 
 
+@pytest.mark.parametrize(
+    ("kind", "right", "wrong", "mistake"),
+    [("number", "2", '"= 4 - x"', "3"), ("matrix", "[[2, 1]]", '[["= 4 - x", 1]]', "3 1")],
+)
+def test_a_mistake_that_is_right_by_chance_in_a_variant_does_not_close_the_lesson(kind, right, wrong, mistake):
+    asked = (
+        f'kind = "{kind}"\ntext = "?"\nanswer = {right}\ntolerance = 0.01\n[[wrong]]\nanswer = {wrong}\nsays = "No."'
+    )
+    front = FRONT.removesuffix("+++\n") + "[variants]\nx = { choose = [1, 2] }\n+++\n"
+    text = f"{front}{STEP}\n```question\n{asked}\n```\n"
+    drawn = [parse_lesson("made_up", text, variant=number) for number in range(12)]
+    assert {each.values["x"] for each in drawn} == {1, 2}
+    for each in drawn:
+        question = each.steps[0].question
+        assert question.judge(question.right_answer).right
+        assert question.judge(mistake).name == "wrong[1]" or each.values["x"] == 2
+    with pytest.raises(ContentError, match="too close to the right answer"):
+        parse_lesson("made_up", text.replace("[1, 2]", "[2, 1]"))
+
+
 def test_a_toggle_press_is_told_as_it_is_asked():
     """The torque in the text has the sign of the answer, and both are those of the arm."""
     found = next(step for step in lessons()["statics"].steps if step.title == "Slow is strong")

@@ -47,6 +47,8 @@ class Setting:
     catalogue : Catalogue
     values : mapping of str to Value
         Values of the variant.
+    drawn : bool
+        Whether they were drawn: it is another variant than 0.
     prose : Prose
     """
 
@@ -55,6 +57,7 @@ class Setting:
     robot: Robot
     catalogue: Catalogue
     values: Mapping[str, Value]
+    drawn: bool
     prose: Prose
 
     def line(self, token: Token) -> int:
@@ -178,7 +181,7 @@ class _Blocks:
         if not self.found["question"]:
             return None
         with self._located("question"):
-            return read_question(self._table("question"), self.prose.of_table)
+            return read_question(self._table("question"), self.prose.of_table, self.setting.drawn)
 
     def solution(self) -> tuple[Action, ...]:
         if not self.found["solution"]:

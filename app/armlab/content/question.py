@@ -136,10 +136,29 @@ class Question(Protocol):
 
 @dataclass(frozen=True)
 class Asked:
-    """The common fields of all kinds: the text of the question as HTML, and the parts it hides."""
+    """The common fields of all kinds.
+
+    Attributes
+    ----------
+    html : str
+        The text of the question.
+    hide : tuple of str
+        The parts of the screen that it hides.
+    drawn : bool
+        Whether its numbers are those of another variant than the one that the author sees.
+    """
 
     html: str
     hide: tuple[str, ...] = ()
+    drawn: bool = False
+
+    def check_apart(self, wrong: Table, near: bool, says: str) -> None:
+        """Raise `ContentError` where a wrong answer is near the right one.
+
+        In a variant that was drawn it may be so by chance: there a mistake leads to what is right, and is right.
+        """
+        if near and not self.drawn:
+            raise wrong.fail("answer", says)
 
 
 @dataclass(frozen=True)
@@ -170,7 +189,7 @@ def question_types() -> dict[str, QuestionType]:
     return discover(folder, "QUESTION", QuestionType)
 
 
-def read_question(table: Table, to_html: ToHtml) -> Question:
+def read_question(table: Table, to_html: ToHtml, drawn: bool = False) -> Question:
     """Read the table of a question of any kind.
 
     Parameters
@@ -179,6 +198,8 @@ def read_question(table: Table, to_html: ToHtml) -> Question:
         ``kind``, ``text``, ``hide`` and the fields of the kind.
     to_html : callable
         Makes HTML of Markdown; the second argument is its key in the file.
+    drawn : bool, optional
+        See `Asked`.
 
     Raises
     ------
@@ -186,7 +207,7 @@ def read_question(table: Table, to_html: ToHtml) -> Question:
         An unknown kind, a missing, wrong or unknown field.
     """
     kind = question_types()[table.choice("kind", question_types())]
-    asked = Asked(to_html(table.text("text"), f"{table.where}.text"), _hidden(table))
+    asked = Asked(to_html(table.text("text"), f"{table.where}.text"), _hidden(table), drawn)
     question = kind.read(table, asked, to_html)
     table.done()
     return question

@@ -147,8 +147,8 @@ def read(table: Table, asked: Asked, to_html: ToHtml) -> MatrixQuestion:
     wrong = []
     for entry in table.tables("wrong"):
         matrix = _matrix(entry)
-        if matrix.shape == answer.shape and bool(np.all(np.abs(matrix - answer) <= 2.0 * tolerance)):
-            raise entry.fail("answer", "too close to the right answer")
+        near = matrix.shape == answer.shape and bool(np.all(np.abs(matrix - answer) <= 2.0 * tolerance))
+        asked.check_apart(entry, near, "too close to the right answer")
         wrong.append(WrongMatrix(matrix, says(entry, to_html)))
         entry.done()
     return MatrixQuestion(asked.html, answer, tolerance, unit, tuple(wrong), asked.hide)

@@ -139,8 +139,8 @@ def read(table: Table, asked: Asked, to_html: ToHtml) -> NumberQuestion:
     wrong = []
     for entry in table.tables("wrong"):
         said = WrongNumber(entry.number("answer"), says(entry, to_html))
-        if abs(said.answer - answer) <= 2.0 * tolerance:
-            raise entry.fail("answer", f"{said.answer:g} is too close to the right answer {answer:g}")
+        near = abs(said.answer - answer) <= 2.0 * tolerance
+        asked.check_apart(entry, near, f"{said.answer:g} is too close to the right answer {answer:g}")
         entry.done()
         wrong.append(said)
     return NumberQuestion(asked.html, answer, unit, tolerance, tuple(wrong), asked.hide)
