@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
 from armlab.content.bench_words import is_word
+from armlab.content.formula_room import NAMESPACE, add_room, without_namespace
 from armlab.errors import ContentError, InputError, suggestion
 
 if TYPE_CHECKING:
@@ -59,8 +60,6 @@ _LIVE_BEGUN = re.compile(r"\{\{\s*([A-Za-z][^{}\n]{0,40})")
 MOST_FORMULAS = 8192
 """Number of formulas that are cached; the lessons of the lab have some 2400 different ones."""
 
-_NAMESPACE = "http://www.w3.org/1998/Math/MathML"
-
 
 @lru_cache(MOST_FORMULAS)
 def formula(latex: str, block: bool = False) -> str:
@@ -84,12 +83,13 @@ def formula(latex: str, block: bool = False) -> str:
         root = ElementTree.fromstring(_well_formed(converted))
     except ElementTree.ParseError:
         raise InputError(f"the formula ${latex}$ cannot be converted: it does not give MathML") from None
+    without_namespace(root)
     for element in root.iter():
-        element.tag = element.tag.removeprefix(f"{{{_NAMESPACE}}}")
         _check(element, latex)
     for element in root.iter():
         _mark_matrices(element)
-    root.set("xmlns", _NAMESPACE)
+    add_room(root)
+    root.set("xmlns", NAMESPACE)
     return ElementTree.tostring(root, encoding="unicode", short_empty_elements=False)
 
 

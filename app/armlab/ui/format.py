@@ -12,6 +12,7 @@ import numpy as np
 from markupsafe import escape
 from numpy.typing import NDArray
 
+from armlab.content.formula_room import with_room
 from armlab.ui.html import Inside, Markup, classes, tag
 
 MINUS = "\u2212"
@@ -85,7 +86,7 @@ def lowered(text: str) -> str:
 @lru_cache(maxsize=4096)
 def mathml(latex: str, block: bool = False) -> Markup:
     """Return a formula as MathML."""
-    return Markup(latex2mathml.converter.convert(latex, display="block" if block else "inline"))
+    return Markup(with_room(latex2mathml.converter.convert(latex, display="block" if block else "inline")))
 
 
 PLACE = re.compile(r"@(\w+)@")
