@@ -61,7 +61,7 @@ def _about(lesson: Lesson, part: LessonPart, i: int) -> Markup:
 
 
 def revealed(part: LessonPart, lesson: Lesson, i: int) -> bool:
-    """Return whether the hidden part of a step may be seen: its question is answered, or, if it has none, its check is met."""
+    """Return whether the hidden part of a step may be seen: its question is answered, or else its check is met."""
     step = lesson.steps[i]
     if part.silent:
         return False
