@@ -20,7 +20,7 @@ DATA = Path(__file__).parent / "data"
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_collection(session: pytest.Session) -> Generator[None, object, object]:
-    """Let the workers share the work of compiling what they collect; and nobody ever look for garbage among the tests."""
+    """Let the workers share the work of compiling what they collect, and nobody look for garbage among the tests."""
     compile_in_turns(*turns(session.config))
     gc.disable()
     try:
