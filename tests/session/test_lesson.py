@@ -223,6 +223,13 @@ def test_an_edited_table_is_another_arm(first):
     assert has_its_arm(same)  # the table counts, not how it came about
 
 
+def test_an_arm_edited_in_a_lesson_may_stand_where_nothing_is_checked(fresh):
+    state = done(fresh, OpenLesson("workspace_2r"), GoToStep(5), SetCell(1, "a", 1.0))
+    assert state[LessonPart].step.check is None
+    assert has_its_arm(state)
+    assert not has_its_arm(done(state, GoToStep(0)))
+
+
 # --- What is kept
 
 

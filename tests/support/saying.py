@@ -190,6 +190,8 @@ def known_before(listener: Listener) -> None:
             listener.speech.text(text)
     for text in script_words.SCRIPT_WORDS:
         listener.speech.text(text)
+    listener.at("page/lessons")
+    listener.speech.text("3 lessons, 2 h")  # of a chapter of whole hours, which the course need not have
     listener.at("search")
     for text in what_the_search_goes_by():
         listener.speech.text(text)

@@ -6,9 +6,14 @@ import re
 
 import pytest
 
+from armlab.benches.drive.motor.state import Motor
 from armlab.content.lessons import lessons, library
+from armlab.content.robots import catalogue
+from armlab.session.fields import Set
+from armlab.session.lesson_commands import GoToStep, OpenLesson
 from armlab.session.lesson_progress import Progress
 from armlab.session.parts.lesson import LessonPart
+from armlab.session.state import State, apply
 from armlab.ui.lesson import page
 from armlab.ui.tab import CLOSED
 from support.fake_browser import cookie_of
@@ -351,3 +356,12 @@ def test_a_lesson_that_cannot_be_shown_says_so_and_the_benches_live_on(url, monk
         await browser.close()
 
     run(main())
+
+
+def test_the_present_value_stands_in_what_is_said_of_a_mistake():
+    state = State.initial(catalogue()["puma560"])
+    for command in (OpenLesson("dc_motor"), GoToStep(6), Set(Motor, "load", 0.05)):
+        state = apply(state, command)
+    markup = str(page._task(BareForm(), state, lessons()["dc_motor"]))
+    assert "The motor still turns, at" in markup
+    assert re.search(r'data-live="drive.motor.steady_speed">\d+(\.\d+)? rad/s<', markup)

@@ -315,12 +315,16 @@ def is_place(place: str) -> bool:
 
 
 def has_its_arm(state: State) -> bool:
-    """Return whether the lesson's arm is on the table with its limits, or edited when the lesson is on the table."""
+    """Return whether the lesson's arm is on the table with its limits, or edited when the step is about the table.
+
+    At a step without a check an edited arm may stand there when the lesson has had its table edited in another step.
+    """
     part, robot = state[LessonPart], state[RobotPart]
     found, step = part.lesson, part.step
     if found is None or step is None:
         return False
-    if step.check is not None and step.check.of_table and robot.own:
+    judged = found.steps if step.check is None else (step,)
+    if robot.own and any(each.check is not None and each.check.of_table for each in judged):
         return robot.origin == ("" if found.robot == OWN else found.robot)
     if not robot.own:
         return robot.robot.key == found.robot

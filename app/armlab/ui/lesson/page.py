@@ -31,7 +31,7 @@ from armlab.ui.lesson.assigned import Sheet
 from armlab.ui.lesson.end import with_end
 from armlab.ui.lesson.errata import with_links, without_links
 from armlab.ui.lesson.load import load_work
-from armlab.ui.lesson.text import step_text, words_of
+from armlab.ui.lesson.text import step_text, with_values, words_of
 from armlab.ui.markup import verdict_box
 from armlab.ui.widgets import Gui
 
@@ -213,7 +213,7 @@ def _task(form: Form, state: State, lesson: Lesson) -> Markup | None:
         return verdict_box("ok", "Done", role="status")
     if not state[LessonPart].progress.tried:  # nobody has moved anything, so nothing is wrong yet
         return verdict_box("todo", "To do", "As soon as you begin, this card says what is still missing.")
-    return verdict_box("todo", "Not there yet", without_links(says))
+    return verdict_box("todo", "Not there yet", with_values(state, without_links(says)))
 
 
 def _foot(form: Form, lesson: Lesson, part: LessonPart, sheet: Sheet | None = None) -> Markup:

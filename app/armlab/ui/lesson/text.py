@@ -51,7 +51,7 @@ def step_text(state: State, lesson: Lesson, i: int) -> Markup:
     seen = step.reveal_html if revealed(part, lesson, i) else ""
     reveal = tag("div.reveal", Markup(seen)) if seen else None
     text = joined(about if i == 0 else None, title, Markup(step.html), hints, reveal, about if i else None)
-    return tag("div.lesson-text", _with_values(state, text))
+    return tag("div.lesson-text", with_values(state, text))
 
 
 def _about(lesson: Lesson, part: LessonPart, i: int) -> Markup:
@@ -61,7 +61,7 @@ def _about(lesson: Lesson, part: LessonPart, i: int) -> Markup:
 
 
 def revealed(part: LessonPart, lesson: Lesson, i: int) -> bool:
-    """Return whether the hidden part of a step may be seen: its question is settled and its check, if any, is met."""
+    """Return whether the hidden part of a step may be seen: its question is answered, or else its check is met."""
     step = lesson.steps[i]
     if part.silent:
         return False
@@ -70,8 +70,8 @@ def revealed(part: LessonPart, lesson: Lesson, i: int) -> bool:
     return step.check is None or part.name in part.progress.met
 
 
-def _with_values(state: State, html: Markup) -> Markup:
-    """Return the text with the present values in it."""
+def with_values(state: State, html: Markup) -> Markup:
+    """Return a text of a lesson with the present values in it."""
     if 'class="live"' not in html:
         return html
     seen = observed(state)

@@ -21,7 +21,7 @@ BOX = 13
 def diagram(motor: DcMotor, now: Moment, units: Units) -> Markup:
     """Return the diagram, with the loop of the back-EMF inside the motor.
 
-    The electrical part is 1/(s L + R), the mechanical one 1/(s J + F), and k ω comes back from the speed to the
+    The electrical part is 1/(s L + R), the mechanical one 1/(s I + F), and k ω comes back from the speed to the
     voltage.
     """
     signals: tuple[tuple[int, int, str, Inside, str, Rgb], ...] = (
@@ -41,7 +41,7 @@ def diagram(motor: DcMotor, now: Moment, units: Units) -> Markup:
         for x, y, anchor, name, value, colour in signals
     ]
     electrical = "1/R" if motor.reduced else "1/(s L+R)"
-    boxes = ((66, 48, electrical), (136, 18, "k"), (198, 48, "1/(s J+F)"), (284, 20, "1/s"), (112, 18, "k"))
+    boxes = ((66, 48, electrical), (136, 18, "k"), (198, 48, "1/(s I+F)"), (284, 20, "1/s"), (112, 18, "k"))
     heights = (LINE, LINE, LINE, LINE, BACK)
     arrows = ((0, 44), (60, 66), (114, 136), (154, 176), (192, 198), (246, 284), (304, WIDTH))
     return svg.drawing(
