@@ -16,6 +16,7 @@ ANGLE = NumberQuestion("", math.pi / 2, "rad", 0.01)
 DEGREES = NumberQuestion("", 90.0, "deg", 0.1)
 ROOT = NumberQuestion("", math.sqrt(3), "", 0.01)
 SMALL = NumberQuestion("", 0.02, "m", 0.01)
+SHARE = NumberQuestion("", 5.0, "%", 0.1)
 
 
 def ask(text, kind="number"):
@@ -35,6 +36,11 @@ def test_right_lengths(text):
 def test_right_angles(text):
     assert ANGLE.judge(text).right
     assert DEGREES.judge(text).right is (text not in ("pi/2", "π/2", "1.57"))
+
+
+@pytest.mark.parametrize("text", ["5", "5 %", "5%", "5,05 %", "10/2 %", "5 percent", "5％"])
+def test_right_shares(text):
+    assert SHARE.judge(text).right
 
 
 @pytest.mark.parametrize(
@@ -58,6 +64,10 @@ def test_right_angles(text):
         (DEGREES, "45", "This is half of what is asked", "factor 2"),
         (ROOT, "2*cos(30)", "sin, cos and tan take radians here", "degrees"),
         (SMALL, "0.035", "This is not the answer yet.", ""),
+        (SHARE, "0.05", "As a fraction this is right. In percent it is a hundred times as much.", "unit"),
+        (SHARE, "0.05 %", "This is not the answer yet.", ""),
+        (SHARE, "5 m", "This is a length; the question asks for a share in %.", "unit"),
+        (ROOT, "173 %", "This is a share; the question asks for a pure number.", "unit"),
         (LENGTH, "half", "I cannot read 'half': write a number such as 0.5, 50 cm, pi/2 or 90 deg.", "unreadable"),
         (LENGTH, "<b>1</b>", "I cannot read '&lt;b&gt;1&lt;/b&gt;': write a number", "unreadable"),
         (LENGTH, "0.5 rad^2", "The unit rad^2 is not known; there are m, cm, mm,", "unreadable"),
@@ -105,6 +115,7 @@ def test_small_formulas_are_answers(text):
         ("−1.5A", -1.5, "A"),
         ("24 V", 24.0, "V"),
         ("7 N", 7.0, "N"),
+        ("0,5 %", 0.5, "%"),
         ("atan2(1,1)*4/pi rad", 1.0, "rad"),
     ],
 )

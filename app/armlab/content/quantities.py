@@ -36,15 +36,16 @@ UNITS: dict[str, tuple[str, float]] = {
     "W": ("a power", 1.0),
     "mW": ("a power", 1e-3),
     "kW": ("a power", 1e3),
+    "%": ("a share", 1e-2),
 }
 """Units, each with its kind of quantity and its size in the unit of computation."""
 
 ROUNDING = 1e-9
 """Relative widening of a tolerance, so that a number exactly on its edge is right."""
 
-_SPELLINGS = {"°": "deg", "degree": "deg", "degrees": "deg", "radian": "rad", "radians": "rad"}
+_SPELLINGS = {"°": "deg", "degree": "deg", "degrees": "deg", "radian": "rad", "radians": "rad", "percent": "%"}
 _UNIT = re.compile(
-    r"(?<![a-zA-Z^/])(degrees?|deg|°|radians?|rad|rpm|cm|mm|ms|mN[ *]?m|mA|mW|kW|m|s|N[ *]?m|N|V|A|W)"
+    r"(?<![a-zA-Z^/])(degrees?|deg|°|radians?|rad|rpm|cm|mm|ms|mN[ *]?m|mA|mW|kW|m|s|N[ *]?m|N|V|A|W|%|percent)"
     r"(?:(?P<square>\s*\^?2|\s*\^\(2\))|(?P<second>\s*/\s*s|[ *]*s\^\(?-1\)?))?$"
 )
 

@@ -93,7 +93,7 @@ def _at_spaces(line: str) -> list[str]:
     line = re.sub(r"\s*([*/^·×])\s*", r"\1", line)
     line = re.sub(r"(?<=[\w)])\s+([-+])\s+(?=\S)", r"\1", line)
     line = re.sub(r"([a-z])\s+\(", r"\1(", line)
-    line = re.sub(r"(?<=[\d.)])\s+(?=(?:deg|°|rad|mm|cm|m)(?:\s|$))", "", line)
+    line = re.sub(r"(?<=[\d.)])\s+(?=(?:deg|°|rad|mm|cm|m|%)(?:\s|$))", "", line)
     return [word for word in _outside(line, " ") if word]
 
 

@@ -110,6 +110,8 @@ class NumberQuestion:
 
     def _other_units(self, typed: float, unit: str | None) -> Iterator[Verdict]:
         quantity, own = UNITS[self.unit]
+        if self.unit == "%" and unit is None and self._near(typed / own):
+            yield Verdict(False, "As a fraction this is right. In percent it is a hundred times as much.", "unit")
         for other, (kind, size) in UNITS.items():
             if kind == quantity and other != (unit or self.unit) and self._near(typed * size / own):
                 if unit is None:
