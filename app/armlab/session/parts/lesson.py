@@ -315,10 +315,7 @@ def is_place(place: str) -> bool:
 
 
 def has_its_arm(state: State) -> bool:
-    """Return whether the lesson's arm is on the table with its limits, or edited when the step is about the table.
-
-    At a step without a check an edited arm may stand there when the lesson has had its table edited in another step.
-    """
+    """Return whether the lesson's arm is there, or edited where the step, or any if it has no check, asks for that."""
     part, robot = state[LessonPart], state[RobotPart]
     found, step = part.lesson, part.step
     if found is None or step is None:
