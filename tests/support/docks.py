@@ -1,0 +1,168 @@
+"""The dock of a lesson in all its states, without a browser: what the lab says in it besides the lesson's own texts."""
+
+from __future__ import annotations
+
+import contextlib
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from armlab.commands._translated import heard
+from armlab.content.actions import Move
+from armlab.content.lesson import Lesson
+from armlab.content.lessons import lesson
+from armlab.content.po import Message
+from armlab.content.robots import catalogue
+from armlab.session.assignment_commands import HandIn, LookAtClock, OpenAssignment, OpenTask, TakeUp
+from armlab.session.assignment_rules import refuse_forgetting
+from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson, SignAs, TakeLessonArm, UnlockHint
+from armlab.session.parts.joints import MoveJoint
+from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.robot import ChooseRobot
+from armlab.session.parts.target import TargetToTool
+from armlab.session.edits import RemoveJoint
+from armlab.session.state import Command, State, apply
+from armlab.ui.lesson.page import LessonPage
+from support.assigned import NOON, folder_fixture
+from support.bare_gui import BareGui, content
+from support.check_talk import said_of_checks
+from support.own_lessons import ARM, QUESTIONS
+from support.own_lessons import lesson as written
+from support.saying import Listener
+from support.small_lessons import library_fixture
+from support.verdicts import verdicts
+
+LESSONS = ("first_arm", "ik_2r")
+"""Lessons of the course whose docks are looked at."""
+
+LOCKED = (
+    'locked = ["robot", "table", "joints"]',
+    'locked = ["target"]\nlocked_joints = [1]',
+    'locked = ["joints", "target"]',
+    "locked_joints = [1, 2]",
+)
+"""What lessons lock."""
+
+
+class BareDock:
+    """The dock of a student, and what the student does.
+
+    Parameters
+    ----------
+    listener : Listener
+        Hears all that is shown, and why something is refused.
+    """
+
+    def __init__(self, listener: Listener) -> None:
+        self._listener, self._gui = listener, BareGui()
+        self._gui.page, self._gui.again = "lesson", lambda: None
+        self.page = LessonPage(self._gui, lambda command: None)
+        self.state, self.at = State.initial(catalogue()["puma560"]), NOON
+        self._known: set[str] = set()
+
+    @property
+    def part(self) -> LessonPart:
+        """The open lesson."""
+        return self.state[LessonPart]
+
+    def do(self, *commands: Command) -> None:
+        """Do something, and listen to what is shown then, or to why it is refused."""
+        for command in commands:
+            self._listener.try_out(lambda command=command: self._do(command))
+            self.hear()
+
+    def _do(self, command: Command) -> None:
+        self.state = apply(self.state, command, self.at)
+
+    def hear(self) -> None:
+        """Listen to what the dock shows."""
+        if self.part.lesson is None:
+            return
+        if self.part.open not in self._known:
+            self._known.add(self.part.open)
+            title = () if self.part.assigned is None else (self.part.assigned.title,)
+            self._listener.knows((*texts_of(self.part.lesson), *title))
+        self.page.show(self.state)
+        self._listener.hear_markup(self.shown)
+
+    @property
+    def shown(self) -> list[str]:
+        """The markup of the dock."""
+        return [content(fields) for fields in self._gui.has] + [
+            each.handle._impl.props.content for each in self._gui.said
+        ]
+
+    def solve(self) -> None:
+        """Go through the open lesson as its solutions say, with hints and wrong answers on the way."""
+        found = self.part.lesson
+        assert found is not None
+        for i, step in enumerate(found.steps):
+            self.do(GoToStep(i), *[UnlockHint()] * len(step.hints), MoveJoint(0, 0.3))
+            if step.question is not None:
+                wrong = () if step.question.hide else tuple(each.typed for each in step.question.wrong)
+                self.do(*(Answer(text) for text in ("foo", *wrong, step.question.right_answer, "77")))
+            for action in step.solution:
+                if isinstance(action, Move):
+                    self.do(*(MoveJoint(j, float(value)) for j, value in enumerate(action.q)))
+
+
+def texts_of(found: Lesson) -> list[str]:
+    """Return the texts of a lesson in the form of messages."""
+    return heard(found, [])[0]
+
+
+def every_dock(listener: Listener) -> None:
+    """Listen to what is said of answers and checks, and to the docks of some lessons, of an exam and of homework."""
+    listener.at("lesson")
+    for html in verdicts():
+        listener.speech.markup(html)
+    for text in said_of_checks():
+        listener.speech.text(text)
+    for key in LESSONS:
+        dock = BareDock(listener)
+        dock.do(OpenLesson(key))
+        dock.solve()
+        dock.do(ChooseRobot("scara"), TakeLessonArm(), MoveJoint(0, 0.1), SignAs("Ada"))
+        dock.page.fail()
+        listener.hear_markup(dock.shown)
+    with lessons_of_a_test():
+        of_a_test(listener)
+
+
+@contextlib.contextmanager
+def lessons_of_a_test() -> Iterator[None]:
+    """Have small lessons, an exam and homework in place of the course."""
+    with pytest.MonkeyPatch.context() as patch, tempfile.TemporaryDirectory() as folder:
+        use = next(library_fixture(Path(folder), patch))
+        use(questions=written(QUESTIONS), **{f"locked{i}": written(front=ARM + text + "\n") for i, text in enumerate(LOCKED)})
+        folder_fixture(use, Path(folder))
+        yield
+
+
+def of_a_test(listener: Listener) -> None:
+    """Listen to what is said in these."""
+    for key in ("questions", "v", "t"):
+        dock = BareDock(listener)
+        dock.do(Answer("1"), GoToStep(1), OpenLesson(key, variant=10**6), OpenLesson(key), GoToStep(99))
+        dock.solve()
+        dock.do(Answer("1"))
+        dock.do(*(GoToStep(i) for i in range(len(dock.part.lesson.steps))))
+    for i in range(len(LOCKED)):
+        dock = BareDock(listener)
+        dock.do(OpenLesson(f"locked{i}"), MoveJoint(0, 0.1), MoveJoint(1, 0.1), ChooseRobot("scara"), TargetToTool(), RemoveJoint(0))
+    for key, number in (("exam", 3), ("homework", None), ("homework", 10**6)):
+        dock = BareDock(listener)
+        for dock.at in (NOON - 60.0, NOON + 7300.0, NOON):
+            dock.do(OpenAssignment(key, number))
+        if dock.part.lesson is None:
+            continue
+        for task in range(3):
+            dock.do(OpenTask(task), HandIn())
+            dock.solve()
+        dock.do(OpenLesson("t"), OpenAssignment("exam"), OpenAssignment("homework"), SignAs("Ada"))
+        listener.try_out(lambda dock=dock: refuse_forgetting(dock.part))
+        dock.do(HandIn(), Answer("1"), TakeUp(), HandIn(), TakeUp(), OpenAssignment(key, 5))
+        dock.at = NOON + 9000.0
+        dock.do(LookAtClock(), TakeUp())
