@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from armlab.content.check import PLAIN, Words, read_check
+from armlab.content.checks.joints_found import JointsFound
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import catalogue
@@ -47,10 +48,13 @@ OF_ARMS: tuple[tuple[str, str, tuple[tuple[float, ...], ...]], ...] = (
         for robot, text, states in JOINTS
         if "kind" not in text
     ),
-    ("planar_2r", 'kind = "joints_at"\nq_deg = [0, 90]\ntolerance_deg = 1', ()),
+    ("scara", 'kind = "joint_at"\njoint = 3\nvalue_m = 0.1\ntolerance_m = 0.005', ((0, 0, math.degrees(-0.1), 0),)),
+    ("puma560", 'kind = "joints_found"\nq_deg = [0, 90, -90, 0, 30, 0]\ntolerance_deg = 1', ((0, 90, -90, 3, 9, 7),)),
+    ("planar_2r", 'kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.01\nphi_deg = 180', ((0, 90),)),
+    ("elbow_3r", 'kind = "branch"\nshoulder = "front"', ((0, 90, 0),)),
     ("planar_2r", 'kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.01\nphi_deg = 0', ((0, 90), (90, -90), (5, 9))),
     ("planar_3r", 'kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.5\nphi_deg = 90', ((0, 90, -90), (0, 90, 90))),
-    *(("planar_2r", text, ((0, 0), (60, 80), (90, 90), (0, 120))) for text in LINES),
+    *(("planar_2r", text, ((0, 0), (60, 80), (90, 90), (0, 120), (-66.42, 132.84))) for text in LINES),
     ("planar_2r", 'kind = "manipulability_at_least"\nvalue = 0.5', ((0, 20), (0, 0), (0, 90))),
     ("planar_2r", 'kind = "manipulability_at_most"\nvalue = 0.5', ((0, 20), (0, 90))),
     ("planar_2r", 'kind = "singular"', ((0, 20), (0, 0))),
@@ -96,7 +100,7 @@ OF_MOTIONS = (
     *(f'kind = "move_is"\n{text}' for text in ('path = "overfly"', 'law = "cubic"', "path = 'line'")),
 )
 
-POSES = ((1.0, 0.2, 0.3), (-1.0, 0.2, 0.3), (1.0, -0.2, 0.3), (-1.0, -0.2, 0.3), (0.2, 1.0, 0.3), (1.0, 0.2, -0.3), (1.0, 0.3, 0.3))
+POSES = ((1.0, 0.2, 0.3), (-1.0, 0.2, 0.3), (1.0, -0.2, 0.3), (-1.0, -0.2, 0.3), (0.2, 1.0, 0.3), (1.0, 0.2, -0.3), (1.0, 0.3, 0.3), (1.0, 0.2, 0.5))
 """Points in metres: the one asked for, those with a mistake that is recognised, and, last, another one."""
 
 TURNS = ((20, 40, 60), (60, 40, 20), (0, 0, 90), (0, 0, -90), (0, 90, 0), (180, 0, 90), (20, 50, 60))
@@ -105,7 +109,7 @@ TURNS = ((20, 40, 60), (60, 40, 20), (0, 0, 90), (0, 0, -90), (0, 90, 0), (180, 
 FACTS: tuple[tuple[str, Value | None], ...] = (
     *(("value = 2\ntolerance = 0.5", value) for value in (None, 1.0)),
     *(("at_least = 2\nat_most = 3", value) for value in (1.0, 4.0)),
-    *(("at_most = 3", 4.0), ("value = true", False), ("value = false", True), ('value = "one"', "other")),
+    *(("at_most = 3", 4.0), ("at_least = 3", 1.0), ("value = true", False), ("value = false", True), ('value = "one"', "other")),
     *(("value = [1, 2]\ntolerance = 0.1", (1.0, 3.0)), ("component = 2\nvalue = 2", (1.0, 3.0))),
 )
 
@@ -125,6 +129,8 @@ def _judged() -> Iterator[tuple[Any, Observation]]:
     for text in ("joints_at", "joints_found"):
         yield _check(f'kind = "{text}"\nq_deg = [0, 90]\ntolerance_deg = 1'), Observation.of(three, [0, 0, 0])
     yield _check('kind = "from_limits"\nat_least_deg = 9'), Observation.of(three, [0, 0, 0])
+    one = JointsFound(np.array([1.0]), np.array([0.01]), np.array([True]))
+    yield one, Observation.of(type(two).from_dh([("R", 1.0, 0.0, 0.0, 0.0)]), [0.0])
     bare = Observation.of(two, [0.3, 0.6])
     for text in OF_MOTIONS:
         check = _check(text, "puma560")
@@ -146,11 +152,14 @@ def _judged() -> Iterator[tuple[Any, Observation]]:
 
 def _of_poses(bare: Observation) -> Iterator[tuple[Any, Observation]]:
     place = "position = [1.0, 0.2, 0.3]\ntolerance_m = 0.01\n"
-    yield _check(f'kind = "target_at"\n{place}', "puma560"), bare
+    bare_place = _check(f'kind = "target_at"\n{place}', "ur10")
+    yield bare_place, bare
+    yield bare_place, replace(bare, target=np.eye(4))
     for kind, rpy in (("target_at", TURNS[0]), ("tool_pose", TURNS[0]), ("tool_pose", TURNS[2])):
         check = _check(f'kind = "{kind}"\n{place}rpy_deg = {list(rpy)}\ntolerance_deg = 2', "ur10")
         right = _turned(rpy)
         tried = [(position, R) for position in POSES[1:] for R in (right, right.T)]
+        tried.append((POSES[0], np.asarray(rotation_from_sequence("xyz", np.radians(rpy)))))
         tried += [(POSES[0], R) for turn in TURNS for R in (_turned(turn), _turned(turn).T)]
         for pose in (transform(R, position) for position, R in tried):
             yield check, replace(bare, target=pose, tool_pose=pose)
@@ -179,6 +188,11 @@ def _of_tables() -> Iterator[tuple[Any, Observation]]:
     yield check, Observation.of(converted(type(arm).from_dh(right), "modified"), np.zeros(2))
     modified = _check(f'kind = "table_is"\nconvention = "modified"\n{rows}')
     yield modified, Observation.of(type(arm).from_dh(right), np.zeros(2))
+    moved = (Row("R", 0.3, 0.0, 0.1, 0.0), Row("R", 0.0, 0.0, 0.0, math.pi / 4))
+    yield modified, Observation.of(type(arm).from_dh(moved, "modified"), np.zeros(2))
+    slide = _check('kind = "table_is"\n[[rows]]\ntype = "P"\nalpha_deg = 2')
+    for kind, alpha in (("R", 0.5), ("P", 2.0)):
+        yield slide, Observation.of(type(arm).from_dh([(kind, 0.0, alpha, 0.0, 0.0)]), np.zeros(1))
 
 
 def _check(text: str, robot: str = "planar_2r") -> Any:

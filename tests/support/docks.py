@@ -7,35 +7,42 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from armlab.commands._translated import heard
 from armlab.content.actions import Move
+from armlab.content.assignment import said_date
 from armlab.content.lesson import Lesson
-from armlab.content.lessons import lesson
+from armlab.content.lessons import lessons
 from armlab.content.po import Message
 from armlab.content.robots import catalogue
 from armlab.session.assignment_commands import HandIn, LookAtClock, OpenAssignment, OpenTask, TakeUp
 from armlab.session.assignment_rules import refuse_forgetting
 from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson, SignAs, TakeLessonArm, UnlockHint
-from armlab.session.parts.joints import MoveJoint
+from armlab.session.parts.joints import LockJoint, MoveJoint
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import ChooseRobot
-from armlab.session.parts.target import TargetToTool
+from armlab.session.parts.target import PlaceTarget
 from armlab.session.edits import RemoveJoint
 from armlab.session.state import Command, State, apply
+from armlab.ui.lesson.asking import Draft, asked
 from armlab.ui.lesson.page import LessonPage
 from support.assigned import NOON, folder_fixture
 from support.bare_gui import BareGui, content
 from support.check_talk import said_of_checks
+from support.forms import BareForm
 from support.own_lessons import ARM, QUESTIONS
 from support.own_lessons import lesson as written
 from support.saying import Listener
 from support.small_lessons import library_fixture
-from support.verdicts import verdicts
+from support.verdicts import questions, verdicts
 
 LESSONS = ("first_arm", "ik_2r")
 """Lessons of the course whose docks are looked at."""
+
+MONTH = 30.5 * 24.0 * 3600.0
+"""Seconds."""
 
 LOCKED = (
     'locked = ["robot", "table", "joints"]',
@@ -44,6 +51,14 @@ LOCKED = (
     "locked_joints = [1, 2]",
 )
 """What lessons lock."""
+
+ASSIGNMENTS = {
+    "once": "exam = true\nminutes = 30\nattempts = 1",
+    "often": "attempts = 3\nlast_hint_percent = 50",
+    "any": "",
+    "practice": "hints = false",
+}
+"""Fields of assignments besides an exam and homework."""
 
 
 class BareDock:
@@ -94,14 +109,20 @@ class BareDock:
             each.handle._impl.props.content for each in self._gui.said
         ]
 
-    def solve(self) -> None:
-        """Go through the open lesson as its solutions say, with hints and wrong answers on the way."""
+    def solve(self, predicts: str = "") -> None:
+        """Go through the open lesson as its solutions say, with hints and wrong answers on the way.
+
+        Parameters
+        ----------
+        predicts : str
+            An answer to the questions of which the first one counts; the right one if empty.
+        """
         found = self.part.lesson
         assert found is not None
         for i, step in enumerate(found.steps):
             self.do(GoToStep(i), *[UnlockHint()] * len(step.hints), MoveJoint(0, 0.3))
             if step.question is not None:
-                wrong = () if step.question.hide else tuple(each.typed for each in step.question.wrong)
+                wrong = (predicts,) if step.question.hide else tuple(each.typed for each in step.question.wrong)
                 self.do(*(Answer(text) for text in ("foo", *wrong, step.question.right_answer, "77")))
             for action in step.solution:
                 if isinstance(action, Move):
@@ -118,6 +139,10 @@ def every_dock(listener: Listener) -> None:
     listener.at("lesson")
     for html in verdicts():
         listener.speech.markup(html)
+    for question, _ in questions():
+        listener.speech.markup(asked(BareForm(), question, "", Draft(question.form, ""), settled=False))
+    for month in range(12):
+        listener.speech.text(said_date(NOON + month * MONTH))
     for text in said_of_checks():
         listener.speech.text(text)
     for key in LESSONS:
@@ -137,7 +162,10 @@ def lessons_of_a_test() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch, tempfile.TemporaryDirectory() as folder:
         use = next(library_fixture(Path(folder), patch))
         use(questions=written(QUESTIONS), **{f"locked{i}": written(front=ARM + text + "\n") for i, text in enumerate(LOCKED)})
-        folder_fixture(use, Path(folder))
+        place = folder_fixture(use, Path(folder))
+        for key, fields in ASSIGNMENTS.items():
+            (place / f"{key}.toml").write_text(f'title = "Of a test"\n{fields}\n[[tasks]]\nlesson = "v"\npoints = 1\n')
+        use(unlisted=written(front=ARM + "listed = false\n"))
         yield
 
 
@@ -151,18 +179,36 @@ def of_a_test(listener: Listener) -> None:
         dock.do(*(GoToStep(i) for i in range(len(dock.part.lesson.steps))))
     for i in range(len(LOCKED)):
         dock = BareDock(listener)
-        dock.do(OpenLesson(f"locked{i}"), MoveJoint(0, 0.1), MoveJoint(1, 0.1), ChooseRobot("scara"), TargetToTool(), RemoveJoint(0))
-    for key, number in (("exam", 3), ("homework", None), ("homework", 10**6)):
-        dock = BareDock(listener)
-        for dock.at in (NOON - 60.0, NOON + 7300.0, NOON):
-            dock.do(OpenAssignment(key, number))
-        if dock.part.lesson is None:
-            continue
-        for task in range(3):
-            dock.do(OpenTask(task), HandIn())
-            dock.solve()
-        dock.do(OpenLesson("t"), OpenAssignment("exam"), OpenAssignment("homework"), SignAs("Ada"))
-        listener.try_out(lambda dock=dock: refuse_forgetting(dock.part))
-        dock.do(HandIn(), Answer("1"), TakeUp(), HandIn(), TakeUp(), OpenAssignment(key, 5))
+        dock.do(OpenLesson(f"locked{i}"), MoveJoint(0, 0.1), MoveJoint(1, 0.1), ChooseRobot("scara"), RemoveJoint(0), LockJoint(0, False))
+        dock.do(PlaceTarget(np.eye(4)))
+    all_done(listener)
+    for key in ("exam", "homework", *ASSIGNMENTS):
+        on_assignment(listener, key)
+
+
+def all_done(listener: Listener) -> None:
+    """Listen to the end of a course, and to what is said where nothing is open."""
+    dock = BareDock(listener)
+    dock.do(HandIn(), OpenLesson("unlisted"))
+    for key in lessons().listed:
+        dock.do(OpenLesson(key.key))
+        dock.solve(predicts="77")
+
+
+def on_assignment(listener: Listener, key: str) -> None:
+    """Listen to an assignment from before it opens until it is over, handed in by the student or by the clock."""
+    dock = BareDock(listener)
+    for dock.at in (NOON - 60.0, NOON + 9000.0, NOON):
+        dock.do(OpenAssignment(key, 3))
+        if dock.part.assigned is not None:
+            break
+    for task in range(3):
+        dock.do(OpenTask(task), HandIn())
+        dock.solve()
+    dock.do(OpenLesson("t"), OpenAssignment("exam"), OpenAssignment("homework"), SignAs("Ada"))
+    listener.try_out(lambda: refuse_forgetting(dock.part))
+    begun = dock.state
+    dock.do(HandIn(), Answer("1"), TakeUp(), HandIn(), TakeUp(), OpenAssignment(key, 5))
+    for dock.state in (dock.state, begun):
         dock.at = NOON + 9000.0
-        dock.do(LookAtClock(), TakeUp())
+        dock.do(Answer("1"), HandIn(), LookAtClock(), TakeUp())
