@@ -16,15 +16,19 @@ from armlab.content.reader import Table
 from armlab.content.robots import catalogue
 from armlab.content.seen_fact import SeenFact, Value
 from armlab.content.seen_motion import SeenMotion, SeenMove
-from armlab.kin.dh import Row
 from armlab.kin.convert import converted
+from armlab.kin.dh import Row
 from armlab.kin.rotations import rotation_from_sequence
 from armlab.kin.transforms import transform
 
 IN_OTHER_UNITS = Words(lambda metres: f"{1000.0 * metres:.1f} mm", lambda radians: f"{radians:.3f} rad")
 
 JOINTS = (
-    ("planar_2r", 'kind = "joint_at"\njoint = 2\nvalue_deg = 60', ((60, 10), (60, -60), (0, math.radians(60)), (0, 60))),
+    (
+        "planar_2r",
+        'kind = "joint_at"\njoint = 2\nvalue_deg = 60',
+        ((60, 10), (60, -60), (0, math.radians(60)), (0, 60)),
+    ),
     ("planar_3r", "q_deg = [10, 40, 90]", ((0, 40, 9), (-10, 4, 9), (90, 40, 10), (40, 10, 90), (-10, -40, -90))),
     ("planar_3r", "q_deg = [10, 40, 90]", ((10, 40, 80), (1, 2, 3), (10, 3, 90), (10, -40, 5), (10, 40, 90))),
     ("planar_2r", "q_deg = [0, 90]", ((90, -90), (1, 90), (5, 5))),
@@ -52,8 +56,16 @@ OF_ARMS: tuple[tuple[str, str, tuple[tuple[float, ...], ...]], ...] = (
     ("puma560", 'kind = "joints_found"\nq_deg = [0, 90, -90, 0, 30, 0]\ntolerance_deg = 1', ((0, 90, -90, 3, 9, 7),)),
     ("planar_2r", 'kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.01\nphi_deg = 180', ((0, 90),)),
     ("elbow_3r", 'kind = "branch"\nshoulder = "front"', ((0, 90, 0),)),
-    ("planar_2r", 'kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.01\nphi_deg = 0', ((0, 90), (90, -90), (5, 9))),
-    ("planar_3r", 'kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.5\nphi_deg = 90', ((0, 90, -90), (0, 90, 90))),
+    (
+        "planar_2r",
+        'kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.01\nphi_deg = 0',
+        ((0, 90), (90, -90), (5, 9)),
+    ),
+    (
+        "planar_3r",
+        'kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.5\nphi_deg = 90',
+        ((0, 90, -90), (0, 90, 90)),
+    ),
     *(("planar_2r", text, ((0, 0), (60, 80), (90, 90), (0, 120), (-66.42, 132.84))) for text in LINES),
     ("planar_2r", 'kind = "manipulability_at_least"\nvalue = 0.5', ((0, 20), (0, 0), (0, 90))),
     ("planar_2r", 'kind = "manipulability_at_most"\nvalue = 0.5', ((0, 20), (0, 90))),
@@ -67,7 +79,11 @@ OF_ARMS: tuple[tuple[str, str, tuple[tuple[float, ...], ...]], ...] = (
     ("planar_2r", 'kind = "branch"\nelbow = "up"', ((0, 90), (0, 0), (0, -90))),
     ("planar_2r", 'kind = "branch"\nelbow = "down"', ((0, 90), (0, 0), (0, -90))),
     *(
-        ("puma560", f'kind = "branch"\n{text}', ((0, 90, -90, 0, 40, 0), (0, -150, 30, 0, -40, 0), (0, 90, -90, 0, 0, 0)))
+        (
+            "puma560",
+            f'kind = "branch"\n{text}',
+            ((0, 90, -90, 0, 40, 0), (0, -150, 30, 0, -40, 0), (0, 90, -90, 0, 0, 0)),
+        )
         for text in (
             *('elbow = "up"', 'elbow = "down"', 'shoulder = "left"', 'shoulder = "right"'),
             *('shoulder = "front"', 'shoulder = "back"', 'wrist = "positive"', 'wrist = "negative"'),
@@ -100,7 +116,16 @@ OF_MOTIONS = (
     *(f'kind = "move_is"\n{text}' for text in ('path = "overfly"', 'law = "cubic"', "path = 'line'")),
 )
 
-POSES = ((1.0, 0.2, 0.3), (-1.0, 0.2, 0.3), (1.0, -0.2, 0.3), (-1.0, -0.2, 0.3), (0.2, 1.0, 0.3), (1.0, 0.2, -0.3), (1.0, 0.3, 0.3), (1.0, 0.2, 0.5))
+POSES = (
+    (1.0, 0.2, 0.3),
+    (-1.0, 0.2, 0.3),
+    (1.0, -0.2, 0.3),
+    (-1.0, -0.2, 0.3),
+    (0.2, 1.0, 0.3),
+    (1.0, 0.2, -0.3),
+    (1.0, 0.3, 0.3),
+    (1.0, 0.2, 0.5),
+)
 """Points in metres: the one asked for, those with a mistake that is recognised, and, last, another one."""
 
 TURNS = ((20, 40, 60), (60, 40, 20), (0, 0, 90), (0, 0, -90), (0, 90, 0), (180, 0, 90), (20, 50, 60))
@@ -109,7 +134,13 @@ TURNS = ((20, 40, 60), (60, 40, 20), (0, 0, 90), (0, 0, -90), (0, 90, 0), (180, 
 FACTS: tuple[tuple[str, Value | None], ...] = (
     *(("value = 2\ntolerance = 0.5", value) for value in (None, 1.0)),
     *(("at_least = 2\nat_most = 3", value) for value in (1.0, 4.0)),
-    *(("at_most = 3", 4.0), ("at_least = 3", 1.0), ("value = true", False), ("value = false", True), ('value = "one"', "other")),
+    *(
+        ("at_most = 3", 4.0),
+        ("at_least = 3", 1.0),
+        ("value = true", False),
+        ("value = false", True),
+        ('value = "one"', "other"),
+    ),
     *(("value = [1, 2]\ntolerance = 0.1", (1.0, 3.0)), ("component = 2\nvalue = 2", (1.0, 3.0))),
 )
 
@@ -141,8 +172,9 @@ def _judged() -> Iterator[tuple[Any, Observation]]:
         yield _check(f'kind = "fact"\nfact = "{word}"\n{text}'), replace(bare, facts={word: fact})
     for text in ('panel = "joints"', 'switch = "frames"', 'film = "dh"'):
         yield _check(f'kind = "looked_at"\n{text}'), bare
-        yield _check(f'kind = "looked_at"\n{text}'), replace(
-            bare, panel="joints", switches=frozenset({"frames"}), films=frozenset({"dh"})
+        yield (
+            _check(f'kind = "looked_at"\n{text}'),
+            replace(bare, panel="joints", switches=frozenset({"frames"}), films=frozenset({"dh"})),
         )
     within = 'kind = "within_seconds"\nat_most_s = 10'
     yield from ((_check(within), replace(bare, seconds=seconds)) for seconds in (5.0, 20.0))

@@ -15,19 +15,18 @@ from armlab.content.actions import Move
 from armlab.content.assignment import said_date
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
-from armlab.content.po import Message
 from armlab.content.robots import catalogue
 from armlab.session.assignment_commands import HandIn, LookAtClock, OpenAssignment, OpenTask, TakeUp
 from armlab.session.assignment_rules import refuse_forgetting
+from armlab.session.edits import RemoveJoint
 from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson, SignAs, TakeLessonArm, UnlockHint
 from armlab.session.parts.joints import LockJoint, MoveJoint
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import PlaceTarget
-from armlab.session.edits import RemoveJoint
 from armlab.session.state import Command, State, apply
+from armlab.ui.lesson import page
 from armlab.ui.lesson.asking import Draft, asked
-from armlab.ui.lesson.page import LessonPage
 from support.assigned import NOON, folder_fixture
 from support.bare_gui import BareGui, content
 from support.check_talk import said_of_checks
@@ -40,6 +39,9 @@ from support.verdicts import questions, verdicts
 
 LESSONS = ("first_arm", "ik_2r")
 """Lessons of the course whose docks are looked at."""
+
+LESSON = "lesson"
+"""The place of what is said in these docks."""
 
 MONTH = 30.5 * 24.0 * 3600.0
 """Seconds."""
@@ -73,7 +75,7 @@ class BareDock:
     def __init__(self, listener: Listener) -> None:
         self._listener, self._gui = listener, BareGui()
         self._gui.page, self._gui.again = "lesson", lambda: None
-        self.page = LessonPage(self._gui, lambda command: None)
+        self.page = page.LessonPage(self._gui, lambda command: None)
         self.state, self.at = State.initial(catalogue()["puma560"]), NOON
         self._known: set[str] = set()
 
@@ -136,7 +138,7 @@ def texts_of(found: Lesson) -> list[str]:
 
 def every_dock(listener: Listener) -> None:
     """Listen to what is said of answers and checks, and to the docks of some lessons, of an exam and of homework."""
-    listener.at("lesson")
+    listener.at(LESSON)
     for html in verdicts():
         listener.speech.markup(html)
     for question, _ in questions():
@@ -160,12 +162,13 @@ def every_dock(listener: Listener) -> None:
 def lessons_of_a_test() -> Iterator[None]:
     """Have small lessons, an exam and homework in place of the course."""
     with pytest.MonkeyPatch.context() as patch, tempfile.TemporaryDirectory() as folder:
+        patch.setattr(page, "now", lambda: NOON)
         use = next(library_fixture(Path(folder), patch))
-        use(questions=written(QUESTIONS), **{f"locked{i}": written(front=ARM + text + "\n") for i, text in enumerate(LOCKED)})
+        locked = {f"locked{i}": written(front=f"{ARM}{text}\n") for i, text in enumerate(LOCKED)}
         place = folder_fixture(use, Path(folder))
         for key, fields in ASSIGNMENTS.items():
             (place / f"{key}.toml").write_text(f'title = "Of a test"\n{fields}\n[[tasks]]\nlesson = "v"\npoints = 1\n')
-        use(unlisted=written(front=ARM + "listed = false\n"))
+        use(questions=written(QUESTIONS), unlisted=written(front=f"{ARM}listed = false\n"), **locked)
         yield
 
 
@@ -176,11 +179,10 @@ def of_a_test(listener: Listener) -> None:
         dock.do(Answer("1"), GoToStep(1), OpenLesson(key, variant=10**6), OpenLesson(key), GoToStep(99))
         dock.solve()
         dock.do(Answer("1"))
-        dock.do(*(GoToStep(i) for i in range(len(dock.part.lesson.steps))))
     for i in range(len(LOCKED)):
         dock = BareDock(listener)
-        dock.do(OpenLesson(f"locked{i}"), MoveJoint(0, 0.1), MoveJoint(1, 0.1), ChooseRobot("scara"), RemoveJoint(0), LockJoint(0, False))
-        dock.do(PlaceTarget(np.eye(4)))
+        dock.do(OpenLesson(f"locked{i}"), MoveJoint(0, 0.1), MoveJoint(1, 0.1), ChooseRobot("scara"))
+        dock.do(RemoveJoint(0), LockJoint(0, False), PlaceTarget(np.eye(4)))
     all_done(listener)
     for key in ("exam", "homework", *ASSIGNMENTS):
         on_assignment(listener, key)
@@ -190,8 +192,8 @@ def all_done(listener: Listener) -> None:
     """Listen to the end of a course, and to what is said where nothing is open."""
     dock = BareDock(listener)
     dock.do(HandIn(), OpenLesson("unlisted"))
-    for key in lessons().listed:
-        dock.do(OpenLesson(key.key))
+    for found in lessons().listed:
+        dock.do(OpenLesson(found.key))
         dock.solve(predicts="77")
 
 
@@ -202,13 +204,13 @@ def on_assignment(listener: Listener, key: str) -> None:
         dock.do(OpenAssignment(key, 3))
         if dock.part.assigned is not None:
             break
-    for task in range(3):
+    for task in range(len(dock.part.assigned.tasks) if dock.part.assigned is not None else 0):
         dock.do(OpenTask(task), HandIn())
         dock.solve()
-    dock.do(OpenLesson("t"), OpenAssignment("exam"), OpenAssignment("homework"), SignAs("Ada"))
+    dock.do(OpenTask(9), OpenLesson("t"), OpenAssignment("exam"), OpenAssignment("homework"), SignAs("Ada"))
     listener.try_out(lambda: refuse_forgetting(dock.part))
     begun = dock.state
     dock.do(HandIn(), Answer("1"), TakeUp(), HandIn(), TakeUp(), OpenAssignment(key, 5))
-    for dock.state in (dock.state, begun):
-        dock.at = NOON + 9000.0
+    for state in (dock.state, begun):
+        dock.state, dock.at = state, NOON + 9000.0
         dock.do(Answer("1"), HandIn(), LookAtClock(), TakeUp())

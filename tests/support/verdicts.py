@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Iterator
 
 from armlab.content.question import Question, read_question
@@ -20,7 +19,22 @@ identities = {{ I = 3 }}
 """
 
 UNREADABLE = (
-    *("", "?", "l1 +", "* 2", "2 * * 3", "sin", "sin^2(q1)", "sin(1, 2)", "min(1)", "(1 + 2", "foo", "cosq", "l9", "2 $"),
+    *(
+        "",
+        "?",
+        "l1 +",
+        "* 2",
+        "2 * * 3",
+        "sin",
+        "sin^2(q1)",
+        "sin(1, 2)",
+        "min(1)",
+        "(1 + 2",
+        "foo",
+        "cosq",
+        "l9",
+        "2 $",
+    ),
     *("1/0", "sqrt(-1)", "exp(1000)", "2^2000", "ln(0)", "1" * 700, "(" * 50 + "1" + ")" * 50, "1 + )", "q1 q3"),
 )
 """Texts that cannot be read as a formula."""
@@ -34,7 +48,21 @@ OF_MATRICES = (
 ASKED: tuple[tuple[str, tuple[str, ...]], ...] = (
     (
         NUMBER.format(answer=1.0, unit="rad", tolerance=0.01),
-        (*UNREADABLE, "1 m/s^3", "1 deg^2", "1 m^2", "1 cm/s", "50 N", "1 rpm", "3 %", "2 V", "2 A", "5 W", "2 s", "1 N m"),
+        (
+            *UNREADABLE,
+            "1 m/s^3",
+            "1 deg^2",
+            "1 m^2",
+            "1 cm/s",
+            "50 N",
+            "1 rpm",
+            "3 %",
+            "2 V",
+            "2 A",
+            "5 W",
+            "2 s",
+            "1 N m",
+        ),
     ),
     (
         NUMBER.format(answer=1.0, unit="rad", tolerance=0.01),
@@ -44,9 +72,10 @@ ASKED: tuple[tuple[str, tuple[str, ...]], ...] = (
     (NUMBER.format(answer=0.5, unit="", tolerance=0.001), ("cos(60)", "1 m", "0.25", "1")),
     (NUMBER.format(answer=25, unit="%", tolerance=0.1), ("0.25", "1 m")),
     (NUMBER.format(answer=0.5, unit="m", tolerance=0.001), ("500", "50", "0.5 rad", "90°", "1")),
-    *((NUMBER.format(answer=3, unit=unit, tolerance=0.1), ("3 m" if unit != "m" else "3 s",)) for unit in (
-        *("s", "m/s", "deg/s", "m^2", "N", "Nm", "V", "mA", "kW", "rpm", "rad/s"),
-    )),
+    *(
+        (NUMBER.format(answer=3, unit=unit, tolerance=0.1), ("3 m" if unit != "m" else "3 s",))
+        for unit in (*("s", "m/s", "deg/s", "m^2", "N", "Nm", "V", "mA", "kW", "rpm", "rad/s"),)
+    ),
     (CHOICE.format(answer=2), ("9", "1,2", "1", "2")),
     (CHOICE.format(answer="[2, 4]"), ("2", "1,2,4", "1,2", "x")),
     (
