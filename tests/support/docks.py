@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +14,7 @@ from armlab.commands._translated import heard
 from armlab.content.actions import Move
 from armlab.content.assignment import said_date
 from armlab.content.lesson import Lesson
-from armlab.content.lessons import lessons
+from armlab.content.lessons import Lessons, lessons
 from armlab.content.robots import catalogue
 from armlab.content.words import without_numbers
 from armlab.session.assignment_commands import HandIn, LookAtClock, OpenAssignment, OpenTask, TakeUp
@@ -148,24 +148,37 @@ def every_dock(listener: Listener) -> None:
         listener.speech.text(said_date(NOON + month * MONTH))
     for text in said_of_checks():
         listener.speech.text(text)
-    for key in LESSONS:
-        dock = BareDock(listener)
-        dock.do(OpenLesson(key))
-        dock.solve()
-        dock.do(ChooseRobot("scara"), TakeLessonArm(), MoveJoint(0, 0.1), SignAs("Ada"))
-        dock.page.fail()
-        listener.hear_markup(dock.shown)
-    with lessons_of_a_test():
+    with docks_that_know(lambda: None):
+        for key in LESSONS:
+            of_the_course(listener, key)
+    with lessons_of_a_test(), docks_that_know(lessons):
         of_a_test(listener)
+
+
+@contextlib.contextmanager
+def docks_that_know(read: Callable[[], Lessons | None]) -> Iterator[None]:
+    """Let docks know some lessons at noon, whatever has been read before and however late it is."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(page, "now", lambda: NOON)
+        for module in (page, end):
+            patch.setattr(module, "lessons_read", read)
+        yield
+
+
+def of_the_course(listener: Listener, key: str) -> None:
+    """Listen to the dock of a lesson of the course, with another arm, and when it fails."""
+    dock = BareDock(listener)
+    dock.do(OpenLesson(key))
+    dock.solve()
+    dock.do(ChooseRobot("scara"), TakeLessonArm(), MoveJoint(0, 0.1), SignAs("Ada"))
+    dock.page.fail()
+    listener.hear_markup(dock.shown)
 
 
 @contextlib.contextmanager
 def lessons_of_a_test() -> Iterator[None]:
     """Have small lessons, an exam and homework in place of the course."""
     with pytest.MonkeyPatch.context() as patch, tempfile.TemporaryDirectory() as folder:
-        patch.setattr(page, "now", lambda: NOON)
-        for module in (page, end):
-            patch.setattr(module, "lessons_read", lessons)  # else they do not know of each other until a page asks
         use = next(library_fixture(Path(folder), patch))
         locked = {f"locked{i}": written(front=f"{ARM}{text}\n") for i, text in enumerate(LOCKED)}
         place = folder_fixture(use, Path(folder))
