@@ -39,8 +39,8 @@ INLINE = frozenset(
 )
 """Elements that stand in a line with the text around them."""
 
-LINK = '<button class="erratum"'
-"""Start of the buttons that do so, too: links in the texts of lessons, see `armlab.ui.lesson.errata`."""
+LINK = 'class="erratum"'
+"""Attribute of the buttons that do so, too: links in the texts of lessons, see `armlab.ui.lesson.errata`."""
 
 MOST_KEPT = 8192
 """Largest number of runs of markup whose translation is kept."""
@@ -81,7 +81,8 @@ class Speech:
         for found in _TOKEN.finditer(html):
             token = found[0]
             name = _NAME.match(token)
-            begins, ends = token.startswith(LINK), linked and token == "</button>"
+            button = name is not None and name[1] == "button"
+            begins, ends = button and LINK in token, button and linked
             if name is None or name[1] in INLINE or begins or ends:
                 linked = begins or (linked and not ends)
                 run.append(token)
