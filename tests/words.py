@@ -1,8 +1,8 @@
 """Compare the catalogue of a language with what the pages say: ``python tests/words.py it``, from the checkout.
 
-It opens every page of the lab without a browser, presses what can be pressed with ``--deep``, and lists texts without
-a translation and messages that no page says any more. With ``--write`` the catalogue gets the former, to be filled in,
-and loses the latter; where each message is said stands beside it.
+It opens every page of the lab, and the docks of lessons, without a browser, presses what can be pressed with
+``--deep``, and lists texts without a translation and messages that nothing says any more. With ``--write`` the
+catalogue gets the former, to be filled in, and loses the latter; where each message is said stands beside it.
 """
 
 import argparse
@@ -15,6 +15,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "app"), str(ROOT / "tests")]
 
 from armlab.content.po import Message, read_po, write_po  # noqa: E402
+from support.docks import LESSON, every_dock  # noqa: E402
 from support.saying import Listener, every_example, every_page, known_before, pressed, stale  # noqa: E402
 
 
@@ -31,6 +32,8 @@ async def main(options):
             pressed(listener, page)
     if options.deep:
         every_example(listener)
+    every_dock(listener)
+    listener.opened.update(source for source, places in listener.used.items() if LESSON in places)
     old = stale(messages, listener)
     for source in listener.missing:
         print(f"no translation: {source!r}")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from armlab.content.absent import ABSENT, HAS
@@ -65,12 +65,29 @@ class Listener:
     def _hit(self, source: str) -> None:
         self.used.setdefault(source, set()).add(self._at)
 
+    def knows(self, texts: Iterable[str]) -> None:
+        """Take texts of a lesson as translated, in the form of messages: they belong to a catalogue of their own."""
+        have = {message.source for message in self._messages}
+        self._messages += tuple(Message(text, text) for text in texts if text not in have)
+        self.at(self._at)
+
     def hear(self, page: BarePage) -> None:
         """Look up what a page shows."""
-        for markup in shown_on(page):
+        self.hear_markup(shown_on(page))
+
+    def hear_markup(self, shown: Iterable[str]) -> None:
+        """Look up markup."""
+        for markup in shown:
             if markup not in self._heard:
                 self._heard.add(markup)
                 self.speech.markup(markup)
+
+    def try_out(self, doing: Callable[[], object]) -> None:
+        """Do something, and look up why it is refused."""
+        try:
+            doing()
+        except ArmlabError as refusal:
+            self.speech.text(str(refusal))
 
     def hear_controls(self, made: Iterable[dict[str, Any]]) -> None:
         """Look up labels, hints and options of viser's controls."""

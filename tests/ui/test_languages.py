@@ -2,6 +2,7 @@
 
 import json
 import urllib.request
+from html import unescape
 
 import pytest
 from viser import _messages as viser_messages
@@ -13,13 +14,16 @@ from armlab.content.po import Message, read_po, write_po
 from armlab.content.robots import catalogue
 from armlab.content.words import Words, placeholders
 from armlab.errors import ContentError
+from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson
+from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.language import OF_BROWSER, LanguagePart, ReadIn
 from armlab.session.parts.shelf import BackFromShared, OpenShared
 from armlab.session.share import short
 from armlab.session.state import State, apply
 from armlab.ui.door import Door
 from armlab.ui.script_words import SCRIPT_WORDS
-from armlab.ui.speech import Speech
+from armlab.ui.speech import Speech, speech_in
+from support.docks import LESSON, BareDock, every_dock
 from support.fake_browser import cookie_of
 from support.saying import Listener, every_page, known_before, stale
 from support.sources import PACKAGE, TOP
@@ -47,14 +51,30 @@ def test_every_message_has_the_placeholders_of_its_source(language):
     assert all(each.text and not each.fuzzy for each in messages(language))
 
 
+def of_catalogue(language):
+    """Return the messages of a language without those of its lessons."""
+    return read_po("it.po", (TOP / "app/armlab/languages" / f"{language}.po").read_text(encoding="utf-8"))[1]
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_all_that_is_said_of_answers_and_checks_is_translated(language):
+    of_docks = of_catalogue(language)
+    listener = Listener(of_docks)
+    every_dock(listener)
+    assert sorted(listener.missing) == []
+    said = [message.source for message in of_docks if LESSON in message.places]
+    assert not [source for source in said if source not in listener.used]
+    assert len(said) > 350
+
+
 @pytest.mark.parametrize("language", OTHERS)
 def test_all_pages_are_translated_and_no_message_is_stale(language):
-    of_pages = read_po("it.po", (TOP / "app/armlab/languages" / f"{language}.po").read_text(encoding="utf-8"))[1]
+    of_pages = of_catalogue(language)
     listener = Listener(of_pages)
     known_before(listener)
     for _ in every_page(listener):
         pass
-    assert not [message.source for message in stale(of_pages, listener)]
+    assert not [message.source for message in stale(of_pages, listener) if message.places != (LESSON,)]
     assert len(listener.used) > 2500
     assert len(listener.missing) <= MOST_MISSING * len(listener.used), sorted(listener.missing)
 
@@ -68,6 +88,36 @@ def test_the_texts_of_scripts_stand_in_scripts():
 def test_a_translated_lesson_says_all_that_the_lesson_says_also_in_a_variant(key):
     assert [*of_translations(lesson(key)), *of_translations(lesson(key, 17))] == []
     assert Speech(words_in("it")).markup(lesson(key).steps[0].html) != lesson(key).steps[0].html
+
+
+@pytest.mark.parametrize(
+    ("key", "done", "says"),
+    [
+        ("first_arm", (GoToStep(2), Answer("foo")), "Non riesco a leggere 'foo': scrivi un numero come 0.5, 50 cm"),
+        (
+            "first_arm",
+            (GoToStep(2), Answer("2 rad")),
+            "La tua risposta è un angolo; la domanda chiede una lunghezza in m",
+        ),
+        ("first_arm", (MoveJoint(0, 2.0),), "L'utensile è a 3570.1 mm da (2000.0, 0.0, 0.0) mm: x è −1399.7 mm e"),
+        ("ik_2r", (Answer("px +"),), "La formula si interrompe: attesi alla fine un numero, un nome o una parentesi"),
+        ("ik_2r", (Answer("px"),), "Non è ancora la risposta giusta: deve dipendere anche da l1, l2, py."),
+        ("ik_2r", (GoToStep(1), Answer("0.02")), "Non è ancora la risposta giusta."),
+    ],
+)
+def test_a_student_who_reads_italian_is_told_in_italian_what_is_not_right(key, done, says):
+    dock = BareDock(Listener(()))
+    dock.do(OpenLesson(key), *done)
+    assert says in unescape(speech_in("it").markup("".join(dock.shown)))
+
+
+def test_a_link_to_an_erratum_parts_no_sentence():
+    link = '<button class="erratum" title="What is printed">two</button>'
+    speech = Speech(Words([Message("The notes have <0>two</0>.", "Le dispense ne hanno <0>due</0>.")]))
+    assert (
+        speech.markup(f"<p>The notes have {link}.</p>")
+        == f"<p>Le dispense ne hanno {link.replace('>two<', '>due<')}.</p>"
+    )
 
 
 def test_a_translation_that_lags_behind_is_told_with_its_line():
@@ -196,6 +246,13 @@ def test_an_option_is_chosen_in_one_language_and_heard_in_english():
 def test_a_broken_catalogue_is_refused_with_its_line(text):
     with pytest.raises(ContentError, match=r"^x\.po: line \d"):
         read_po("x.po", text)
+
+
+def test_a_text_that_is_known_in_part_is_no_name():
+    given = {"{text} is wrong.": "{text} è sbagliato.", "x": "x", "row": "riga", "It is right.": "È giusto."}
+    known = Words([Message(source, text) for source, text in given.items()])
+    assert known("row is wrong.") == "riga è sbagliato."
+    assert known("It is right. Nobody knows is wrong.") == "È giusto. Nobody knows is wrong."
 
 
 def test_what_a_person_typed_comes_back_as_it_was_typed():

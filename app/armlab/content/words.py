@@ -235,7 +235,15 @@ class Words:
         """Return whether all is known in a text that has to be."""
         held = [_as_in(text, back) for name, text in match.groupdict().items() if name.startswith("text")]
         # A head and what follows it are no name.
-        return all("</" not in text and (not has_words(text) or self.find(text) is not None) for text in held)
+        return all("</" not in text and self._is_known(text) for text in held)
+
+    def _is_known(self, text: str) -> bool:
+        """Return whether all of a text is known, or has no words; that a part of it is not is told to nobody."""
+        core = _core(text)[1]
+        if not has_words(text) or any(self._exact(each) or self._named(each) for each in (text, core)):
+            return True
+        pieces = next((found for found in (_parts(text), _sentences(text), _listed(text)) if len(found) > 1), [])
+        return bool(pieces) and all(self._is_known(text[first:end]) for first, end in pieces)
 
     def _in_pieces(self, text: str, places: list[tuple[int, int]], whole: bool = False) -> str | None:
         """Return the translation of the pieces of a text, where one is known, or, for the whole, where all are."""

@@ -39,6 +39,9 @@ INLINE = frozenset(
 )
 """Elements that stand in a line with the text around them."""
 
+LINK = 'class="erratum"'
+"""Attribute of the buttons that do so, too: links in the texts of lessons, see `armlab.ui.lesson.errata`."""
+
 MOST_KEPT = 8192
 """Largest number of runs of markup whose translation is kept."""
 
@@ -74,10 +77,14 @@ class Speech:
         """Return markup in the language: all its texts, and those that are shown under the pointer or read aloud."""
         made: list[str] = []
         run: list[str] = []
+        linked = False
         for found in _TOKEN.finditer(html):
             token = found[0]
             name = _NAME.match(token)
-            if name is None or name[1] in INLINE:
+            button = name is not None and name[1] == "button"
+            begins, ends = button and LINK in token, button and linked
+            if name is None or name[1] in INLINE or begins or ends:
+                linked = begins or (linked and not ends)
                 run.append(token)
                 continue
             if run:
