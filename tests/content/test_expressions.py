@@ -88,7 +88,7 @@ def test_random_formulas_have_python_s_values(rng):
         ("cos q1", "expected a bracket after cos"),
         ("cos^2(q1)", "write cos"),
         ("atan2(1)", "atan2 takes 2 values in its brackets, got 1"),
-        ("sqrt(1, 2)", "sqrt takes 1 values in its brackets, got 2"),
+        ("sqrt(1, 2)", "sqrt takes one value in its brackets, got 2"),
         ("q1 = 2", "got '= 2'"),
         ("__import__('os').system('ls')", "unknown name '__import__'|got"),
         ("q1.real", "got '.real'"),

@@ -28,6 +28,7 @@ UNREADABLE = (
         "sin",
         "sin^2(q1)",
         "sin(1, 2)",
+        "atan2(1)",
         "min(1)",
         "(1 + 2",
         "foo",

@@ -365,7 +365,8 @@ class _Reader:
         _, fewest, most = (FUNCTIONS | MORE_FUNCTIONS)[function]
         if not fewest <= len(arguments) <= most:
             expected = f"{fewest}" if fewest == most else f"{fewest} to {most}"
-            raise InputError(f"{function} takes {expected} values in its brackets, got {len(arguments)}")
+            values = "one value" if most == 1 else f"{expected} values"
+            raise InputError(f"{function} takes {values} in its brackets, got {len(arguments)}")
         return _Node(function, tuple(arguments))
 
     def _close(self) -> None:
