@@ -216,6 +216,8 @@ def test_a_mistake_that_is_right_by_chance_in_a_variant_does_not_close_the_lesso
         assert question.judge(mistake).name == "wrong[1]" or each.values["x"] == 2
     with pytest.raises(ContentError, match="too close to the right answer"):
         parse_lesson("made_up", text.replace("[1, 2]", "[2, 1]"))
+    with pytest.raises(ContentError, match="too close to the right answer"):
+        parse_lesson("made_up", text.replace("choose = [1, 2]", "choose = [2]"), variant=3)
 
 
 def test_a_toggle_press_is_told_as_it_is_asked():

@@ -57,6 +57,14 @@ def of_catalogue(language):
 
 
 @pytest.mark.parametrize("language", OTHERS)
+def test_the_translation_of_a_lesson_changes_no_word_of_the_lab(language):
+    said: dict[str, set[str]] = {}
+    for each in messages(language):
+        said.setdefault(each.source, set()).add(each.text)
+    assert [source for source, texts in said.items() if len(texts) > 1] == []
+
+
+@pytest.mark.parametrize("language", OTHERS)
 def test_all_that_is_said_of_answers_and_checks_is_translated(language):
     of_docks = of_catalogue(language)
     listener = Listener(of_docks)

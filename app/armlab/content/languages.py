@@ -37,12 +37,13 @@ def keys() -> tuple[str, ...]:
 def messages(key: str) -> tuple[Message, ...]:
     """Return the messages of a language besides English: of its catalogue, and of the lessons that are translated.
 
-    A lesson's translation is a file ``lessons/KEY/NAME.po``: it holds texts, so that nothing else can differ.
+    A lesson's translation is a file ``lessons/KEY/NAME.po``: it holds texts, so that nothing else can differ. Where
+    it translates a word of the lab's own, the catalogue has the last word.
     """
-    found = list(_read(key)[1])
+    found: list[Message] = []
     for file in resources.files(f"lessons/{key}", ".po"):
         found += read_po(f"{key}/{file.name}", file.read_text(encoding="utf-8"))[1]
-    return tuple(found)
+    return (*found, *_read(key)[1])
 
 
 @cache

@@ -74,7 +74,7 @@ def parse_lesson(
         top, values, varies = filled_front(key, file, toml, variant)
         front = read_front(key, top, catalogue or robots.catalogue())
     prose = Prose.of(file, front.robot.arm, pictures)
-    setting = Setting(file, before, front.robot, catalogue or robots.catalogue(), values, variant > 0, prose)
+    setting = Setting(file, before, front.robot, catalogue or robots.catalogue(), values, varies and variant > 0, prose)
     intro, *sections = sections_of(tokens_of(_filled_body(file, body, before, values)))
     if not sections:
         line = before + body.count("\n") + 1

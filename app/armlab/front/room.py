@@ -19,6 +19,7 @@ FORM = """<!doctype html>
 <html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
 <title>Armlab</title>
 <style>
+:root {{ color-scheme: light dark }}
 body {{ font: 16px system-ui, sans-serif; max-width: 22em; margin: 20vh auto; padding: 0 1em; color: #1f2733 }}
 input, button {{ font: inherit; padding: .4em .7em }} input {{ width: 11em }} p {{ line-height: 1.5 }}
 @media (prefers-color-scheme: dark) {{ body {{ background: #161a20; color: #e6e9ee }} }}
