@@ -34,7 +34,7 @@ math mtable.matrix {
 math mtable.matrix mtd { padding: .05em .22em; }
 @page { size: A4 portrait; margin: 8mm; }
 @media print {
-  body { font-size: 8.2pt; line-height: 1.2; }
+  body { font-size: 7.6pt; line-height: 1.2; }
   main { columns: 2; column-gap: 5mm; column-fill: auto; }
   main + main { break-before: page; }
   h2 { color: inherit; }
