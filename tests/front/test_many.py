@@ -9,6 +9,7 @@ from aiohttp import WSCloseCode, web
 
 from armlab.front.front import Front
 from armlab.front.limits import Limits
+from armlab.front.page import make_page
 from armlab.front.tokens import Tokens
 from support.patience import WAIT
 from support.student import run
@@ -36,6 +37,23 @@ async def echo(request):
     async for message in socket:
         await socket.send_bytes(message.data)
     return socket
+
+
+def test_who_asks_too_often_is_answered_later():
+    async def main():
+        limits = Limits(requests=3.0, request_rate=1e-6, request_wait=0.3)
+        front = Front(make_page(), Tokens(b"s" * 32), "secret", [], None, limits)
+        loop = asyncio.get_running_loop()
+        async with served(front.app) as port, aiohttp.ClientSession() as session:
+            took = []
+            for path in ("", "nothing", "", "", "nothing"):
+                began = loop.time()
+                async with session.get(f"http://127.0.0.1:{port}/{path}") as answer:
+                    assert answer.status == (404 if path else 200)
+                took.append(loop.time() - began)
+        assert min(took[3:]) >= 0.3
+
+    run(main())
 
 
 def echoing():

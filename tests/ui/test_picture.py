@@ -2,6 +2,7 @@
 
 import io
 import math
+import time
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ from PIL import Image
 
 from armlab.content.robots import Camera, catalogue, own_robot
 from armlab.kin.arm import Arm
-from armlab.ui.figure import picture
+from armlab.ui.figure import drawn, picture
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.figure.figure import build_figure
 from armlab.ui.figure.picture import HEIGHT, MARGIN, WIDTH, picture_of
@@ -116,3 +117,15 @@ def test_a_picture_is_painted_once(monkeypatch):
     monkeypatch.setattr(picture, "picture_of", lambda *given: calls.append(given) or b"png")
     assert gallery.picture(robot) == gallery.picture(robot) == b"png"
     assert len(calls) == 1
+
+
+def test_who_paints_rests_while_others_use_the_lab(monkeypatch):
+    others, rests = [], []
+    gallery = Gallery(lambda: bool(others))
+    monkeypatch.setattr(picture, "picture_of", lambda *_: time.sleep(0.05) or b"png")
+    gallery.picture(catalogue()["scara"])
+    monkeypatch.setattr(drawn.time, "sleep", lambda seconds, rest=time.sleep: rests.append(seconds) or rest(seconds))
+    others.append("a student")
+    gallery.picture(catalogue()["stanford"])
+    (painted, rested) = rests
+    assert rested >= painted == 0.05

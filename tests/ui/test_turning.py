@@ -7,7 +7,7 @@ import time
 import pytest
 
 from armlab.ui import turning
-from armlab.ui.pace import Pace
+from armlab.ui.pace import TURNING, TURNING_SAVED_UP, Pace
 from armlab.ui.turning import LONGEST, SAVED_UP, SHARE, Turning
 from support.lab import running_lab
 from support.student import run, student
@@ -21,9 +21,9 @@ PAGE = 0.01
 class Reader:
     """Turns pages, each of which takes the same time of a clock of its own."""
 
-    def __init__(self, browsers):
+    def __init__(self, browsers, beside=None):
         self.now, self.shown, self.again = 0.0, 0, 0
-        self.pace = Pace(busy=lambda: 0.0)
+        self.pace = Pace(busy=lambda: 0.0) if beside is None else beside.pace
         self.pace.browsers = browsers
         self.turning = Turning(self.pace, self.come, lambda: self.now)
 
@@ -71,6 +71,27 @@ def test_what_is_shown_on_the_same_page_costs_nothing_and_waits_with_it():
         reader.turning.stop()
         await asyncio.sleep(1.5 * PAGE / SHARE)
         assert reader.again == 0
+
+    run(main())
+
+
+def test_strangers_who_come_as_somebody_new_again_and_again_get_no_more_together_than_a_class():
+    async def main():
+        first = Reader(browsers=50)
+        readers = [first, *(Reader(browsers=50, beside=first) for _ in range(30))]
+        for reader in readers:
+            reader.turn(20)
+        together = round(TURNING_SAVED_UP / PAGE)
+        assert together <= sum(reader.shown for reader in readers) <= together + 2
+        late = readers[-1]
+        assert late.shown == 0
+        began = time.monotonic()
+        while not late.again:
+            await asyncio.sleep(0.01)
+        assert time.monotonic() - began > 0.5 * PAGE / TURNING
+        assert late.shown == 1, "nobody waits more than once for all the others"
+        for reader in readers:
+            reader.turning.stop()
 
     run(main())
 

@@ -72,7 +72,6 @@ def test_a_browser_that_has_used_up_its_share_is_heard_again_later_and_in_order(
     async def work(browser, do):
         fields = await do(lambda: Fields(bare.client.gui, lambda cell, _: heard.append(cell)))
         await browser.until(lambda: fields.channel_id in browser.controls)
-        monkeypatch.setattr(turns, "SPARE", 1e-5)
         monkeypatch.setattr(Turns, "pause", property(lambda one: waited.append(pause(one)) or waited[-1]))
         for k in range(30):
             await browser.send(CAMERA)
@@ -83,6 +82,7 @@ def test_a_browser_that_has_used_up_its_share_is_heard_again_later_and_in_order(
             await asyncio.sleep(0.01)
 
     pause, waited, heard = Turns.pause.fget, [], []
+    monkeypatch.setattr(turns, "SPARE", 1e-5)
     bare.run(work)
     assert heard == [str(k) for k in range(30)]
     assert max(waited) > 0.0

@@ -37,6 +37,11 @@ class Limits:
         has to wait: a page costs more than any message.
     newcomers_wait : float
         Longest such wait, seconds; the honest ones behind the same address wait as well.
+    requests, request_rate : float
+        Requests of one address at a time, enough for a class behind it that opens the lab, and a second: more of them
+        are answered later.
+    request_wait : float
+        Longest time by which one is answered later, seconds.
     """
 
     message: int = 2 << 20
@@ -53,6 +58,9 @@ class Limits:
     lapses: float = 5.0
     lapse_rate: float = 0.5
     newcomers_wait: float = 4.0
+    requests: float = 1000.0
+    request_rate: float = 50.0
+    request_wait: float = 1.0
 
 
 class Bucket:

@@ -102,7 +102,8 @@ class Lab:
         self._secret, self._own_lessons = secret, own_lessons
         self.server = adapter.make_server(port)
         self.loop = self.server.get_event_loop()
-        self.gallery, self.pace = Gallery(), Pace()
+        self.pace = Pace()
+        self.gallery = Gallery(lambda: self.pace.browsers > 1)
         self.store = Store(folder, opening)
         self.worker = Worker(self._publish)
         self.runner = Runner(self.worker.post)

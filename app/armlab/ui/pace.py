@@ -13,6 +13,7 @@ from collections.abc import Callable
 from typing import Any
 
 from armlab.session.load import Load
+from armlab.ui.saved_up import SavedUp
 from armlab.ui.spread import Spread
 
 SHARE = 0.05
@@ -27,6 +28,11 @@ MEMORY = 1.0
 
 SLOWEST = 1.0
 """Longest time between two pictures, seconds."""
+
+TURNING, TURNING_SAVED_UP, TURNING_WAIT = 0.05, 1.0, 1.0
+"""Share of the loop's time in which all browsers together are shown other pages, the most that is saved up, and the
+longest wait, seconds. A class may open a page at one time; strangers who come as somebody new again and again get no
+more than that."""
 
 
 class Pace:
@@ -43,6 +49,8 @@ class Pace:
     ----------
     spread : Spread
         Through which all that is shown goes.
+    turning : SavedUp
+        The time for showing other pages, of all browsers together.
     browsers : int
         How many are shown something.
     """
@@ -50,6 +58,7 @@ class Pace:
     def __init__(self, clock: Callable[[], float] = time.perf_counter, busy: Callable[[], float] | None = None) -> None:
         self._clock, self._busy = clock, busy or Load()
         self.spread, self.browsers = Spread(), 0
+        self.turning = SavedUp(TURNING, TURNING_SAVED_UP, TURNING_WAIT)
         self._spent, self._at = 0.0, clock()
 
     def timed(self, call: Callable[..., Any], *arguments: Any) -> Any:

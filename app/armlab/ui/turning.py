@@ -7,13 +7,14 @@ import time
 from collections.abc import Callable
 
 from armlab.ui.pace import Pace
+from armlab.ui.saved_up import SavedUp
 
 SHARE, SAVED_UP = 0.01, 0.5
 """Share of the loop's time in which one browser is shown other pages, and the most that it saves up, seconds. A page
 takes some 10 ms: a person may open forty in a row and then one a second; who presses faster than that waits."""
 
 LONGEST = 1.0
-"""Longest time that it waits for the next page, seconds, however much the last one took."""
+"""Longest time that one waits for the next page, seconds, however much the last ones took."""
 
 
 class Turning:
@@ -31,8 +32,9 @@ class Turning:
     def __init__(self, pace: Pace, show: Callable[[], None], clock: Callable[[], float] = time.thread_time) -> None:
         self._pace, self._show, self._clock = pace, show, clock
         self._loop = asyncio.get_running_loop()
-        self._left, self._at = SAVED_UP, self._loop.time()
+        self._own, self._of_all = SavedUp(SHARE, SAVED_UP, LONGEST), pace.turning
         self._late: asyncio.TimerHandle | None = None
+        self._has_waited = False
 
     def __call__(self, show: Callable[[], None], turned: bool) -> None:
         """Show a state now, or later if another page is wanted and there is no time for it.
@@ -50,19 +52,20 @@ class Turning:
         elif (wait := self._wait()) > 0.0:
             self._late = self._loop.call_later(wait, self._come)
         else:
-            began = self._clock()
+            self._has_waited, began = False, self._clock()
             try:
                 show()
             finally:
-                self._left = max(self._left - self._clock() + began, -SHARE * LONGEST)
+                took = self._clock() - began
+                self._own.spend(took)
+                self._of_all.spend(took)
 
     def _wait(self) -> float:
-        now = self._loop.time()
-        self._left, self._at = min(SAVED_UP, self._left + SHARE * (now - self._at)), now
-        return max(0.0, -self._left / SHARE)
+        """Return how long to wait; for the others once, however many they are."""
+        return self._own.wait if self._has_waited else max(self._own.wait, self._of_all.wait)
 
     def _come(self) -> None:
-        self._late = None
+        self._late, self._has_waited = None, True
         self._pace.spread.put(self, self._show)
 
     def stop(self) -> None:

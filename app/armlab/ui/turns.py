@@ -6,7 +6,9 @@ import asyncio
 import time
 from collections.abc import Callable
 
-SHARE = 0.1
+from armlab.ui.saved_up import SavedUp
+
+SHARE = 0.05
 """Share of the event loop's time that the messages of one browser may take; a drag takes a hundredth."""
 
 SPARE = 0.2
@@ -27,8 +29,8 @@ class Turns:
     def __init__(
         self, clock: Callable[[], float] = time.monotonic, used: Callable[[], float] = time.thread_time
     ) -> None:
-        self._clock, self._used = clock, used
-        self._saved, self._at, self._began = SPARE, clock(), 0.0
+        self._saved, self._used = SavedUp(SHARE, SPARE, clock=clock), used
+        self._began = 0.0
 
     def begin(self) -> None:
         """Note that the work on a message begins."""
@@ -36,19 +38,12 @@ class Turns:
 
     def end(self) -> None:
         """Count the time of the message, which was handled without a pause."""
-        self._refill()
-        self._saved -= self._used() - self._began
+        self._saved.spend(self._used() - self._began)
 
     @property
     def pause(self) -> float:
         """Seconds until the next message may be handled."""
-        self._refill()
-        return max(0.0, -self._saved / SHARE)
-
-    def _refill(self) -> None:
-        now = self._clock()
-        self._saved = min(SPARE, self._saved + (now - self._at) * SHARE)
-        self._at = now
+        return self._saved.wait
 
     async def come(self) -> None:
         """Wait for the next turn: one each time the event loop runs, also for many messages sent together."""

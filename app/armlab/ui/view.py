@@ -210,9 +210,19 @@ class View:
     def show(self) -> None:
         """Show the present state: the scene at once, the panels soon."""
         if not self._closed:
-            before = self._shown
-            turned = before is not None and self._window(before) is not self._window(self.session.state)
-            self._turning(self._show_now, turned)
+            self._turning(self._show_now, self._is_much_anew())
+
+    def _is_much_anew(self) -> bool:
+        """Return whether another page, arm or lesson is to be shown, of which much has to be made.
+
+        An edit of the table is no other arm: it may be dragged.
+        """
+        state, before = self.session.state, self._shown
+        if before is None:
+            return False
+        arm, lesson = state[RobotPart], state[LessonPart].open
+        same_arm = self._robot is None or arm.robot is self._robot.robot or arm.edits(self._robot)
+        return not (same_arm and lesson == before[LessonPart].open and self._window(before) is self._window(state))
 
     def _show_now(self) -> None:
         state, before = self.session.state, self._shown

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import threading
+import time
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
@@ -36,17 +38,25 @@ class Drawn:
 class Gallery:
     """A store that makes each figure, and each small picture, once. It is safe to use from several threads.
 
+    It makes one after the other: each thread that computes holds up the event loop once more.
+
+    Parameters
+    ----------
+    crowded : callable
+        Whether others use the lab: then it rests after each picture for as long as that has taken.
+
     Attributes
     ----------
     painter : ThreadPoolExecutor
         Where pictures are to be painted, one at a time: a class that looks at all arms holds up no other work.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, crowded: Callable[[], bool] = lambda: False) -> None:
+        self._crowded = crowded
         self.painter = ThreadPoolExecutor(1, "armlab-pictures")
         self._ready: dict[Arm, Drawn] = {}
         self._pictures: dict[Arm, bytes] = {}
-        self._making, self._painting = threading.Lock(), threading.Lock()
+        self._making = threading.Lock()
 
     def ready(self, arm: Arm) -> Drawn | None:
         """Return the figure if it has been made."""
@@ -66,15 +76,18 @@ class Gallery:
         """Return a small picture of an arm at home, a PNG file; call this outside the event loop."""
         from armlab.ui.figure.picture import picture_of  # the first page needs none
 
-        arm = robot.arm
-        with self._painting:
+        arm, began = robot.arm, time.perf_counter()
+        with self._making:
             if arm not in self._pictures:
                 known = self._ready.get(arm)
                 figure = build_figure(arm) if known is None else known.figure
                 picture = picture_of(figure, robot.home, robot.camera)
                 _make_room(self._pictures)
                 self._pictures[arm] = picture
-            return self._pictures[arm]
+            picture = self._pictures[arm]
+        if self._crowded():
+            time.sleep(time.perf_counter() - began)
+        return picture
 
 
 def _make_room(kept: dict[Arm, Drawn] | dict[Arm, bytes]) -> None:

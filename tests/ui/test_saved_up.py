@@ -1,0 +1,28 @@
+"""Time that is saved up at a share of what passes, spent, and waited for."""
+
+import pytest
+
+from armlab.ui.saved_up import SavedUp
+
+
+def test_what_is_saved_up_is_spent_and_then_waited_for():
+    now = 100.0
+    saved = SavedUp(share=0.1, most=2.0, clock=lambda: now)
+    saved.spend(2.0)
+    assert saved.wait == 0.0
+    saved.spend(0.5)
+    assert saved.wait == pytest.approx(5.0)
+    now += 5.0
+    assert saved.wait == pytest.approx(0.0)
+    now += 1000.0
+    saved.spend(2.5)
+    assert saved.wait == pytest.approx(5.0), "no more is saved up than the most"
+
+
+def test_a_debt_that_takes_too_long_is_forgiven():
+    now = 0.0
+    saved = SavedUp(share=0.1, most=0.0, longest=3.0, clock=lambda: now)
+    saved.spend(50.0)
+    assert saved.wait == pytest.approx(3.0)
+    now += 3.0
+    assert saved.wait == pytest.approx(0.0)
