@@ -10,7 +10,7 @@ import pytest
 
 from armlab.front import lock, page
 from armlab.front.addresses import addresses, own_addresses, served_names
-from armlab.front.limits import Bucket, Limits, Meter
+from armlab.front.limits import Limits, Meter
 from armlab.front.lock import FolderInUse, FolderLock
 from armlab.front.tokens import Tokens, kept_secret
 from armlab.front.wishes import Wishes
@@ -27,14 +27,6 @@ class Clock:
 @pytest.fixture
 def clock():
     return Clock()
-
-
-def test_a_bucket_lets_a_burst_through_and_then_slows_down(clock):
-    bucket = Bucket(10.0, 5.0, clock)
-    assert [bucket.take(1.0) for _ in range(5)] == [0.0] * 5
-    assert bucket.take(1.0) == pytest.approx(0.1)
-    clock.now += 10.0
-    assert bucket.take(1.0) == 0.0
 
 
 def test_an_honest_page_is_never_slowed_down(clock):

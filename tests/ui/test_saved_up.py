@@ -7,7 +7,7 @@ from armlab.ui.saved_up import SavedUp
 
 def test_what_is_saved_up_is_spent_and_then_waited_for():
     now = 100.0
-    saved = SavedUp(share=0.1, most=2.0, clock=lambda: now)
+    saved = SavedUp(rate=0.1, most=2.0, clock=lambda: now)
     saved.spend(2.0)
     assert saved.wait == 0.0
     saved.spend(0.5)
@@ -21,7 +21,7 @@ def test_what_is_saved_up_is_spent_and_then_waited_for():
 
 def test_a_debt_that_takes_too_long_is_forgiven():
     now = 0.0
-    saved = SavedUp(share=0.1, most=0.0, longest=3.0, clock=lambda: now)
+    saved = SavedUp(rate=0.1, most=0.0, longest=3.0, clock=lambda: now)
     saved.spend(50.0)
     assert saved.wait == pytest.approx(3.0)
     now += 3.0

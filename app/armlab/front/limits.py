@@ -6,6 +6,8 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from armlab.ui.saved_up import SavedUp
+
 
 @dataclass(frozen=True)
 class Limits:
@@ -63,28 +65,13 @@ class Limits:
     request_wait: float = 1.0
 
 
-class Bucket:
-    """A token bucket that tells how long to wait."""
-
-    def __init__(self, rate: float, burst: float, clock: Callable[[], float] = time.monotonic) -> None:
-        self._rate, self._burst, self._clock = rate, burst, clock
-        self._level, self._at = burst, clock()
-
-    def take(self, amount: float) -> float:
-        """Take an amount; return the time to wait before going on, seconds."""
-        now = self._clock()
-        self._level = min(self._burst, self._level + (now - self._at) * self._rate) - amount
-        self._at = now
-        return max(0.0, -self._level / self._rate)
-
-
 class Addresses:
-    """A bucket for each address from which something unwelcome came.
+    """A token bucket for each address.
 
     Parameters
     ----------
     rate, burst : float
-        Of each bucket.
+        How much a second, and at a time.
     clock : callable
     """
 
@@ -93,27 +80,27 @@ class Addresses:
 
     def __init__(self, rate: float, burst: float, clock: Callable[[], float] = time.monotonic) -> None:
         self._rate, self._burst, self._clock = rate, burst, clock
-        self._buckets: dict[str, Bucket] = {}
+        self._left: dict[str, SavedUp] = {}
 
     def note(self, address: str) -> None:
         """Count one more."""
-        found = self._buckets.pop(address, None) or Bucket(self._rate, self._burst, self._clock)
-        self._buckets[address] = found
-        while len(self._buckets) > self.MOST:
-            del self._buckets[next(iter(self._buckets))]
-        found.take(1.0)
+        found = self._left.pop(address, None) or SavedUp(self._rate, self._burst, clock=self._clock)
+        self._left[address] = found
+        while len(self._left) > self.MOST:
+            del self._left[next(iter(self._left))]
+        found.spend(1.0)
 
     def wait(self, address: str) -> float:
         """Return the time an address has to wait, seconds."""
-        return self._buckets[address].take(0.0) if address in self._buckets else 0.0
+        return self._left[address].wait if address in self._left else 0.0
 
 
 class Meter:
     """Count of what one browser sends over all its sockets, so that reconnecting gives no advantage."""
 
     def __init__(self, limits: Limits, clock: Callable[[], float] = time.monotonic) -> None:
-        self._count = Bucket(limits.rate, limits.burst, clock)
-        self._bytes = Bucket(limits.byte_rate, limits.byte_burst, clock)
+        self._count = SavedUp(limits.rate, limits.burst, clock=clock)
+        self._bytes = SavedUp(limits.byte_rate, limits.byte_burst, clock=clock)
         self._patience, self._clock = limits.patience, clock
         self._good = clock()
 
@@ -122,9 +109,11 @@ class Meter:
 
         Only the count can try our patience: an honest upload is slow, not hostile.
         """
-        wait = self._count.take(1.0)
+        self._count.spend(1.0)
+        self._bytes.spend(size)
+        wait = self._count.wait
         if wait == 0.0:
             self._good = self._clock()
         elif self._clock() - self._good > self._patience:
             return None
-        return max(wait, self._bytes.take(size))
+        return max(wait, self._bytes.wait)

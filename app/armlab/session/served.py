@@ -13,8 +13,8 @@ MEMORY = 2.0
 """Time over which is summed, seconds."""
 
 ALIKE = 0.1
-"""Seconds of computing in that time up to which two count as the same; of those who do, whoever came first is first.
-A hand that drags takes less."""
+"""Difference of two, seconds, from which one comes first; otherwise it is whoever has waited longer. A hand that drags
+takes less."""
 
 MOST = 500
 """Largest number of those of whom something is known; of those beyond it that have taken least nothing is."""

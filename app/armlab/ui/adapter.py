@@ -12,6 +12,8 @@ import logging
 import time
 import warnings
 from collections.abc import Awaitable, Callable, MutableMapping
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from typing import Any
 from weakref import WeakValueDictionary
 
@@ -118,6 +120,11 @@ def request_headers(server: viser.ViserServer, client: viser.ClientHandle) -> di
     if connection is None or connection.request is None:
         return None
     return dict(connection.request.headers.raw_items())
+
+
+def has_gone(client: viser.ClientHandle) -> bool:
+    """Return whether the page of a client is closed."""
+    return request_headers(client._viser_server, client) is None
 
 
 def speak(client: viser.ClientHandle, door: Door) -> None:
@@ -277,7 +284,8 @@ def _note_failure(what: str, error: Exception) -> None:
 async def picture_of(client: Any, seconds: float = 20.0) -> NDArray[np.uint8]:
     """Return the scene as drawn by the browser, shape (rows, columns, 4): red, green, blue, and opacity.
 
-    viser waits for the browser in the calling thread, so that is another one.
+    viser waits for the browser in the calling thread, so that is another one; those of everything else do not wait for
+    pages that never answer.
 
     Raises
     ------
@@ -290,4 +298,9 @@ async def picture_of(client: Any, seconds: float = 20.0) -> NDArray[np.uint8]:
         height, width = camera.image_height, camera.image_width
         return np.asarray(client.get_render(height, width, transport_format="png", timeout=seconds))
 
-    return await asyncio.get_running_loop().run_in_executor(None, render)
+    return await asyncio.get_running_loop().run_in_executor(_waiting_for_pictures(), render)
+
+
+@cache
+def _waiting_for_pictures() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(4, "armlab-renders")

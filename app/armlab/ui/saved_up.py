@@ -1,4 +1,4 @@
-"""Time that somebody may take of a thread that serves all: it is saved up, spent, and waited for."""
+"""A token bucket: an amount, such as seconds of computing, that is saved up as time passes, and spent."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from collections.abc import Callable
 
 
 class SavedUp:
-    """Seconds that are saved up at a share of the time that passes, and spent.
+    """A token bucket, which may be overdrawn: then it tells how long to wait.
 
     Parameters
     ----------
-    share : float
-        Seconds that are saved up in a second.
+    rate : float
+        How much is saved up in a second.
     most : float
-        Most that is saved up, seconds: what there is at first.
+        The most that is saved up, and what there is at first.
     longest : float, optional
         Longest time to wait, seconds: a debt that would take longer is forgiven.
     clock : callable
@@ -23,22 +23,22 @@ class SavedUp:
     """
 
     def __init__(
-        self, share: float, most: float, longest: float = math.inf, clock: Callable[[], float] = time.monotonic
+        self, rate: float, most: float, longest: float = math.inf, clock: Callable[[], float] = time.monotonic
     ) -> None:
-        self._share, self._most, self._longest, self._clock = share, most, longest, clock
+        self._rate, self._most, self._longest, self._clock = rate, most, longest, clock
         self._left, self._at = most, clock()
 
     @property
     def wait(self) -> float:
         """Seconds until there is something to spend again, 0 when there is."""
         self._save()
-        return max(0.0, -self._left / self._share)
+        return max(0.0, -self._left / self._rate)
 
-    def spend(self, seconds: float) -> None:
+    def spend(self, amount: float) -> None:
         """Take so much of what has been saved up, though it may be more than that."""
         self._save()
-        self._left = max(self._left - seconds, -self._share * self._longest)
+        self._left = max(self._left - amount, -self._rate * self._longest)
 
     def _save(self) -> None:
         now = self._clock()
-        self._left, self._at = min(self._most, self._left + self._share * (now - self._at)), now
+        self._left, self._at = min(self._most, self._left + self._rate * (now - self._at)), now

@@ -213,16 +213,12 @@ class View:
             self._turning(self._show_now, self._is_much_anew())
 
     def _is_much_anew(self) -> bool:
-        """Return whether another page, arm or lesson is to be shown, of which much has to be made.
-
-        An edit of the table is no other arm: it may be dragged.
-        """
-        state, before = self.session.state, self._shown
-        if before is None:
-            return False
-        arm, lesson = state[RobotPart], state[LessonPart].open
-        same_arm = self._robot is None or arm.robot is self._robot.robot or arm.edits(self._robot)
-        return not (same_arm and lesson == before[LessonPart].open and self._window(before) is self._window(state))
+        """Return whether another page, arm or lesson is to be shown; an edit of the table, maybe dragged, is none."""
+        state, before, was = self.session.state, self._shown, self._robot
+        if was is not None and not (state[RobotPart].robot is was.robot or state[RobotPart].edits(was)):
+            return True
+        lessons = {each[LessonPart].open for each in (before, state) if each is not None}
+        return len(lessons) > 1 or (before is not None and self._window(before) is not self._window(state))
 
     def _show_now(self) -> None:
         state, before = self.session.state, self._shown
@@ -232,7 +228,8 @@ class View:
                 if self._robot is None or state[RobotPart].robot is not self._robot.robot:
                     self._change_robot(state)
                 else:
-                    self._show_layers(state)
+                    for _ in self._layer_by_layer(state):
+                        pass
                 if before is not None and DARK.on(state) != DARK.on(before):
                     self._theme(state)
                 jumped = self._canvas is not None and self._canvas.gliding and state[Target].pose is None
@@ -270,12 +267,6 @@ class View:
     def _keep_in_view(self) -> None:
         if not self._closed:
             self.camera.keep_in_view()
-
-    def _show_layers(self, state: State) -> None:
-        if self._robot is None or state[RobotPart].robot is not self._robot.robot:
-            return  # the picture of another arm is being made
-        for _ in self._layer_by_layer(state):
-            pass
 
     def _layer_by_layer(self, state: State) -> Iterator[None]:
         open_panels = self._open_panels(state)

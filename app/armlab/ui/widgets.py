@@ -13,6 +13,7 @@ import viser
 
 from armlab.content.languages import ENGLISH
 from armlab.content.notes import for_reader
+from armlab.errors import in_one_line
 from armlab.session.state import Post
 from armlab.ui import adapter, markup
 from armlab.ui.camera import Camera
@@ -329,12 +330,17 @@ class Gui:
 
     def save_picture(self, name: str, on_failure: Callable[[str], None]) -> None:
         """Let the browser draw the scene without the layers over it, and save that as a PNG file."""
+        if self._drawing:
+            on_failure("the last picture is still being made")
+            return
 
         async def draw() -> None:
             try:
                 pixels = await adapter.picture_of(self._client)
             except Exception as failure:
-                log.exception("no picture")
+                if adapter.has_gone(self._client):
+                    return
+                log.error("no picture: %s", in_one_line(failure))
                 on_failure(f"the picture could not be made: {failure}")
             else:
                 self.save(name, rgba_png(pixels))

@@ -113,6 +113,14 @@ def test_a_selected_entry_is_a_component_of_its_column():
     assert f"{1000 * moving.J[1, 0]:.1f}".replace("-", "−") in in_words(state, moving)
 
 
+@pytest.mark.parametrize("row", [None, 0])
+def test_a_column_that_was_pressed_on_the_page_of_another_arm_is_none(row):
+    """Between the choice of an arm and its page one may press what is on the page of the one before."""
+    plain, pressed = opened("planar_2r"), opened("planar_2r", Select(MATRIX, row, 6))
+    assert in_words(pressed, moving_of(pressed)) == in_words(plain, moving_of(plain))
+    assert set(drawn(pressed)) == set(drawn(plain))
+
+
 def test_v2_is_drawn_as_v1_and_what_the_turning_adds():
     state = apply(opened("planar_2r", ChooseVelocityExample("two_points")), DrawVelocities("points", True))
     found, marks = two_points_of(state), drawn(state)

@@ -29,9 +29,17 @@ class Selection(FieldPart):
     row: int | None = None
     column: int | None = None
 
-    def of(self, matrix: str) -> Selection:
-        """Return the selection if it is in this matrix, else an empty one."""
-        return self if self.matrix == matrix else Selection()
+    def of(self, matrix: str, columns: int | None = None) -> Selection:
+        """Return the selection if it is in this matrix, else an empty one.
+
+        Parameters
+        ----------
+        matrix : str
+        columns : int, optional
+            How many columns it has now, if they change: what is selected may be from the page of another arm.
+        """
+        beyond = columns is not None and self.column is not None and self.column >= columns
+        return self if self.matrix == matrix and not beyond else Selection()
 
     def holds(self, row: int, column: int) -> bool:
         """Return whether an entry is selected, by itself or with its row or column."""

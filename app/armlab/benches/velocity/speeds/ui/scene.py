@@ -47,7 +47,7 @@ def marks_of(state: State, q: NDArray[np.float64], size: float) -> dict[str, Mar
     speeds = state.derived(speeds_of)
     look = Look(size, drawn_scales(arm, part.qdot), units_of(state), INK[DARK.on(state)])
     moving = moving_at(arm, q, speeds, part.axes)
-    selected = state[Selection].of(MATRIX)
+    selected = state[Selection].of(MATRIX, columns=arm.n)
     if selected.matrix:
         return {"lit": selected_marks(arm, moving, selected, look)}
     found: dict[str, Marks] = {}

@@ -21,7 +21,8 @@ IN = {"world": "the world", "base": "frame 0", "tool": "the tool"}
 
 def in_words(state: State, moving: Moving) -> Markup:
     """Return a sentence or two on the selection."""
-    arm, units, selected = state[Joints].arm, units_of(state), state[Selection].of(MATRIX)
+    arm, units = state[Joints].arm, units_of(state)
+    selected = state[Selection].of(MATRIX, columns=arm.n)
     row, column = selected.row, selected.column
     said: Inside = None
     if not selected.matrix:
