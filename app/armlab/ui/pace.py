@@ -29,7 +29,7 @@ MEMORY = 1.0
 SLOWEST = 1.0
 """Longest time between two pictures, seconds."""
 
-TURNING, TURNING_SAVED_UP, TURNING_WAIT = 0.05, 1.0, 1.0
+TURNING, TURNING_SAVED_UP, TURNING_WAIT = 0.1, 1.0, 1.0
 """Share of the loop's time in which all browsers together are shown other pages, the most that is saved up, and the
 longest wait, seconds. A class may open a page at one time; strangers who come as somebody new again and again get no
 more than that."""
