@@ -43,7 +43,7 @@ class Turning:
         ----------
         show : callable
         turned : bool
-            Whether it shows another page than before.
+            Whether it shows another page, arm or lesson than before.
         """
         if self._late is not None:
             return
@@ -52,10 +52,16 @@ class Turning:
         elif (wait := self._wait()) > 0.0:
             self._late = self._loop.call_later(wait, self._come)
         else:
-            self._has_waited, began = False, self._clock()
-            try:
-                show()
-            finally:
+            self._has_waited = False
+            self.timed(show)
+
+    def timed(self, show: Callable[[], None]) -> None:
+        """Show something now that belongs to another page, and count its time where there are others."""
+        began = self._clock()
+        try:
+            show()
+        finally:
+            if self._pace.browsers > 1:
                 took = self._clock() - began
                 self._own.spend(took)
                 self._of_all.spend(took)

@@ -242,7 +242,8 @@ class View:
             if before is not None:
                 self._notices.replaced(state[RobotPart], before[RobotPart])
             if before is not None and self._window(before) is not self._window(state):
-                self._refresh_now()
+                self._pace.spread.put(self, partial(self._turning.timed, self._refresh_now))
+                return
         self._refresh_soon()
 
     def _lesson_changed(self, state: State, later: bool) -> None:
