@@ -108,7 +108,7 @@ def test_so_many_addresses_are_watched_and_no_more():
     found = Addresses(1.0, 5.0)
     for k in range(Addresses.MOST + 50):
         found.note(f"address {k}")
-    assert len(found._buckets) == Addresses.MOST
+    assert len(found._left) == Addresses.MOST
 
 
 def test_a_long_word_is_only_wrong():

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from armlab.ui.saved_up import SavedUp
+from armlab.session.saved_up import SavedUp
 
 
 @dataclass(frozen=True)

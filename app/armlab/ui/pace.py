@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import Any
 
 from armlab.session.load import Load
-from armlab.ui.saved_up import SavedUp
+from armlab.session.saved_up import SavedUp
 from armlab.ui.spread import Spread
 
 SHARE = 0.05

@@ -6,8 +6,8 @@ import asyncio
 import time
 from collections.abc import Callable
 
+from armlab.session.saved_up import SavedUp
 from armlab.ui.pace import Pace
-from armlab.ui.saved_up import SavedUp
 
 SHARE, SAVED_UP = 0.01, 0.5
 """Share of the loop's time in which one browser is shown other pages, and the most that it saves up, seconds. A page

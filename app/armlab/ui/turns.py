@@ -6,7 +6,7 @@ import asyncio
 import time
 from collections.abc import Callable
 
-from armlab.ui.saved_up import SavedUp
+from armlab.session.saved_up import SavedUp
 
 SHARE = 0.05
 """Share of the event loop's time that the messages of one browser may take; a drag takes a hundredth."""

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armlab.ui.saved_up import SavedUp
+from armlab.session.saved_up import SavedUp
 
 
 def test_what_is_saved_up_is_spent_and_then_waited_for():
