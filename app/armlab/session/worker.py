@@ -138,14 +138,11 @@ class Worker:
             applied += 1
             if time.monotonic() > end:
                 break
-        with self._lock:
-            self.counts.applied += applied
-            self.counts.runs += 1
-        try:
-            self._publish(session)
-        except Exception:
-            # A student whose page cannot be told must not stop the others.
-            log.exception("cannot publish")
+        if applied:  # else its command was served while it was handed in
+            with self._lock:
+                self.counts.applied += applied
+                self.counts.runs += 1
+            self._tell(session)
         with self._lock:
             self._served.add(session.token, time.thread_time() - began)
             self._serving.discard(session.token)
@@ -153,3 +150,10 @@ class Worker:
                 self._waiting[session.token] = session
             if self._waiting:
                 self._wake.set()
+
+    def _tell(self, session: Session) -> None:
+        try:
+            self._publish(session)
+        except Exception:
+            # A student whose page cannot be told must not stop the others.
+            log.exception("cannot publish")
