@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
-from armlab.session.mailbox import MOST
+from armlab.session.mailbox import MOST, Mailbox
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.target import DragTarget, EndDrag, target_pose
 from armlab.session.served import ALIKE
@@ -194,6 +194,27 @@ def test_students_are_served_in_turn():
     worker.join(2.0)
     assert served == [session.token for session in sessions] * 2
     assert (worker.counts.posted, worker.counts.applied) == (15, 10)
+
+
+def test_a_command_that_is_served_while_it_is_handed_in_is_served_once(session, monkeypatch):
+    publish, post = threading.Event(), Mailbox.post
+
+    def slow(mailbox, *letter):
+        found = post(mailbox, *letter)
+        wait_for(lambda: not len(mailbox) or worker.idle)
+        return found
+
+    monkeypatch.setattr(Mailbox, "post", slow)
+    worker = Worker(lambda _session: (publish.set(), time.sleep(0.002)))
+    worker.start()
+    for k in range(20):
+        publish.clear()
+        worker.post(session, MoveJoint(0, 0.01 * k))
+        assert publish.wait(WAIT)
+    wait_for(lambda: worker.idle)
+    worker.stop()
+    assert worker.join(2.0)
+    assert (worker.counts.posted, worker.counts.applied, worker.counts.runs) == (20, 20, 20)
 
 
 def test_one_drag_is_one_chain_of_commands(session):
