@@ -165,6 +165,20 @@ def test_a_hand_that_drags_passes_a_command_that_takes_long_and_who_asks_for_muc
     assert worker.join(2.0)
 
 
+def test_who_waited_before_a_long_command_began_passes_it_too(monkeypatch):
+    monkeypatch.setattr(Long, "began", threading.Event())
+    monkeypatch.setattr(Long, "released", threading.Event())
+    slow, modest = Session.fresh("slow", PUMA), Session.fresh("modest", PUMA)
+    worker = Worker(lambda _: None)
+    worker.post(slow, Long())
+    worker.post(modest, MoveJoint(0, 0.5))
+    worker.start()
+    wait_for(lambda: modest.state[Joints].q[0] == 0.5)
+    Long.released.set()
+    worker.stop()
+    assert worker.join(WAIT)
+
+
 def test_a_flood_of_dear_commands_is_told_and_not_kept():
     greedy = Session.fresh("greedy", PUMA)
     worker = Worker(lambda _: None)

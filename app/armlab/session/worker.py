@@ -102,6 +102,8 @@ class Worker:
             self._wake.clear()
             while not self._stopping and (session := self._next()) is not None:
                 self._turn_began = time.monotonic()
+                if self._waiting:
+                    self._pass.set()
                 self._serve(session)
                 self._turn_began = None
 
