@@ -204,6 +204,8 @@ WORDS = Words(
         Message("move joint {0}", "muovi il giunto {0}"),
         Message("Both text {text}", "Anche {text}"),
         Message("One < two & more", "Uno > due & altri"),
+        Message("Space", "Spazio"),
+        Message("space", "spazio"),
     ]
 )
 
@@ -224,6 +226,11 @@ WORDS = Words(
         ("<p>One &lt; two &amp; more</p>", "<p>Uno &gt; due &amp; altri</p>"),
         ("<textarea>move joint 3</textarea>", "<textarea>move joint 3</textarea>"),
         ("<p><b>move joint 1</p>", "<p><b>muovi il giunto 1</p>"),
+        (
+            "<p>The points of <strong>space</strong> on <em>Space</em>, of <em>space</em>.</p>",
+            "<p>The points of <strong>space</strong> on <em>Spazio</em>, of <em>space</em>.</p>",
+        ),
+        ("<p>✓ <strong>space</strong> 1.2</p>", "<p>✓ <strong>spazio</strong> 1.2</p>"),
     ],
 )
 def test_markup_is_said_in_the_language(english, said):

@@ -21,7 +21,8 @@ FORM = """<!doctype html>
 <style>
 :root {{ color-scheme: light dark }}
 body {{ font: 16px system-ui, sans-serif; max-width: 22em; margin: 20vh auto; padding: 0 1em; color: #1f2733 }}
-input, button {{ font: inherit; padding: .4em .7em }} input {{ width: 11em }} p {{ line-height: 1.5 }}
+input, button {{ font: inherit; padding: .4em .7em }} input {{ width: 11em; margin-bottom: .6em }}
+p {{ line-height: 1.5 }}
 @media (prefers-color-scheme: dark) {{ body {{ background: #161a20; color: #e6e9ee }} }}
 </style>
 <h1>Armlab</h1>

@@ -141,6 +141,9 @@ class Speech:
     def _said(self, pieces: tuple[_Piece, ...], told: bool = False) -> str:
         """Return pieces in the language: as one text if there is one around elements, otherwise one by one.
 
+        Where the text around elements is not known, they stay as they are too, except names of the lab's controls: no
+        sentence is half in English, and what it names is called as on the page.
+
         Parameters
         ----------
         pieces : tuple of _Piece
@@ -154,7 +157,18 @@ class Speech:
             if found is not None:
                 return holder.filled(found, self)
             told = True
+            if any(self._is_unknown(piece) for piece in pieces):
+                return "".join([self._as_it_is(piece) for piece in pieces])
         return "".join([self._alone(piece, told) for piece in pieces])
+
+    def _is_unknown(self, piece: _Piece) -> bool:
+        """Tell whether a piece is a text with words that are not known."""
+        return has_words(piece.text) and self._words.find(without_numbers(unescape(piece.text)).text) is None
+
+    def _as_it_is(self, piece: _Piece) -> str:
+        if _names_a_control(piece):
+            return self._alone(piece, True)
+        return f"{piece.start}{''.join(map(self._as_it_is, piece.inside))}{piece.end}{piece.text}"
 
     def _alone(self, piece: _Piece, told: bool) -> str:
         if piece.start:
@@ -215,6 +229,11 @@ class _Holder:
 
 def _has_words(piece: _Piece) -> bool:
     return has_words(piece.text) or any(_has_words(each) for each in piece.inside)
+
+
+def _names_a_control(piece: _Piece) -> bool:
+    """Tell whether a piece is the name of a control or a page in a lesson: set in italics, with a capital letter."""
+    return piece.start.startswith("<em") and any(each.text[:1].isupper() for each in piece.inside[:1])
 
 
 def _pieces(run: str, speech: Speech) -> tuple[_Piece, ...]:
