@@ -34,7 +34,7 @@ def ended(problem, code=None):
     """Return both sides after the lab could not take a message because of a problem, and ended with this code."""
     browser, lab = Side(), Side(problem)
     lab.close_code = code
-    run(relay(SimpleNamespace(transport=None), browser, lab, Meter(Limits())))
+    run(relay(lab, SimpleNamespace(transport=None), browser, Meter(Limits())))
     return browser, lab
 
 

@@ -9,7 +9,8 @@ import io
 import re
 import weakref
 from collections import Counter
-from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
+from functools import partial
 
 import aiohttp
 from aiohttp import WSCloseCode, web
@@ -19,7 +20,7 @@ from armlab.front.limits import Addresses, Limits, Meter
 from armlab.front.page import Page
 from armlab.front.paper_pages import POLICY as OF_PAPER
 from armlab.front.paper_pages import PaperPages, Printed, in_their_language
-from armlab.front.relay import relay
+from armlab.front.relay import Line, relay
 from armlab.front.room import FORM, POLICY, Room
 from armlab.front.tokens import Tokens
 from armlab.front.wishes import NAME, PAPERS, ROUTES, Wishes, refused
@@ -31,6 +32,8 @@ HEADERS = {
     "Cross-Origin-Opener-Policy": "same-origin",
     "Permissions-Policy": "camera=(), microphone=(), geolocation=()",
 }
+Direct = Callable[[str, Mapping[str, str]], Line]
+"""Returns a line to a lab, given viser's protocol and what is said of the browser."""
 HOST = re.compile(r"[A-Za-z0-9.:\[\]-]+\Z")
 PROTOCOL = re.compile(r"viser-v[0-9.]{1,20}\Z")
 STARTING = 30.0
@@ -78,6 +81,7 @@ class Front:
     ) -> None:
         self._page, self._tokens, self._secret = page, tokens, secret
         self._labs, self._hosts = labs, hosts
+        self._direct: Direct | None = None
         self._limits, self._room = limits or Limits(), room
         self._papers = papers or PaperPages()
         self.doors = Doors(self._limits)
@@ -98,9 +102,17 @@ class Front:
         for path in PAPERS:
             self.app.router.add_get(path, self._visit_paper)
 
-    def open_labs(self, labs: Sequence[int]) -> None:
-        """Let the sockets of pages through to labs, also those that wait; to be called on the front's loop."""
-        self._labs = labs
+    def open_labs(self, labs: Sequence[int], direct: Direct | None = None) -> None:
+        """Let the sockets of pages through to labs, also those that wait; to be called on the front's loop.
+
+        Parameters
+        ----------
+        labs : sequence of int
+            Loopback ports.
+        direct : callable, optional
+            Returns a line to the one lab, which runs in this loop, and has no port.
+        """
+        self._labs, self._direct = labs, direct
         self._there.set()
 
     async def _with_client(self, _app: web.Application) -> AsyncIterator[None]:
@@ -233,17 +245,12 @@ class Front:
         if accepted := request.headers.get("Accept-Language"):
             headers["X-Armlab-Language"] = accepted[:200]
         self._open[token] += 1
+        opened = contextlib.AsyncExitStack()
         try:
             # The lab first: a browser is accepted only when there is something to talk to; it tries again otherwise.
             await asyncio.wait_for(self._labs_for(request), STARTING)
             await self._newcomer(token, request)
-            lab = await self._client.ws_connect(
-                f"ws://127.0.0.1:{self._lab_of(token)}",
-                protocols=[protocol],
-                max_msg_size=0,
-                compress=0,
-                headers=headers,
-            )
+            line = await self._line(token, protocol, headers, opened)
         except (aiohttp.ClientError, OSError, TimeoutError):
             self._release(token)
             for wishes, put_back in ((self._wishes, wish), (self._languages, language)):
@@ -261,16 +268,28 @@ class Front:
             self._sockets.add(browser)
             self.doors.leave(request.protocol)
             meter = self._meters.setdefault(token, Meter(self._limits))
-            if await relay(request, browser, lab, meter):
+            if await line(request, browser, meter):
                 self._lapsed.note(request.remote or "")
         finally:
-            await lab.close()
+            await opened.aclose()
             self._release(token)
         return browser
 
+    async def _line(
+        self, token: str, protocol: str, headers: Mapping[str, str], opened: contextlib.AsyncExitStack
+    ) -> Line:
+        """Return a line to the lab of a browser; what it opens is to be closed in the end."""
+        if self._direct is not None:
+            return self._direct(protocol, headers)
+        lab = await self._client.ws_connect(
+            f"ws://127.0.0.1:{self._lab_of(token)}", protocols=[protocol], max_msg_size=0, compress=0, headers=headers
+        )
+        opened.push_async_callback(lab.close)
+        return partial(relay, lab)
+
     async def _labs_for(self, request: web.Request) -> None:
         """Return when there are labs; raise `TimeoutError` when the browser has given up before, as viser's does."""
-        while not self._labs:
+        while not self._there.is_set() and not self._labs:
             if request.transport is None:
                 raise TimeoutError
             with contextlib.suppress(TimeoutError):

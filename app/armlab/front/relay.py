@@ -5,12 +5,16 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import logging
+from collections.abc import Awaitable, Callable, Coroutine
 
 from aiohttp import ClientError, ClientWebSocketResponse, WSCloseCode, WSMsgType, web
 
 from armlab.front.limits import Meter
 
 log = logging.getLogger(__name__)
+
+Line = Callable[[web.Request, web.WebSocketResponse, Meter], Awaitable[bool]]
+"""Passes messages between a browser and its lab until one side closes; returns whether that was for nonsense."""
 
 NONSENSE = frozenset(
     {
@@ -32,7 +36,7 @@ CLOSING = 3.0
 
 
 async def relay(
-    request: web.Request, browser: web.WebSocketResponse, lab: ClientWebSocketResponse, meter: Meter
+    lab: ClientWebSocketResponse, request: web.Request, browser: web.WebSocketResponse, meter: Meter
 ) -> bool:
     """Pass messages both ways until one side closes, then close the other one; return whether that was for nonsense."""
     pumps = [asyncio.create_task(_to_lab(browser, lab, meter)), asyncio.create_task(_to_browser(lab, browser))]
@@ -47,11 +51,18 @@ async def relay(
             if isinstance(end, Exception) and not isinstance(end, (ClientError, ConnectionError)):
                 log.error("a connection was lost", exc_info=end)
         code = next((end for end in ends if isinstance(end, int)), None) or _told(lab.close_code)
-        with contextlib.suppress(TimeoutError):
-            closing = asyncio.gather(lab.close(), browser.close(code=code), return_exceptions=True)
-            await asyncio.wait_for(closing, CLOSING)
-        if request.transport is not None:
-            request.transport.abort()
+        was_nonsense = await let_go(request, browser, code, lab.close())
+    return was_nonsense
+
+
+async def let_go(
+    request: web.Request, browser: web.WebSocketResponse, code: int, *also: Coroutine[None, None, object]
+) -> bool:
+    """Close a browser's connection, and wait for what else is to be done; return whether it was for nonsense."""
+    with contextlib.suppress(TimeoutError):
+        await asyncio.wait_for(asyncio.gather(browser.close(code=code), *also, return_exceptions=True), CLOSING)
+    if request.transport is not None:
+        request.transport.abort()
     return code in NONSENSE or browser.close_code in NONSENSE
 
 

@@ -9,9 +9,10 @@ import socket
 import sys
 import tempfile
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,7 +22,7 @@ from armlab import resources
 from armlab.errors import ArmlabError, InputError
 from armlab.front.addresses import served_names
 from armlab.front.doors import Site, let_open_many_files
-from armlab.front.front import Front
+from armlab.front.front import Direct, Front
 from armlab.front.lock import FolderLock
 from armlab.front.page import make_page
 from armlab.front.paper_pages import PaperPages
@@ -140,16 +141,21 @@ def start(settings: Settings, on_served: Callable[[int], None] = lambda port: No
     _refuse_unknown(settings)
     with ExitStack() as opened:
         kept = _kept_secret(settings.folder, opened)
+        loop = _open_loop(opened)
         behind = opened.enter_context(ExitStack())  # closed after the front, which says goodbye to the pages
         secret = secrets.token_urlsafe(24)
         room = Room(settings.code, kept) if settings.code else None
         names = served_names(settings.host) | {name.lower() for name in settings.names}
         papers = PaperPages(settings.lessons)
         front = Front(make_page(), Tokens(kept), secret, [], names, room=room, papers=papers)
-        port, loop = _open_front(front, settings, opened)
+        port = _open_front(front, settings, loop, opened)
         on_served(port)
-        lab, labs = _open_labs(settings, secret, behind)
-        loop.call_soon_threadsafe(front.open_labs, labs)
+        if settings.labs:
+            lab = None
+            loop.call_soon_threadsafe(front.open_labs, _open_processes(settings, secret, behind))
+        else:
+            lab, direct = _open_lab(settings, secret, loop, behind)
+            loop.call_soon_threadsafe(front.open_labs, (), direct)
         if settings.lessons:
             _add_lessons(settings.lessons)
         # All is well: what was opened stays open until `Running.stop`.
@@ -188,26 +194,35 @@ def _try_writing(folder: Path) -> None:
         raise OSError(error.errno, error.strerror, str(folder)) from None
 
 
-def _open_labs(settings: Settings, secret: str, opened: ExitStack) -> tuple[Lab | None, list[int]]:
-    """Open the labs on loopback; return the one of this process, if any, and all ports."""
-    sessions = settings.folder / SESSIONS if settings.folder is not None else None
-    if settings.labs:
-        processes = LabProcesses(
-            settings.labs, settings.opening, sessions, secret, settings.lessons, settings.teacher_key
-        )
-        opened.callback(processes.stop)
-        return None, processes.ports
+def _sessions(settings: Settings) -> Path | None:
+    return settings.folder / SESSIONS if settings.folder is not None else None
+
+
+def _open_processes(settings: Settings, secret: str, opened: ExitStack) -> Sequence[int]:
+    """Open labs in processes of their own; return their ports."""
+    processes = LabProcesses(
+        settings.labs, settings.opening, _sessions(settings), secret, settings.lessons, settings.teacher_key
+    )
+    opened.callback(processes.stop)
+    return processes.ports
+
+
+def _open_lab(
+    settings: Settings, secret: str, loop: asyncio.AbstractEventLoop, opened: ExitStack
+) -> tuple[Lab, Direct]:
+    """Open the lab in this process, in the loop of the front; return it and what the front gets lines to it from."""
     # Imported here: a browser gets its page before, and the front of a class does not need viser in its own process.
     from armlab.content.robots import catalogue
+    from armlab.front.direct import direct_line
     from armlab.ui.lab import Lab
 
     if settings.teacher_key:
         from armlab.content.desk import Desk, open_desk
 
         opened.callback(open_desk(Desk(settings.lessons[0], settings.teacher_key)))
-    lab = Lab(catalogue()[settings.opening], sessions, secret, 0, settings.lessons)
+    lab = Lab(catalogue()[settings.opening], _sessions(settings), secret, 0, settings.lessons, loop)
     opened.callback(lab.stop)
-    return lab, [lab.port]
+    return lab, partial(direct_line, lab.serve)
 
 
 def _add_lessons(folders: tuple[Path, ...]) -> None:
@@ -217,10 +232,10 @@ def _add_lessons(folders: tuple[Path, ...]) -> None:
         add_folder(folder)
 
 
-def _open_front(front: Front, settings: Settings, opened: ExitStack) -> tuple[int, asyncio.AbstractEventLoop]:
-    """Open the front in its own thread; return its port and its loop."""
+def _open_loop(opened: ExitStack) -> asyncio.AbstractEventLoop:
+    """Let an event loop run in its own thread."""
     loop = asyncio.new_event_loop()
-    thread = threading.Thread(target=loop.run_forever, daemon=True, name="armlab-front")
+    thread = threading.Thread(target=loop.run_forever, daemon=True, name="armlab-loop")
     thread.start()
 
     def end() -> None:
@@ -229,9 +244,14 @@ def _open_front(front: Front, settings: Settings, opened: ExitStack) -> tuple[in
         loop.close()
 
     opened.callback(end)
+    return loop
+
+
+def _open_front(front: Front, settings: Settings, loop: asyncio.AbstractEventLoop, opened: ExitStack) -> int:
+    """Open the front in a loop; return its port."""
     runner, port = asyncio.run_coroutine_threadsafe(_listen(front, settings), loop).result()
     opened.callback(lambda: asyncio.run_coroutine_threadsafe(runner.cleanup(), loop).result(5.0))
-    return port, loop
+    return port
 
 
 async def _listen(front: Front, settings: Settings) -> tuple[web.AppRunner, int]:

@@ -24,6 +24,7 @@ from viser import _messages
 
 from armlab.errors import ArmlabError, in_one_line
 from armlab.ui.door import Door
+from armlab.ui.embedded import Serve, embedded
 from armlab.ui.gate import Gate
 from armlab.ui.quick import send_at_once
 from armlab.ui.turns import Turns
@@ -59,6 +60,14 @@ def make_server(port: int) -> viser.ViserServer:
     turns: WeakValueDictionary[str, Turns] = WeakValueDictionary()
     server._websock_server.on_client_connect(lambda connection: _guard(server, connection, turns))
     return server
+
+
+def make_server_in(loop: asyncio.AbstractEventLoop) -> tuple[viser.ViserServer, Serve]:
+    """Return a server as `make_server` that runs in a loop and has no port, and its function that serves."""
+    with embedded(loop) as taken:
+        server = make_server(0)
+    (serve,) = taken
+    return server, serve
 
 
 def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMapping[str, Turns]) -> None:

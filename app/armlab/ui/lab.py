@@ -31,6 +31,7 @@ from armlab.session.state import Command, part_types
 from armlab.session.store import Store
 from armlab.session.worker import Worker
 from armlab.ui import adapter
+from armlab.ui.embedded import Serve
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.pace import Pace
 from armlab.ui.player import Player
@@ -85,23 +86,38 @@ class Lab:
         On loopback; 0 takes a free one.
     own_lessons : sequence of Path
         Folders of lessons besides those of the lab, read before a page is built.
+    loop : asyncio.AbstractEventLoop, optional
+        That of the front, if it is in this process: then the lab runs in it, and has no port.
 
     Attributes
     ----------
+    serve : callable or None
+        Serves a connection of the front in this process, which stands in for one of `websockets`.
     first_page : threading.Event
         Set when a page is on a screen, or the lab is to end: what nobody waits for is done after it.
     """
 
     def __init__(
-        self, opening: Robot, folder: Path | None, secret: str, port: int = 0, own_lessons: Sequence[Path] = ()
+        self,
+        opening: Robot,
+        folder: Path | None,
+        secret: str,
+        port: int = 0,
+        own_lessons: Sequence[Path] = (),
+        loop: asyncio.AbstractEventLoop | None = None,
     ) -> None:
         # Found now, so that a broken plug-in stops the start and not the first student; panels take half a second, and
         # are looked at when the lab is open.
         for found in (part_types, methods, clips, jobs, tabs, layers):
             found()
         self._secret, self._own_lessons = secret, own_lessons
-        self.server = adapter.make_server(port)
-        self.loop = self.server.get_event_loop()
+        self.serve: Serve | None = None
+        if loop is None:
+            self.server = adapter.make_server(port)
+            self.loop = self.server.get_event_loop()
+        else:
+            self.server, self.serve = adapter.make_server_in(loop)
+            self.loop = loop
         self.pace = Pace()
         self.gallery = Gallery(lambda: self.pace.browsers > 1)
         self.store = Store(folder, opening)

@@ -121,7 +121,7 @@ def send_at_once(buffer: AsyncMessageBuffer) -> None:
 
     changed: Any = buffer
     changed.window_generator, changed.flush = windows, lambda: None
-    changed.event_loop = _SameLoop(buffer.event_loop)
+    changed.event_loop = _SameLoop(asyncio.get_running_loop())
 
 
 def _is_news(message: Message, controls: set[str]) -> bool:
