@@ -4,10 +4,9 @@ import asyncio
 import re
 import time
 
-import pytest
-
 from armlab.ui import turning
 from armlab.ui.pace import TURNING, TURNING_SAVED_UP, Pace
+from armlab.ui.pieces import PIECE
 from armlab.ui.turning import LONGEST, SAVED_UP, SHARE, Turning
 from support.lab import running_lab
 from support.student import run, student
@@ -30,6 +29,7 @@ class Reader:
     def show(self):
         self.shown += 1
         self.now += PAGE
+        yield
 
     def come(self):
         self.again += 1
@@ -96,7 +96,7 @@ def test_strangers_who_come_as_somebody_new_again_and_again_get_no_more_together
     run(main())
 
 
-def test_nobody_waits_where_there_is_nobody_else_and_what_fails_counts():
+def test_nobody_waits_where_there_is_nobody_else_and_what_fails_counts(caplog):
     async def main():
         reader = Reader(browsers=1)
         reader.turn(1000)
@@ -106,11 +106,12 @@ def test_nobody_waits_where_there_is_nobody_else_and_what_fails_counts():
 
         def fail():
             reader.now += 10.0
+            yield
             raise ValueError("it fails")
 
         reader = Reader(browsers=2)
-        with pytest.raises(ValueError, match="it fails"):
-            reader.turning(fail, True)
+        reader.turning(fail, True)
+        assert [str(record.exc_info[1]) for record in caplog.records] == ["it fails"]
         reader.turn(1)
         assert reader.shown == 0
         began = time.monotonic()
@@ -118,6 +119,60 @@ def test_nobody_waits_where_there_is_nobody_else_and_what_fails_counts():
             assert time.monotonic() - began < 30.0 * LONGEST, "nobody waits for as long as a slow page was slow"
             await asyncio.sleep(0.01)
         reader.turning.stop()
+
+    run(main())
+
+
+def test_a_page_is_shown_in_pieces_and_what_comes_meanwhile_after_it():
+    async def main():
+        reader, other, said = Reader(browsers=2), [], []
+
+        def steps():
+            for k in range(5):
+                time.sleep(2.0 * PIECE)
+                said.append(k)
+                reader.pace.spread.put("other", lambda: other.append(len(said)))
+                yield
+
+        reader.turning(steps, True)
+        assert said == [0]
+        reader.turning(steps, False)
+        while not reader.again:
+            await asyncio.sleep(0.001)
+        assert said == [0, 1, 2, 3, 4]
+        assert other == [1, 2, 3, 4, 5]
+        assert reader.shown == 1, "the last state once more, since it was another one in between"
+        reader.turning.stop()
+
+    run(main())
+
+
+def test_a_page_that_goes_leaves_the_rest_of_its_pieces(caplog):
+    async def main():
+        reader, said = Reader(browsers=2), []
+
+        def steps(closes):
+            try:
+                for k in range(5):
+                    time.sleep(2.0 * PIECE)
+                    said.append(k)
+                    if k == closes:
+                        reader.turning.stop()
+                    yield
+            finally:
+                said.append("end")
+
+        reader.turning(lambda: steps(2), True)
+        while "end" not in said:
+            await asyncio.sleep(0.001)
+        assert said == [0, 1, 2, "end"]
+        said.clear()
+        reader = Reader(browsers=2)
+        reader.turning(lambda: steps(None), True)
+        reader.turning.stop()
+        await asyncio.sleep(0.02)
+        assert said == [0, "end"]
+        assert not caplog.records
 
     run(main())
 

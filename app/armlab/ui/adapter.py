@@ -21,6 +21,7 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 from viser import _messages
+from viser.infra import Message
 
 from armlab.errors import ArmlabError, in_one_line
 from armlab.ui.door import Door
@@ -78,7 +79,7 @@ def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMappi
     if socket is not None:
         token = socket.request.headers.get(TOKEN_HEADER, "")
         turns = of_browsers.setdefault(token, turns)
-        socket.close_timeout, socket.recv = CLOSING, _in_turn(socket.recv, turns)
+        socket.close_timeout, socket.recv = CLOSING, _in_turn(socket.recv, connection, turns)
 
     async def guarded(client_id: Any, message: Any) -> None:
         # With the first message of the camera viser waits until the page is built, in the time of all.
@@ -98,13 +99,26 @@ def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMappi
     connection._handle_incoming_message = guarded
 
 
-def _in_turn(receive: Callable[[], Awaitable[bytes]], turns: Turns) -> Callable[[], Awaitable[bytes]]:
-    """Return a function that receives a connection's messages one at a time; the others wait in front and browser."""
+def _in_turn(receive: Callable[[], Awaitable[bytes]], connection: Any, turns: Turns) -> Callable[[], Awaitable[bytes]]:
+    """Return a function that receives a connection's messages one at a time; the others wait in front and browser.
+
+    Each is handled here: viser, which waits for what is returned, would make two tasks of it, and so go twice round the
+    loop.
+    """
 
     async def received() -> bytes:
-        await turns.come()
-        return await receive()
+        while True:
+            message = Message.deserialize(await turns.next(receive))
+            handled = connection._handle_incoming_message(connection.client_id, message)
+            if isinstance(message, _messages.ViewerCameraMessage):
+                # It may wait for the page, which may wait for other messages.
+                waiting = asyncio.create_task(handled)
+                tasks.add(waiting)
+                waiting.add_done_callback(tasks.discard)
+            else:
+                await handled
 
+    tasks: set[asyncio.Task[None]] = set()
     return received
 
 

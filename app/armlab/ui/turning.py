@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 
 from armlab.session.saved_up import SavedUp
 from armlab.ui.pace import Pace
+from armlab.ui.pieces import Pieces
 
 SHARE, SAVED_UP = 0.01, 0.5
 """Share of the loop's time in which one browser is shown other pages, and the most that it saves up, seconds. A page
@@ -34,37 +35,46 @@ class Turning:
         self._loop = asyncio.get_running_loop()
         self._own, self._of_all = SavedUp(SHARE, SAVED_UP, LONGEST), pace.turning
         self._late: asyncio.TimerHandle | None = None
-        self._has_waited = False
+        self._has_waited = self._again = False
+        self._pieces = Pieces(pace.spread, self._timed, self._shown)
 
-    def __call__(self, show: Callable[[], None], turned: bool) -> None:
-        """Show a state now, or later if another page is wanted and there is no time for it.
+    def __call__(self, showing: Callable[[], Generator[None, None, None]], turned: bool) -> None:
+        """Show a state: now, or, if another page is wanted, in pieces, and later if there is no time for it.
 
         Parameters
         ----------
-        show : callable
+        showing : callable
+            Shows the state that there is when it is called, with steps between which others may have their turn.
         turned : bool
             Whether it shows another page, arm or lesson than before.
         """
         if self._late is not None:
             return
-        if not turned or self._pace.browsers <= 1:
-            show()
+        if self._pieces.busy:
+            self._again = True
+        elif not turned or self._pace.browsers <= 1:
+            for _ in showing():
+                pass
         elif (wait := self._wait()) > 0.0:
             self._late = self._loop.call_later(wait, self._come)
         else:
             self._has_waited = False
-            self.timed(show)
+            self._pieces.begin(showing())
 
-    def timed(self, show: Callable[[], None]) -> None:
-        """Show something now that belongs to another page, and count its time where there are others."""
+    def _timed(self, show: Callable[[], None]) -> None:
         began = self._clock()
         try:
             show()
         finally:
-            if self._pace.browsers > 1:
-                took = self._clock() - began
-                self._own.spend(took)
-                self._of_all.spend(took)
+            took = self._clock() - began
+            self._own.spend(took)
+            self._of_all.spend(took)
+
+    def _shown(self) -> None:
+        """Show what has come while a page was shown in pieces."""
+        if self._again:
+            self._again = False
+            self._show()
 
     def _wait(self) -> float:
         """Return how long to wait; for the others once, however many they are."""
@@ -77,5 +87,6 @@ class Turning:
     def stop(self) -> None:
         """Cancel what is still to come."""
         self._pace.spread.drop(self)
+        self._pieces.stop()
         if self._late is not None:
             self._late.cancel()

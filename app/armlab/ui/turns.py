@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 
 from armlab.session.saved_up import SavedUp
 
@@ -31,6 +31,7 @@ class Turns:
     ) -> None:
         self._saved, self._used = SavedUp(SHARE, SPARE, clock=clock), used
         self._began = 0.0
+        self._had_one = False
 
     def begin(self) -> None:
         """Note that the work on a message begins."""
@@ -45,6 +46,14 @@ class Turns:
         """Seconds until the next message may be handled."""
         return self._saved.wait
 
-    async def come(self) -> None:
-        """Wait for the next turn: one each time the event loop runs, also for many messages sent together."""
-        await asyncio.sleep(self.pause)
+    async def next(self, receive: Callable[[], Awaitable[bytes]]) -> bytes:
+        """Return the next message: one each time the event loop runs, also of many sent together."""
+        if self._had_one or self.pause > 0.0:
+            await asyncio.sleep(self.pause)
+        message = await receive()
+        self._had_one = True
+        asyncio.get_running_loop().call_soon(self._next_turn)
+        return message
+
+    def _next_turn(self) -> None:
+        self._had_one = False

@@ -210,7 +210,7 @@ class View:
     def show(self) -> None:
         """Show the present state: the scene at once, the panels soon."""
         if not self._closed:
-            self._turning(self._show_now, self._is_much_anew())
+            self._turning(self._showing, self._is_much_anew())
 
     def _is_much_anew(self) -> bool:
         """Return whether another page, arm or lesson is to be shown; an edit of the table, maybe dragged, is none."""
@@ -220,16 +220,16 @@ class View:
         lessons = {each[LessonPart].open for each in (before, state) if each is not None}
         return len(lessons) > 1 or (before is not None and self._window(before) is not self._window(state))
 
-    def _show_now(self) -> None:
+    def _showing(self) -> Generator[None, None, None]:
+        """Show the present state, in pieces; those of the panels come soon, of another page with it."""
         state, before = self.session.state, self._shown
         if state is not before:
             self._shown = state
             with self.client.atomic():
                 if self._robot is None or state[RobotPart].robot is not self._robot.robot:
-                    self._change_robot(state)
+                    yield from self._change_robot(state)
                 else:
-                    for _ in self._layer_by_layer(state):
-                        pass
+                    yield from self._layer_by_layer(state)
                 if before is not None and DARK.on(state) != DARK.on(before):
                     self._theme(state)
                 jumped = self._canvas is not None and self._canvas.gliding and state[Target].pose is None
@@ -242,7 +242,8 @@ class View:
             if before is not None:
                 self._notices.replaced(state[RobotPart], before[RobotPart])
             if before is not None and self._window(before) is not self._window(state):
-                self._pace.spread.put(self, partial(self._turning.timed, self._refresh_now))
+                yield
+                yield from self._refreshing_now()
                 return
         self._refresh_soon()
 
@@ -283,7 +284,7 @@ class View:
             self._seen_drawings = [drawing for drawing in self._drawings if drawing.seen]
             self._seen_because = because
 
-    def _change_robot(self, state: State) -> None:
+    def _change_robot(self, state: State) -> Iterator[None]:
         """Draw another arm; a new figure is made outside the event loop, and the present one stays until then."""
         arm = state[RobotPart].robot.arm
         drawn = self._gallery.ready(arm)
@@ -293,8 +294,7 @@ class View:
                 making = self._loop.run_in_executor(None, self._gallery.make, arm)
                 making.add_done_callback(lambda future: self._figure_made(arm, future.exception()))
             return
-        for _ in self._draw(state, drawn):
-            pass
+        yield from self._draw(state, drawn)
 
     def _draw(self, state: State, drawn: Drawn) -> Iterator[None]:
         """Draw the arm of a state, one layer at a time."""
@@ -341,24 +341,24 @@ class View:
     def _refresh_soon(self) -> None:
         if self._refresh is None:
             wait = max(0.0, self._refreshed + self._pace.interval(PANEL_INTERVAL) - self._loop.time())
+            come = partial(self._pace.spread.put, self, self._refresh_now)
             if wait == 0.0:
-                self._come_to_panels()
+                come()
             else:
-                self._refresh = self._loop.call_later(wait, self._come_to_panels)
-
-    def _come_to_panels(self) -> None:
-        self._pace.spread.put(self, self._refresh_now)
+                self._refresh = self._loop.call_later(wait, come)
 
     def _refresh_now(self) -> None:
+        for _ in self._refreshing_now():
+            pass
+
+    def _refreshing_now(self) -> Iterator[None]:
         self._pace.spread.drop(self)
         if self._refresh is not None:
             self._refresh.cancel()
             self._refresh = None
-        if self._closed:
-            return
-        with self.client.atomic():
-            for _ in self._refreshing():
-                pass
+        if not self._closed:
+            with self.client.atomic():
+                yield from self._refreshing()
 
     def _refreshing(self) -> Iterator[None]:
         """Show the panels and what stands around them, in pieces."""
@@ -367,6 +367,7 @@ class View:
         state = self.session.state
         for tab in self._tabs.values():
             tab.show_head(state)
+        yield
         for key in self._window(state).seen:
             self._pace.timed(self._tabs[key].show, state, again)
             yield
