@@ -100,11 +100,13 @@ def script() -> tuple[np.ndarray, np.ndarray]:
 def to_and_fro(points: np.ndarray, angles: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Yield points and angles of one drag after the other: the first ends where the script begins, the next returns.
 
-    A lab that stands still during a drag takes its last pose alone. It answers even so, as the arm was elsewhere.
+    Where the arm stands no event moves it: so all but the first leave out their first point.
     """
+    points, angles = points[::-1], angles[::-1]
+    yield points, angles
     while True:
         points, angles = points[::-1], angles[::-1]
-        yield points, angles
+        yield points[1:], angles[1:]
 
 
 Reader = Callable[[Message], int | None]

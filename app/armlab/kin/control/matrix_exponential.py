@@ -152,9 +152,17 @@ def remainder_bound(A: ArrayLike, t: float, terms: int) -> float:
     The terms that are left out are a geometric series at most: with x the largest sum of moduli in a column of A t,
     it is x^N / N! / (1 - x/(N+1)) for N terms, where N + 1 > x. Rounding is not in it.
     """
+    return float(remainder_bounds(A, t, terms)[-1])
+
+
+def remainder_bounds(A: ArrayLike, t: float, terms: int) -> Array:
+    """Return the bounds after 1, 2, ... terms, shape (terms,); see `remainder_bound`."""
     matrix, times = _checked(A, finite_floats(t, "t", (), "one number"))
-    count = whole_number(terms, "terms", 1)
     x = _size(matrix * times)
+    return np.array([_bound(x, count) for count in range(1, whole_number(terms, "terms", 1) + 1)])
+
+
+def _bound(x: float, count: int) -> float:
     if x == 0.0:
         return 0.0
     if count + 1 <= x:

@@ -18,7 +18,7 @@ from armlab.kin.control.matrix_exponential import (
     diagonalised,
     largest_difference,
     partial_sums,
-    remainder_bound,
+    remainder_bounds,
 )
 from armlab.registry import known_name
 from armlab.session.fields import FieldPart, number, setting, table, text, vector, whole
@@ -154,7 +154,7 @@ def found(part: Exponential) -> Found:
 
 def bounds(part: Exponential) -> Array:
     """Return bounds of the errors of 1, 2, ... terms, shape (MOST_TERMS,); infinite if none is known."""
-    return np.array([remainder_bound(part.A, part.t, terms) for terms in range(1, MOST_TERMS + 1)])
+    return remainder_bounds(part.A, part.t, MOST_TERMS)
 
 
 @lru_cache(maxsize=64)
