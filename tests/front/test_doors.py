@@ -11,6 +11,7 @@ import time
 
 import pytest
 
+from armlab.content.robots import catalogue
 from armlab.front import doors as module
 from armlab.front.doors import FILES, Doors, Quiet, let_open_many_files
 from armlab.front.front import Front
@@ -18,7 +19,7 @@ from armlab.front.limits import Limits
 from armlab.front.page import make_page
 from armlab.front.start import Settings, _listen
 from armlab.front.tokens import Tokens
-from support.lab import open_lab, running_lab
+from support.lab import running_lab
 from support.patience import Patience
 from support.student import run
 from support.web import get
@@ -118,9 +119,11 @@ def test_a_link_that_loses_a_part_gains_no_header(url):
 
 @pytest.mark.parametrize("path", ["/../../../../etc/passwd", "/..%2f..%2fetc%2fpasswd", "//etc/passwd", "/%2e%2e/x"])
 def test_the_lab_behind_the_front_gives_no_file_either(path):
-    lab = open_lab()
+    from armlab.ui.lab import Lab
+
+    lab = Lab(catalogue()["puma560"], None, "the secret")  # as a process of a class has
     try:
-        found = answer(f"http://127.0.0.1:{lab.lab.port}/", b"", asked(path.encode(), b"Connection: close\r\n"))
+        found = answer(f"http://127.0.0.1:{lab.port}/", b"", asked(path.encode(), b"Connection: close\r\n"))
     finally:
         lab.stop()
     assert found.startswith(b"HTTP/1.1 404"), found

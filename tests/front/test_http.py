@@ -164,27 +164,39 @@ def test_a_browser_has_a_handful_of_sockets(url):
     assert run(main()) == 429
 
 
-@pytest.mark.parametrize(
-    ("data", "codes"),
+NO_MESSAGE = {
+    "text": ("text", {1003}),
     # 1006: TCP may drop the reason when the rest of what is too long is still on its way.
-    [("text", {1003}), (b"\x00" * (3 << 20), {1009, 1006}), (b"\xc1 not msgpack", {1011})],
-    ids=["text", "too long", "not msgpack"],
-)
-def test_what_is_no_message_closes_only_that_socket(url, data, codes):
-    async def main():
-        cookie = cookie_of(url)
-        good, bad = FakeBrowser(url, cookie), FakeBrowser(url, cookie)
-        await good.connect()
-        await bad.connect()
-        await bad.until(lambda: "/target" in bad.nodes)
-        await bad.send_raw(data)
-        await asyncio.wait_for(bad._socket.wait_closed(), 10.0)
-        assert bad.close_code in codes
-        await good.until(lambda: "/target" in good.nodes)
-        await good.close()
-        await bad.close()
+    "too long": (b"\x00" * (3 << 20), {1009, 1006}),
+    "not msgpack": (b"\xc1 not msgpack", {1011}),
+}
+"""What is no message, and the codes with which its socket may be closed."""
 
-    run(main())
+
+async def end_of(url, data):
+    """Return the code with which a socket is closed that sends this, while another one of its browser is not."""
+    cookie = cookie_of(url)
+    good, bad = FakeBrowser(url, cookie), FakeBrowser(url, cookie)
+    await good.connect()
+    await bad.connect()
+    await bad.until(lambda: "/target" in bad.nodes)
+    await bad.send_raw(data)
+    await asyncio.wait_for(bad._socket.wait_closed(), 10.0)
+    await good.until(lambda: "/target" in good.nodes)
+    await good.close()
+    await bad.close()
+    return bad.close_code
+
+
+@pytest.mark.parametrize(("data", "codes"), NO_MESSAGE.values(), ids=NO_MESSAGE)
+def test_what_is_no_message_closes_only_that_socket(url, data, codes):
+    assert run(end_of(url, data)) in codes
+
+
+def test_what_is_no_message_closes_only_that_socket_of_a_class_too():
+    with running_lab(labs=1) as url:
+        for data, codes in NO_MESSAGE.values():
+            assert run(end_of(url, data)) in codes
 
 
 def test_a_flood_of_one_leaves_others_in_peace(url):
@@ -227,7 +239,12 @@ def bound(monkeypatch):
     return found
 
 
-def test_the_lab_itself_is_only_on_loopback_and_refuses_strangers(bound):
+def test_a_lab_in_one_process_listens_at_one_port_only(bound):
+    with running_lab() as url:
+        assert [port for _, port in bound] == [int(url.rstrip("/").rpartition(":")[2])]
+
+
+def test_the_lab_of_a_class_is_only_on_loopback_and_refuses_strangers(bound):
     """Another user of this machine who finds viser's own port gets no session."""
     from armlab.content.robots import catalogue
     from armlab.ui.lab import Lab

@@ -1,6 +1,7 @@
 """What the adapter assumes of viser, against a running viser; when viser's pin moves, these say what has to follow."""
 
 import asyncio
+import threading
 import warnings
 
 import numpy as np
@@ -21,10 +22,41 @@ def bare():
     adapter.stop_server(started.server)
 
 
+@pytest.fixture
+def running_loop():
+    loop = asyncio.new_event_loop()
+    thread = threading.Thread(target=loop.run_forever, name="of the test")
+    thread.start()
+    yield loop
+    loop.call_soon_threadsafe(loop.stop)
+    thread.join()
+    loop.close()
+
+
+async def name_of_thread():
+    return threading.current_thread().name
+
+
 def test_it_says_nothing_on_standard_output(capsys):
     server = adapter.make_server(0)
     adapter.stop_server(server)
     assert capsys.readouterr().out == ""
+
+
+def test_a_server_in_a_loop_that_runs_has_no_port_and_no_loop_of_its_own(running_loop):
+    threads = threading.active_count()
+    server, serve = adapter.make_server_in(running_loop)
+    assert callable(serve)
+    assert server.get_port() == 0
+    assert asyncio.run_coroutine_threadsafe(name_of_thread(), server.get_event_loop()).result(5.0) == "of the test"
+    adapter.stop_server(server)
+    assert running_loop.is_running()
+    assert threading.active_count() == threads
+    # What was changed for it is as before.
+    usual = adapter.make_server(0)
+    assert usual.get_port() > 0
+    assert usual.get_event_loop() is not running_loop
+    adapter.stop_server(usual)
 
 
 def test_the_headers_of_a_connection_can_be_read(bare):

@@ -222,6 +222,7 @@ def _open_lab(
         opened.callback(open_desk(Desk(settings.lessons[0], settings.teacher_key)))
     lab = Lab(catalogue()[settings.opening], _sessions(settings), secret, 0, settings.lessons, loop)
     opened.callback(lab.stop)
+    assert lab.serve is not None
     return lab, partial(direct_line, lab.serve)
 
 

@@ -34,7 +34,7 @@ class Pieces:
     ) -> None:
         self._spread, self._timed, self._done, self._clock = spread, timed, done, clock
         self._work: Generator[None, None, None] | None = None
-        self._stopped = False
+        self._at_it = self._stopped = False
 
     @property
     def busy(self) -> bool:
@@ -50,7 +50,7 @@ class Pieces:
         """Leave the work as it is, for good; it may be that itself which asks for it."""
         self._stopped = True
         self._spread.drop(self)
-        if self._work is not None and not self._work.gi_running:
+        if self._work is not None and not self._at_it:
             self._work.close()
             self._work = None
 
@@ -65,7 +65,7 @@ class Pieces:
 
     def _piece(self) -> None:
         assert self._work is not None
-        end = self._clock() + PIECE
+        end, self._at_it = self._clock() + PIECE, True
         try:
             for _ in self._work:
                 if self._clock() > end:
@@ -73,4 +73,6 @@ class Pieces:
         except BaseException:
             self._work = None
             raise
+        finally:
+            self._at_it = False
         self._work = None
