@@ -8,8 +8,7 @@ from collections.abc import Iterable
 from typing import Any, NamedTuple
 from weakref import WeakSet
 
-from websockets.asyncio.server import ServerConnection
-
+from armlab.front.direct import Direct
 from armlab.front.start import Running
 from support.patience import WAIT
 
@@ -34,7 +33,7 @@ class Traffic(NamedTuple):
     sent: int
 
 
-_receive, _send = ServerConnection.recv, ServerConnection.send
+_receive, _send = Direct.recv, Direct.send
 
 
 async def _counted_receive(connection: Any, *arguments: Any, **options: Any) -> Any:
@@ -48,7 +47,7 @@ async def _counted_send(connection: Any, *arguments: Any, **options: Any) -> Non
     await _send(connection, *arguments, **options)
 
 
-ServerConnection.recv, ServerConnection.send = _counted_receive, _counted_send  # type: ignore[method-assign]
+Direct.recv, Direct.send = _counted_receive, _counted_send  # type: ignore[method-assign]
 
 _run_aside = asyncio.BaseEventLoop.run_in_executor
 
@@ -108,7 +107,7 @@ def _ask(lab: Any) -> Told:
     return asyncio.run_coroutine_threadsafe(look(), lab.loop).result(WAIT)
 
 
-def _sum(count: str, connections: Iterable[ServerConnection]) -> int:
+def _sum(count: str, connections: Iterable[Direct]) -> int:
     return sum(getattr(connection, count, 0) for connection in connections)
 
 
@@ -118,7 +117,8 @@ def _is_sent(identifier: int, buffer: Any) -> bool:
 
 
 def _is_due_soon(loop: Any) -> bool:
-    """Return whether the lab means to do something soon; what only sleeps, as a connection between pings, does not."""
+    """Return whether the lab means to do something soon; what only sleeps, or watches over connections, does not."""
     asleep = asyncio.futures._set_result_unless_cancelled  # type: ignore[attr-defined]
     timers = (each for each in loop._scheduled if not each.cancelled() and each._callback is not asleep)
-    return any(each.when() < loop.time() + SOON for each in timers)
+    soon = (each for each in timers if each.when() < loop.time() + SOON)
+    return any(not str(getattr(each._callback, "__module__", "")).startswith("aiohttp.") for each in soon)
