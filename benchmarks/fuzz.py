@@ -70,6 +70,8 @@ def lab(said) -> Iterator[servers.Server]:
 async def story(server: servers.Server) -> tuple[dict[str, Drags], int, int, str, tuple[int, int]]:
     """Drag alone, beside strangers, and alone again: the machine may not be as quiet as it was.
 
+    Before that the arm is brought to where the way begins, in half a second, and its formulas are compiled.
+
     Returns the times, what was sent, how much was answered, whether the arm is where it was, and the memory.
     """
     ways = drag.to_and_fro(*drag.script())
@@ -77,13 +79,15 @@ async def story(server: servers.Server) -> tuple[dict[str, Drags], int, int, str
     await student.connect()
     await student.until(lambda: drag.is_open(student))
     await asyncio.sleep(drag.SETTLING)
-    drags: dict[str, Drags] = {name: ([], []) for name in ("alone before", "beside strangers", "alone after")}
+    drags: dict[str, Drags] = {name: ([], []) for name in ("", "alone before", "beside strangers", "alone after")}
 
     async def once(name: str) -> None:
         points, angles = next(ways)
         reader, (seconds, used) = drag.by_first_joint(student, angles), drags[name]
         seconds += await drag.one_student(student, points, reader, 0.0, server.used, used)
 
+    await once("")
+    del drags[""]
     await once("alone before")
     before = server.memory()
     script = str(servers.HERE / "strangers.py")

@@ -12,9 +12,9 @@ from websockets.datastructures import Headers
 from websockets.exceptions import ConnectionClosedOK
 from websockets.http11 import Request
 
-from armlab.errors import in_one_line
 from armlab.front.limits import Meter
 from armlab.front.relay import Line, let_go
+from armlab.ui.adapter import NotAMessage
 
 if TYPE_CHECKING:
     from armlab.ui.embedded import Serve
@@ -105,10 +105,11 @@ def direct_line(serve: Serve, protocol: str, headers: Mapping[str, str]) -> Line
         connection = Direct(browser, meter, protocol, headers)
         try:
             await serve(connection)
-        except Exception as error:
-            # Only a message that cannot be read gets this far.
-            log.debug("a page that is not ours: %s", in_one_line(error), exc_info=True)
+        except NotAMessage:
             connection.code = WSCloseCode.INTERNAL_ERROR
+        except Exception:
+            log.exception("a connection was lost")
+            connection.code = WSCloseCode.SERVICE_RESTART
         finally:
             was_nonsense = await let_go(request, browser, connection.code)
         return was_nonsense

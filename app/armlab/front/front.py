@@ -32,7 +32,7 @@ HEADERS = {
     "Cross-Origin-Opener-Policy": "same-origin",
     "Permissions-Policy": "camera=(), microphone=(), geolocation=()",
 }
-Direct = Callable[[str, Mapping[str, str]], Line]
+OpenLine = Callable[[str, Mapping[str, str]], Line]
 """Returns a line to a lab, given viser's protocol and what is said of the browser."""
 HOST = re.compile(r"[A-Za-z0-9.:\[\]-]+\Z")
 PROTOCOL = re.compile(r"viser-v[0-9.]{1,20}\Z")
@@ -81,7 +81,7 @@ class Front:
     ) -> None:
         self._page, self._tokens, self._secret = page, tokens, secret
         self._labs, self._hosts = labs, hosts
-        self._direct: Direct | None = None
+        self._direct: OpenLine | None = None
         self._limits, self._room = limits or Limits(), room
         self._papers = papers or PaperPages()
         self.doors = Doors(self._limits)
@@ -102,7 +102,7 @@ class Front:
         for path in PAPERS:
             self.app.router.add_get(path, self._visit_paper)
 
-    def open_labs(self, labs: Sequence[int], direct: Direct | None = None) -> None:
+    def open_labs(self, labs: Sequence[int], direct: OpenLine | None = None) -> None:
         """Let the sockets of pages through to labs, also those that wait; to be called on the front's loop.
 
         Parameters

@@ -22,7 +22,7 @@ from armlab import resources
 from armlab.errors import ArmlabError, InputError
 from armlab.front.addresses import served_names
 from armlab.front.doors import Site, let_open_many_files
-from armlab.front.front import Direct, Front
+from armlab.front.front import Front, OpenLine
 from armlab.front.lock import FolderLock
 from armlab.front.page import make_page
 from armlab.front.paper_pages import PaperPages
@@ -209,7 +209,7 @@ def _open_processes(settings: Settings, secret: str, opened: ExitStack) -> Seque
 
 def _open_lab(
     settings: Settings, secret: str, loop: asyncio.AbstractEventLoop, opened: ExitStack
-) -> tuple[Lab, Direct]:
+) -> tuple[Lab, OpenLine]:
     """Open the lab in this process, in the loop of the front; return it and what the front gets lines to it from."""
     # Imported here: a browser gets its page before, and the front of a class does not need viser in its own process.
     from armlab.content.robots import catalogue

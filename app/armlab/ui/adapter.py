@@ -9,6 +9,7 @@ import asyncio
 import contextlib
 import io
 import logging
+import threading
 import time
 import warnings
 from collections.abc import Awaitable, Callable, MutableMapping
@@ -43,6 +44,14 @@ CLOSING = 0.5
 that cannot be read would otherwise keep it open for 10 s, with all that were sent after them."""
 
 
+_STARTING = threading.RLock()
+"""Of one server at a time, since one that is to run in a loop changes for a moment what viser starts with."""
+
+
+class NotAMessage(Exception):
+    """What a page has sent cannot be read; its connection ends."""
+
+
 def make_server(port: int) -> viser.ViserServer:
     """Return a viser server on loopback, silent, that accepts from its pages only the messages of the lab's own page.
 
@@ -55,7 +64,7 @@ def make_server(port: int) -> viser.ViserServer:
     warnings.filterwarnings("ignore", message=r"\[viser\] .* does not match annotation", category=UserWarning)
     # A page may go at any moment; what is still said to it then is no news for whoever runs the lab.
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection", category=UserWarning)
-    with contextlib.redirect_stdout(io.StringIO()):
+    with contextlib.redirect_stdout(io.StringIO()), _STARTING:
         server = viser.ViserServer(host="127.0.0.1", port=port, verbose=False)
     server._websock_server._incoming_handlers.clear()
     turns: WeakValueDictionary[str, Turns] = WeakValueDictionary()
@@ -65,7 +74,7 @@ def make_server(port: int) -> viser.ViserServer:
 
 def make_server_in(loop: asyncio.AbstractEventLoop) -> tuple[viser.ViserServer, Serve]:
     """Return a server as `make_server` that runs in a loop and has no port, and its function that serves."""
-    with embedded(loop) as taken:
+    with _STARTING, embedded(loop) as taken:
         server = make_server(0)
     (serve,) = taken
     return server, serve
@@ -108,7 +117,7 @@ def _in_turn(receive: Callable[[], Awaitable[bytes]], connection: Any, turns: Tu
 
     async def received() -> bytes:
         while True:
-            message = Message.deserialize(await turns.next(receive))
+            message = _read(await turns.next(receive))
             handled = connection._handle_incoming_message(connection.client_id, message)
             if isinstance(message, _messages.ViewerCameraMessage):
                 # It may wait for the page, which may wait for other messages.
@@ -120,6 +129,14 @@ def _in_turn(receive: Callable[[], Awaitable[bytes]], connection: Any, turns: Tu
 
     tasks: set[asyncio.Task[None]] = set()
     return received
+
+
+def _read(data: bytes) -> Message:
+    try:
+        return Message.deserialize(data)
+    except Exception as error:
+        # What a stranger sends may be wrong in any way; viser ends the connection.
+        raise NotAMessage(in_one_line(error)) from error
 
 
 def _value_now(server: viser.ViserServer, client_id: Any, message: Any) -> Any:

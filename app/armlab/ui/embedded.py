@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import threading
 from collections.abc import Awaitable, Callable, Coroutine, Iterator
 from types import SimpleNamespace
 from typing import Any
@@ -17,8 +16,6 @@ from viser.infra import _infra
 
 Serve = Callable[[Any], Awaitable[None]]
 """Serves a connection, which stands in for one of `websockets`, until it has closed."""
-
-_PUTTING = threading.Lock()
 
 
 class _Running:
@@ -57,7 +54,10 @@ class _Asyncio:
 
 @contextlib.contextmanager
 def embedded(loop: asyncio.AbstractEventLoop) -> Iterator[list[Serve]]:
-    """Let the viser server that is made meanwhile run in a loop; its function that serves is put into the list."""
+    """Let the viser server that is made meanwhile run in a loop; its function that serves is put into the list.
+
+    No other one may be made at the same time.
+    """
     taken: list[Serve] = []
 
     @contextlib.asynccontextmanager
@@ -67,10 +67,9 @@ def embedded(loop: asyncio.AbstractEventLoop) -> Iterator[list[Serve]]:
 
     changed: Any = _infra
     listening = changed.websockets.asyncio.server
-    with _PUTTING:
-        usual = listening.serve
-        changed.asyncio, listening.serve = _Asyncio(loop), serve
-        try:
-            yield taken
-        finally:
-            changed.asyncio, listening.serve = asyncio, usual
+    usual = listening.serve
+    changed.asyncio, listening.serve = _Asyncio(loop), serve
+    try:
+        yield taken
+    finally:
+        changed.asyncio, listening.serve = asyncio, usual
