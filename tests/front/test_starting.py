@@ -1,6 +1,8 @@
 """A page that is asked for while the lab behind the front is still being made."""
 
+import gc
 import threading
+import weakref
 from pathlib import Path
 
 import pytest
@@ -103,3 +105,16 @@ def test_what_is_not_there_is_refused_before_a_page_is_served(settings, told):
     with pytest.raises(InputError, match=told):
         start(settings, served.append)
     assert served == []
+
+
+def test_a_lab_that_has_ended_is_forgotten_with_its_pages():
+    async def visit(url):
+        browser = await student(url)
+        await browser.close()
+
+    lab = start(SETTINGS)
+    run(visit(url_of(lab.port)))
+    lab.stop()
+    ended, lab = weakref.ref(lab.lab), None
+    gc.collect()
+    assert ended() is None

@@ -9,7 +9,7 @@ import io
 import re
 import weakref
 from collections import Counter
-from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
+from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from functools import partial
 
 import aiohttp
@@ -92,8 +92,9 @@ class Front:
         self._open: Counter[str] = Counter()
         self._sockets: weakref.WeakSet[web.WebSocketResponse] = weakref.WeakSet()
         self._asked = Addresses(self._limits.request_rate, self._limits.requests)
-        self.app = web.Application(client_max_size=64 << 10, middlewares=[self._unhurried])
+        self.app = web.Application(client_max_size=64 << 10)
         self.app.cleanup_ctx.append(self._with_client)
+        self.app.on_response_prepare.append(self._unhurried)
         self.app.on_response_prepare.append(_protect)
         self.app.on_shutdown.append(self._say_goodbye)
         self.app.router.add_get("/", self._visit)
@@ -122,16 +123,15 @@ class Front:
         yield
         await self._client.close()
 
-    @web.middleware
-    async def _unhurried(
-        self, request: web.Request, handler: Callable[[web.Request], Awaitable[web.StreamResponse]]
-    ) -> web.StreamResponse:
-        """Answer whoever asks too often a little later, so that the others' sockets have most of the time."""
+    async def _unhurried(self, request: web.Request, _response: web.StreamResponse) -> None:
+        """Answer whoever asks too often a little later, so that the others' sockets have most of the time.
+
+        No middleware does it, since aiohttp would keep the application of one for ever.
+        """
         address = request.remote or ""
         self._asked.note(address)
         if (wait := self._asked.wait(address)) > 0.0:
             await asyncio.sleep(min(wait, self._limits.request_wait))
-        return await handler(request)
 
     async def _say_goodbye(self, _app: web.Application) -> None:
         closing = (ws.close(code=WSCloseCode.GOING_AWAY, message=b"restarting") for ws in list(self._sockets))
