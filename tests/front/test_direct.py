@@ -119,7 +119,9 @@ def test_the_lab_may_close_it_with_a_code_of_its_own():
 def test_a_message_that_came_too_early_waits():
     async def main():
         meter = Meter(Limits(rate=20.0, burst=1.0))
-        connection = Direct(Browser(*[message(WSMsgType.BINARY, b"x")] * 3), meter, "viser-v1", {})
+        connection = Direct(
+            SimpleNamespace(transport=None), Browser(*[message(WSMsgType.BINARY, b"x")] * 3), meter, "viser-v1", {}
+        )
         began = asyncio.get_running_loop().time()
         for _ in range(3):
             await connection.recv()

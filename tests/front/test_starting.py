@@ -1,16 +1,20 @@
 """A page that is asked for while the lab behind the front is still being made."""
 
+import asyncio
 import gc
 import threading
+import time
 import weakref
 from pathlib import Path
 
+import aiohttp
 import pytest
 import websockets
 
 from armlab.errors import InputError, PluginError
 from armlab.front import front as front_module
 from armlab.front import start as start_module
+from armlab.front.paper_pages import PaperPages
 from armlab.front.start import Settings, start
 from armlab.ui import lab as lab_module
 from support.fake_browser import FakeBrowser, cookie_of
@@ -118,3 +122,41 @@ def test_a_lab_that_has_ended_is_forgotten_with_its_pages():
     ended, lab = weakref.ref(lab.lab), None
     gc.collect()
     assert ended() is None
+
+
+def test_a_lab_that_fails_as_it_is_made_leaves_no_thread_behind(monkeypatch):
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(lab_module, "Store", full)
+    before = set(threading.enumerate())
+    with pytest.raises(OSError, match="No space"):
+        start(SETTINGS)
+    patience = Patience()
+    while patience.left() and (left := set(threading.enumerate()) - before):
+        time.sleep(0.01)
+    assert not left
+
+
+def test_slow_pages_to_print_keep_nobody_out(monkeypatch):
+    """More ask for them than there are threads for whoever gets in."""
+    made = threading.Event()
+
+    def slow(*_):
+        made.wait(WAIT)
+
+    monkeypatch.setattr(PaperPages, "page", slow)
+
+    async def visit(url):
+        async with aiohttp.ClientSession() as client:
+            asking = [asyncio.create_task(client.get(f"{url}formulas")) for _ in range(90)]
+            await asyncio.sleep(0.5)
+            browser = await student(url)
+            assert not any(each.done() for each in asking)
+            made.set()
+            assert {answer.status for answer in await asyncio.gather(*asking)} == {404}
+            await browser.close()
+
+    lab = start(SETTINGS)
+    run(visit(url_of(lab.port)))
+    lab.stop()

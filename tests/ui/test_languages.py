@@ -255,6 +255,9 @@ def test_an_option_is_chosen_in_one_language_and_heard_in_english():
     heard = door.back(_messages.GuiUpdateMessage("u", {"value": "muovi il giunto 1"}))
     assert heard.updates == {"value": "move joint 1"}
     assert door.out(heard).updates == {"value": "muovi il giunto 1"}
+    # What no page of ours sends goes on to where it is refused.
+    strange = _messages.GuiUpdateMessage(["u"], {"value": "muovi il giunto 1"})
+    assert door.back(strange) is strange
 
 
 @pytest.mark.parametrize("text", ['msgid "a"\nmsgstr "b"\n\nmsgid "a"\nmsgstr "c"\n', 'msgid "a"\nmsgstr b\n'])

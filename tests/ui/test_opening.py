@@ -90,8 +90,13 @@ def test_a_page_that_goes_while_it_is_built_is_not_shown_anything(url, monkeypat
             yield
         yield from pieces
 
-    views = []
+    def noted(view):
+        close(view)
+        closed.append(view)
+
+    views, closed, close = [], [], View.close
     monkeypatch.setattr(View, "build", slow)
+    monkeypatch.setattr(View, "close", noted)
 
     async def main():
         leaving = FakeBrowser(url, cookie_of(url))
@@ -99,10 +104,10 @@ def test_a_page_that_goes_while_it_is_built_is_not_shown_anything(url, monkeypat
         await leaving.until(half.is_set)
         await leaving.close()
         patience = Patience()
-        while not views[0]._closed and patience.left():
+        while not closed and patience.left():
             await asyncio.sleep(0.01)
         gone.set()
-        assert views[0]._closed
+        assert closed == views
         other = await student(url)
         await other.close()
 

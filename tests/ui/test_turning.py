@@ -147,6 +147,27 @@ def test_a_page_is_shown_in_pieces_and_what_comes_meanwhile_after_it():
     run(main())
 
 
+def test_what_comes_while_a_page_fails_is_shown_after_it(caplog):
+    async def main():
+        reader = Reader(browsers=2)
+
+        def failing():
+            time.sleep(2.0 * PIECE)
+            yield
+            raise ValueError("it fails")
+
+        reader.turning(failing, True)
+        assert reader.turning.busy
+        reader.turning(failing, False)
+        while not reader.again:
+            await asyncio.sleep(0.001)
+        assert not reader.turning.busy
+        assert [str(record.exc_info[1]) for record in caplog.records] == ["it fails"]
+        reader.turning.stop()
+
+    run(main())
+
+
 def test_a_page_that_goes_leaves_the_rest_of_its_pieces(caplog):
     async def main():
         reader, said = Reader(browsers=2), []

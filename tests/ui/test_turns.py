@@ -44,6 +44,25 @@ def test_who_uses_more_than_a_share_waits_and_who_was_quiet_has_some_to_spare():
     assert one.pause == pytest.approx(SPARE / SHARE), "no more is saved up than that"
 
 
+def test_who_has_gone_waits_for_no_turn():
+    async def main():
+        one, gone = Turns(used=lambda: used[0]), []
+        one.begin()
+        used[0] += SPARE + 100.0 * SHARE  # a hundred seconds to wait
+        one.end()
+        loop = asyncio.get_running_loop()
+        loop.call_later(0.1, gone.append, True)
+        began = loop.time()
+        assert await one.next(sent, lambda: bool(gone)) == b"the end"
+        assert 0.1 <= loop.time() - began < 50.0
+
+    async def sent():
+        return b"the end"
+
+    used = [0.0]
+    run(main())
+
+
 def test_many_messages_sent_together_are_looked_at_one_a_turn_of_the_loop(bare):
     async def work(browser, do):
         fields = await do(lambda: Fields(bare.client.gui, lambda cell, _: heard.append((cell, rounds[0]))))

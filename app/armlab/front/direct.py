@@ -27,6 +27,7 @@ class Direct:
 
     Parameters
     ----------
+    request : aiohttp.web.Request
     browser : aiohttp.web.WebSocketResponse
     meter : Meter
     protocol : str
@@ -42,10 +43,21 @@ class Direct:
         With which the browser is to be let go.
     """
 
-    def __init__(self, browser: web.WebSocketResponse, meter: Meter, protocol: str, headers: Mapping[str, str]) -> None:
-        self._browser, self._meter = browser, meter
+    def __init__(
+        self,
+        request: web.Request,
+        browser: web.WebSocketResponse,
+        meter: Meter,
+        protocol: str,
+        headers: Mapping[str, str],
+    ) -> None:
+        self._asked, self._browser, self._meter = request, browser, meter
         self.request, self.subprotocol = Request("/", Headers(headers)), protocol
         self.code: int = WSCloseCode.OK
+
+    def has_gone(self) -> bool:
+        """Return whether the browser has broken off; what it said before it did is still to be received."""
+        return self._asked.transport is None
 
     async def recv(self) -> bytes:
         """Return the next message.
@@ -102,7 +114,7 @@ def direct_line(serve: Serve, protocol: str, headers: Mapping[str, str]) -> Line
     """
 
     async def line(request: web.Request, browser: web.WebSocketResponse, meter: Meter) -> bool:
-        connection = Direct(browser, meter, protocol, headers)
+        connection = Direct(request, browser, meter, protocol, headers)
         try:
             await serve(connection)
         except NotAMessage:

@@ -10,7 +10,9 @@ import re
 import weakref
 from collections import Counter
 from collections.abc import AsyncIterator, Callable, Mapping, Sequence
-from functools import partial
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache, partial
+from typing import TypeVar
 
 import aiohttp
 from aiohttp import WSCloseCode, web
@@ -24,6 +26,8 @@ from armlab.front.relay import Line, relay
 from armlab.front.room import FORM, POLICY, Room
 from armlab.front.tokens import Tokens
 from armlab.front.wishes import NAME, PAPERS, ROUTES, Wishes, refused
+
+T = TypeVar("T")
 
 HEADERS = {
     "Cache-Control": "no-store",  # a cached page of another viser version cannot talk to this one
@@ -45,6 +49,16 @@ LANGUAGE = "lang"
 """Query parameter by which a link asks for a language."""
 FOREIGN = ("websocket", "playbackPath")
 """Query parameters of viser that would connect the page to a foreign server, or play a foreign recording."""
+
+
+async def aside(call: Callable[..., T], *arguments: object) -> T:
+    """Return what a slow call returns, from threads of the front's own: those of the loop are for who has got in."""
+    return await asyncio.get_running_loop().run_in_executor(_threads(), partial(call, *arguments))
+
+
+@cache
+def _threads() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(2, "armlab-papers")
 
 
 class Front:
@@ -151,7 +165,7 @@ class Front:
             return await _told(request, refusal)
         kind = request.path.split("/")[1]
         name = request.match_info.get("name", "")
-        page = await asyncio.to_thread(self._papers.page, kind, name, *_languages(request))
+        page = await aside(self._papers.page, kind, name, *_languages(request))
         if page is None:
             return await _told(request, _text(404, "There is no such course."))
         return _html(request, page, OF_PAPER)
@@ -354,7 +368,7 @@ async def _told(request: web.Request, refusal: web.Response) -> web.Response:
     """Return a refusal in the language of its reader; a redirect has no words."""
     if refusal.text:
         # The first time a catalogue is read, which takes a while.
-        refusal.text = await asyncio.to_thread(in_their_language, refusal.text, *_languages(request))
+        refusal.text = await aside(in_their_language, refusal.text, *_languages(request))
     return refusal
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import errno
 import secrets
 import socket
@@ -239,7 +240,15 @@ def _open_loop(opened: ExitStack) -> asyncio.AbstractEventLoop:
     thread = threading.Thread(target=loop.run_forever, daemon=True, name="armlab-loop")
     thread.start()
 
+    async def cancel_all() -> None:
+        left = asyncio.all_tasks() - {asyncio.current_task()}
+        for task in left:
+            task.cancel()
+        await asyncio.gather(*left, return_exceptions=True)
+
     def end() -> None:
+        with contextlib.suppress(TimeoutError):
+            asyncio.run_coroutine_threadsafe(cancel_all(), loop).result(2.0)
         loop.call_soon_threadsafe(loop.stop)
         thread.join(2.0)
         loop.close()

@@ -88,7 +88,7 @@ def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMappi
     if socket is not None:
         token = socket.request.headers.get(TOKEN_HEADER, "")
         turns = of_browsers.setdefault(token, turns)
-        socket.close_timeout, socket.recv = CLOSING, _in_turn(socket.recv, connection, turns)
+        socket.close_timeout, socket.recv = CLOSING, _in_turn(socket, connection, turns)
 
     async def guarded(client_id: Any, message: Any) -> None:
         # With the first message of the camera viser waits until the page is built, in the time of all.
@@ -108,7 +108,7 @@ def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMappi
     connection._handle_incoming_message = guarded
 
 
-def _in_turn(receive: Callable[[], Awaitable[bytes]], connection: Any, turns: Turns) -> Callable[[], Awaitable[bytes]]:
+def _in_turn(socket: Any, connection: Any, turns: Turns) -> Callable[[], Awaitable[bytes]]:
     """Return a function that receives a connection's messages one at a time; the others wait in front and browser.
 
     Each is handled here: viser, which waits for what is returned, would make two tasks of it, and so go twice round the
@@ -117,7 +117,7 @@ def _in_turn(receive: Callable[[], Awaitable[bytes]], connection: Any, turns: Tu
 
     async def received() -> bytes:
         while True:
-            message = _read(await turns.next(receive))
+            message = _read(await turns.next(receive, has_gone))
             handled = connection._handle_incoming_message(connection.client_id, message)
             if isinstance(message, _messages.ViewerCameraMessage):
                 # It may wait for the page, which may wait for other messages.
@@ -127,7 +127,9 @@ def _in_turn(receive: Callable[[], Awaitable[bytes]], connection: Any, turns: Tu
             else:
                 await handled
 
-    tasks: set[asyncio.Task[None]] = set()
+    receive, tasks = socket.recv, set[asyncio.Task[None]]()
+    # One of `websockets` closes by itself, whether or not somebody receives.
+    has_gone: Callable[[], bool] = getattr(socket, "has_gone", lambda: False)
     return received
 
 

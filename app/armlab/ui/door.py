@@ -45,8 +45,8 @@ class Door:
 
     def back(self, message: Any) -> Any:
         """Return a message of the page with a chosen option in English."""
-        known = self._options.get(getattr(message, "uuid", ""))
-        updates = getattr(message, "updates", None)
+        uuid, updates = getattr(message, "uuid", ""), getattr(message, "updates", None)
+        known = self._options.get(uuid) if isinstance(uuid, str) else None
         if not known or not isinstance(updates, dict) or not isinstance(updates.get("value"), str):
             return message
         return _with(message, updates={**updates, "value": known.get(updates["value"], updates["value"])})

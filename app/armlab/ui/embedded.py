@@ -9,6 +9,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 from collections.abc import Awaitable, Callable, Coroutine, Iterator
+from concurrent.futures import CancelledError
 from types import SimpleNamespace
 from typing import Any
 
@@ -27,8 +28,9 @@ class _Running:
     def __getattr__(self, name: str) -> Any:
         return getattr(self._loop, name)
 
-    def run_until_complete(self, work: Coroutine[Any, Any, Any]) -> Any:
-        return asyncio.run_coroutine_threadsafe(work, self._loop).result()
+    def run_until_complete(self, work: Coroutine[Any, Any, Any]) -> None:
+        with contextlib.suppress(CancelledError):  # whoever ends the loop ends what runs in it
+            asyncio.run_coroutine_threadsafe(work, self._loop).result()
 
     def stop(self) -> None:
         """Go on: others need the loop."""

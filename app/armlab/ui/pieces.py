@@ -20,7 +20,7 @@ class Pieces:
     timed : callable
         Calls a function that does a piece, and counts its time.
     done : callable
-        Called when work has ended, but not when it was stopped.
+        Called when work has ended, also by an exception, but not when it was stopped.
     clock : callable
         Seconds of a steady clock.
     """
@@ -55,13 +55,15 @@ class Pieces:
             self._work = None
 
     def _go_on(self) -> None:
-        self._timed(self._piece)
-        if self._work is None:
-            self._done()
-        elif self._stopped:
-            self.stop()
-        else:
-            self._spread.put(self, self._go_on)
+        try:
+            self._timed(self._piece)
+        finally:
+            if self._stopped:
+                self.stop()
+            elif self._work is None:
+                self._done()
+            else:
+                self._spread.put(self, self._go_on)
 
     def _piece(self) -> None:
         assert self._work is not None

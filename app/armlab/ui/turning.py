@@ -61,6 +61,11 @@ class Turning:
             self._has_waited = False
             self._pieces.begin(showing())
 
+    @property
+    def busy(self) -> bool:
+        """Whether a page is being shown in pieces."""
+        return self._pieces.busy
+
     def _timed(self, show: Callable[[], None]) -> None:
         began = self._clock()
         try:

@@ -14,6 +14,9 @@ SHARE = 0.05
 SPARE = 0.2
 """Time that a quiet browser can save up, seconds, for a large file, or a lesson that opens."""
 
+LOOK = 0.25
+"""Interval of looking whether the page of a waiting browser has gone, seconds."""
+
 
 class Turns:
     """The time that the messages of one browser, over all its connections, have taken.
@@ -46,10 +49,15 @@ class Turns:
         """Seconds until the next message may be handled."""
         return self._saved.wait
 
-    async def next(self, receive: Callable[[], Awaitable[bytes]]) -> bytes:
-        """Return the next message: one each time the event loop runs, also of many sent together."""
-        if self._had_one or self.pause > 0.0:
-            await asyncio.sleep(self.pause)
+    async def next(self, receive: Callable[[], Awaitable[bytes]], has_gone: Callable[[], bool]) -> bytes:
+        """Return the next message: one each time the event loop runs, also of many sent together.
+
+        Who has gone does not wait any more.
+        """
+        if self._had_one:
+            await asyncio.sleep(0.0)
+        while (pause := self.pause) > 0.0 and not has_gone():
+            await asyncio.sleep(min(pause, LOOK))
         message = await receive()
         self._had_one = True
         asyncio.get_running_loop().call_soon(self._next_turn)

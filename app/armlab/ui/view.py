@@ -20,7 +20,7 @@ from armlab.session.parts.panels import Panels, Window
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.session import Session
-from armlab.session.state import Command, State
+from armlab.session.state import Post, State
 from armlab.ui import commands
 from armlab.ui.camera import Camera
 from armlab.ui.canvas import Canvas
@@ -73,13 +73,7 @@ class View:
     """
 
     def __init__(
-        self,
-        client: viser.ClientHandle,
-        session: Session,
-        gallery: Gallery,
-        post: Callable[[Command], None],
-        pace: Pace,
-        language: str,
+        self, client: viser.ClientHandle, session: Session, gallery: Gallery, post: Post, pace: Pace, language: str
     ) -> None:
         self.client, self.post, self.language = client, post, language
         self.session: Session = session
@@ -89,6 +83,7 @@ class View:
         self._gallery, self._pace = gallery, pace
         self._loop = asyncio.get_running_loop()
         self._canvas: Canvas | None = None
+        self._leaving: Canvas | None = None
         self._canvases = 0
         self._lettering = 1.0
         self._drawings: list[Drawing] = []
@@ -118,9 +113,9 @@ class View:
             self._search = SearchDialog(self)
             self._timeline = TimelineBar(self.client, self.post)
             self._tray = Tray(self.client, self.post, self._refresh_now)
+            self._lesson = LessonDock(self.client, self._gui, self.post)
             yield
             yield from self._dock()
-            self._lesson = LessonDock(self.client, self._gui, self.post)
             commands.register(self)
             yield
             state = self.session.state
@@ -235,8 +230,11 @@ class View:
                 jumped = self._canvas is not None and self._canvas.gliding and state[Target].pose is None
                 if jumped and self.session.history.redo_label is None:
                     # Under a hand on the handle, and when something is taken back, the eye stays where it is.
-                    self._loop.call_later(SETTLED, self._keep_in_view)
+                    self._later(SETTLED, self.camera.keep_in_view)
                 lesson_changed = self._lesson.open(state)
+            if self._leaving is not None:  # the page hears of the new bodies only now
+                self._later(LINGER, self._leaving.remove)
+                self._leaving = None
             if lesson_changed:
                 self._lesson_changed(state, before is not None)
             if before is not None:
@@ -252,8 +250,7 @@ class View:
         lesson = state[LessonPart].lesson
         if later and self.session.switched_by not in (None, self.client.client_id):
             self._notices.elsewhere(lesson)
-        home = None if lesson is None else lesson.camera
-        self.camera.make_room(lesson is not None, home, state[LessonPart].bench)
+        self.camera.make_room(lesson is not None, lesson.camera if lesson else None, state[LessonPart].bench)
 
     @property
     def _present(self) -> State:
@@ -265,10 +262,6 @@ class View:
         pages = self._open_panels(state)
         found = ((key, whole_panel(key)) for key in sorted(pages))
         self.camera.attend(pages, tuple((key, panel.looks(state)) for key, panel in found if panel is not None))
-
-    def _keep_in_view(self) -> None:
-        if not self._closed:
-            self.camera.keep_in_view()
 
     def _layer_by_layer(self, state: State) -> Iterator[None]:
         open_panels = self._open_panels(state)
@@ -311,14 +304,13 @@ class View:
         yield
 
     def _remove_drawings(self) -> None:
-        canvas, self._canvas = self._canvas, None
+        self._leaving, self._canvas = self._canvas, None
         for drawing in self._drawings:
             if drawing.layer.key != "arm":
                 drawing.canvas.remove()
         self._drawings, self._seen_because = [], ()
-        if canvas is not None:
-            canvas.stop()
-            self._loop.call_later(LINGER, lambda: None if self._closed else canvas.remove())
+        if self._leaving is not None:
+            self._leaving.stop()
 
     def _look_at(self, drawn: Drawn, before: RobotPart | None) -> None:
         """Follow another arm with the camera; an edit of the same table keeps the view."""
@@ -338,6 +330,9 @@ class View:
             self._shown = None
             self.show()
 
+    def _later(self, seconds: float, call: Callable[[], object]) -> None:
+        self._loop.call_later(seconds, lambda: self._closed or call())
+
     def _refresh_soon(self) -> None:
         if self._refresh is None:
             wait = max(0.0, self._refreshed + self._pace.interval(PANEL_INTERVAL) - self._loop.time())
@@ -348,17 +343,23 @@ class View:
                 self._refresh = self._loop.call_later(wait, come)
 
     def _refresh_now(self) -> None:
-        for _ in self._refreshing_now():
-            pass
+        self._refresh_no_more()
+        if self._turning.busy:
+            self.show()  # when that has come to its end
+        elif not self._closed:
+            for _ in self._refreshing_now():
+                pass
 
-    def _refreshing_now(self) -> Iterator[None]:
+    def _refresh_no_more(self) -> None:
         self._pace.spread.drop(self)
         if self._refresh is not None:
             self._refresh.cancel()
             self._refresh = None
-        if not self._closed:
-            with self.client.atomic():
-                yield from self._refreshing()
+
+    def _refreshing_now(self) -> Iterator[None]:
+        self._refresh_no_more()
+        with self.client.atomic():
+            yield from self._refreshing()
 
     def _refreshing(self) -> Iterator[None]:
         """Show the panels and what stands around them, in pieces."""
@@ -389,12 +390,10 @@ class View:
         """Stop all work, because the browser has closed."""
         self._closed = True
         self.post(CloseWindow(self.client.client_id))
-        self._pace.spread.drop(self)
+        self._refresh_no_more()
         self._turning.stop()
         self.camera.gaze.stop()
         self._overlay.close()
         self._lesson.close()
-        if self._refresh is not None:
-            self._refresh.cancel()
         if self._canvas is not None:
             self._canvas.stop()
