@@ -1,6 +1,7 @@
 """The line to a lab in the process of the front: how it ends."""
 
 import asyncio
+import contextlib
 from types import SimpleNamespace
 
 import pytest
@@ -44,11 +45,9 @@ def ended(browser, serve, limits=None):
 
 async def echo(connection):
     """Serve as viser does: what closes a connection is no fault."""
-    try:
+    with contextlib.suppress(ConnectionClosedOK):
         while True:
             await connection.send(await connection.recv())
-    except ConnectionClosedOK:
-        pass
 
 
 def test_the_lab_hears_what_the_front_says_and_what_the_browser_sends():

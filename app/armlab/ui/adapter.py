@@ -45,11 +45,11 @@ that cannot be read would otherwise keep it open for 10 s, with all that were se
 
 
 _STARTING = threading.RLock()
-"""Of one server at a time, since one that is to run in a loop changes for a moment what viser starts with."""
+"""Held while a server starts: one that is to run in a loop changes for a moment what viser starts with."""
 
 
 class NotAMessage(Exception):
-    """What a page has sent cannot be read; its connection ends."""
+    """A page has sent what cannot be read; its connection ends."""
 
 
 def make_server(port: int) -> viser.ViserServer:
