@@ -231,6 +231,10 @@ WORDS = Words(
             "<p>The points of <strong>space</strong> on <em>Spazio</em>, of <em>space</em>.</p>",
         ),
         ("<p>✓ <strong>space</strong> 1.2</p>", "<p>✓ <strong>spazio</strong> 1.2</p>"),
+        (
+            "<h3><small>2 of 8 solutions</small> Nobody knows <em>a <b>space</b></em><i>x</i> space</h3>",
+            "<h3><small>2 soluzioni su 8</small> Nobody knows <em>a <b>space</b></em><i>x</i> space</h3>",
+        ),
     ],
 )
 def test_markup_is_said_in_the_language(english, said):

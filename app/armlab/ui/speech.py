@@ -39,6 +39,9 @@ INLINE = frozenset(
 )
 """Elements that stand in a line with the text around them."""
 
+EMPHASIS = ("<strong", "<em")
+"""Beginnings of the elements that emphasise words of a sentence in the texts of lessons."""
+
 LINK = 'class="erratum"'
 """Attribute of the buttons that do so, too: links in the texts of lessons, see `armlab.ui.lesson.errata`."""
 
@@ -141,8 +144,8 @@ class Speech:
     def _said(self, pieces: tuple[_Piece, ...], told: bool = False) -> str:
         """Return pieces in the language: as one text if there is one around elements, otherwise one by one.
 
-        Where the text around elements is not known, they stay as they are too, except names of the lab's controls: no
-        sentence is half in English, and what it names is called as on the page.
+        Where a text around elements is not known, the others and emphasised words stay as they are too, except names
+        of the lab's controls: no sentence is half in English, and what it names is called as on the page.
 
         Parameters
         ----------
@@ -157,22 +160,21 @@ class Speech:
             if found is not None:
                 return holder.filled(found, self)
             told = True
-            if any(self._is_unknown(piece) for piece in pieces):
-                return "".join([self._as_it_is(piece) for piece in pieces])
-        return "".join([self._alone(piece, told) for piece in pieces])
+        stays = any(self._is_unknown(piece) for piece in pieces)
+        return "".join([self._alone(piece, told, stays) for piece in pieces])
 
     def _is_unknown(self, piece: _Piece) -> bool:
         """Tell whether a piece is a text with words that are not known."""
         return has_words(piece.text) and self._words.find(without_numbers(unescape(piece.text)).text) is None
 
-    def _as_it_is(self, piece: _Piece) -> str:
-        if _names_a_control(piece):
-            return self._alone(piece, True)
-        return f"{piece.start}{''.join(map(self._as_it_is, piece.inside))}{piece.end}{piece.text}"
-
-    def _alone(self, piece: _Piece, told: bool) -> str:
+    def _alone(self, piece: _Piece, told: bool, stays: bool = False) -> str:
+        """Return one piece in the language; where its sentence stays, so do all its texts and what it emphasises."""
         if piece.start:
-            return f"{piece.start}{self._said(piece.inside, told)}{piece.end}"
+            emphasised = piece.start.startswith(EMPHASIS) and not _names_a_control(piece)
+            inside = "".join(map(_as_it_is, piece.inside)) if stays and emphasised else self._said(piece.inside, told)
+            return f"{piece.start}{inside}{piece.end}"
+        if stays:
+            return piece.text
         plain = without_numbers(unescape(piece.text))
         found = self._words.find(plain.text)
         return piece.text if found is None else str(escape(with_numbers(found, plain.numbers)))
@@ -229,6 +231,10 @@ class _Holder:
 
 def _has_words(piece: _Piece) -> bool:
     return has_words(piece.text) or any(_has_words(each) for each in piece.inside)
+
+
+def _as_it_is(piece: _Piece) -> str:
+    return f"{piece.start}{''.join(map(_as_it_is, piece.inside))}{piece.end}{piece.text}"
 
 
 def _names_a_control(piece: _Piece) -> bool:
