@@ -12,6 +12,7 @@ LEVELS = {
     "registry": 0,
     "page": 0,
     "resources": 0,
+    "running_loop": 0,
     "version": 0,
     "kin": 1,
     "content": 2,

@@ -1,4 +1,4 @@
-"""The line to a lab in the process of the front: how it ends."""
+"""The line to a lab in the same process: how it ends."""
 
 import asyncio
 import contextlib
@@ -8,8 +8,9 @@ import pytest
 from aiohttp import ClientConnectionResetError, WSCloseCode, WSMessage, WSMsgType
 from websockets.exceptions import ConnectionClosedOK
 
-from armlab.front.direct import Direct, direct_line
+from armlab.front.direct import Direct, DirectLine
 from armlab.front.limits import Limits, Meter
+from armlab.front.line import PROTOCOL
 from armlab.ui.adapter import NotAMessage
 from support.student import run
 
@@ -37,10 +38,24 @@ def message(kind, data=None):
     return WSMessage(kind, data, None)
 
 
+REQUEST = SimpleNamespace(transport=None, headers={PROTOCOL: "viser-v1"})
+
+
+class Line(DirectLine):
+    """A line to which this browser comes."""
+
+    def __init__(self, browser, serve, limits):
+        super().__init__(serve, limits)
+        self._browser = browser
+
+    async def _accepted(self, _request):
+        return self._browser
+
+
 def ended(browser, serve, limits=None):
     """Return whether a lab that serves so has ended a connection for nonsense."""
-    line = direct_line(serve, "viser-v1", {"X-Armlab-Token": "t"})
-    return run(line(SimpleNamespace(transport=None), browser, Meter(limits or Limits())))
+    line = Line(browser, serve, limits or Limits())
+    return run(line.serve(REQUEST, {"X-Armlab-Token": "t"}, Meter(limits or Limits()))).was_nonsense
 
 
 async def echo(connection):
@@ -118,9 +133,7 @@ def test_the_lab_may_close_it_with_a_code_of_its_own():
 def test_a_message_that_came_too_early_waits():
     async def main():
         meter = Meter(Limits(rate=20.0, burst=1.0))
-        connection = Direct(
-            SimpleNamespace(transport=None), Browser(*[message(WSMsgType.BINARY, b"x")] * 3), meter, "viser-v1", {}
-        )
+        connection = Direct(REQUEST, Browser(*[message(WSMsgType.BINARY, b"x")] * 3), meter, {})
         began = asyncio.get_running_loop().time()
         for _ in range(3):
             await connection.recv()

@@ -11,7 +11,6 @@ import time
 
 import pytest
 
-from armlab.content.robots import catalogue
 from armlab.front import doors as module
 from armlab.front.doors import FILES, Doors, Quiet, let_open_many_files
 from armlab.front.front import Front
@@ -117,18 +116,6 @@ def test_a_link_that_loses_a_part_gains_no_header(url):
     assert b"<script>" not in head
 
 
-@pytest.mark.parametrize("path", ["/../../../../etc/passwd", "/..%2f..%2fetc%2fpasswd", "//etc/passwd", "/%2e%2e/x"])
-def test_the_lab_behind_the_front_gives_no_file_either(path):
-    from armlab.ui.lab import Lab
-
-    lab = Lab(catalogue()["puma560"], None, "the secret")  # as a process of a class has
-    try:
-        found = answer(f"http://127.0.0.1:{lab.port}/", b"", asked(path.encode(), b"Connection: close\r\n"))
-    finally:
-        lab.stop()
-    assert found.startswith(b"HTTP/1.1 404"), found
-
-
 class Opened:
     """A front without labs, with limits of its own, on a loop of its own."""
 
@@ -141,7 +128,7 @@ class Opened:
         self.url = f"http://127.0.0.1:{self.port}/"
 
     async def _make(self, limits):
-        return Front(make_page(), Tokens(b"secret"), "secret", [1], None, limits)
+        return Front(make_page(), Tokens(b"secret"), None, limits)
 
     def on_loop(self, work):
         return asyncio.run_coroutine_threadsafe(work, self._loop).result()

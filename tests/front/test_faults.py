@@ -1,6 +1,7 @@
 """A lab of a class that dies is started again, and its students find their arms."""
 
 import json
+import socket
 import time
 
 import numpy as np
@@ -56,25 +57,30 @@ def saved(folder):
     return np.degrees(json.loads(files[0].read_text())["parts"]["joints"]["q"][0]) if files else None
 
 
+def can_be_reached(address):
+    with socket.socket(socket.AF_UNIX) as asking:
+        return asking.connect_ex(address) == 0
+
+
 def test_a_lab_that_dies_is_started_again_and_its_students_find_their_arms(tmp_path, labs):
     with running_lab(tmp_path, labs=1) as url:
         (opened,) = labs
-        cookie, port = cookie_of(url), opened.ports[0]
+        cookie, (process,) = cookie_of(url), opened._processes
         assert run(first_joint(url, cookie, 33.0)) == 33.0
         wait_for(lambda: saved(tmp_path) == pytest.approx(33.0))
-        opened._processes[0].kill()
-        wait_for(lambda: opened.ports[0] != port)
+        process.kill()
+        wait_for(lambda: opened._processes[0] is not process and can_be_reached(opened.addresses[0]))
         assert run(first_joint(url, cookie)) == 33.0
 
 
 def test_a_lab_that_cannot_be_started_is_said_and_leaves_no_process(monkeypatch):
     monkeypatch.setattr(module.sys, "executable", "/bin/true")
     with pytest.raises(ArmlabError, match="a lab process could not be started"):
-        LabProcesses(2, "puma560", None, "secret")
+        LabProcesses(2, "puma560", None)
 
 
 def test_a_lab_that_dies_again_and_again_is_started_more_and_more_seldom(monkeypatch):
-    labs = LabProcesses(1, "puma560", None, "secret")
+    labs = LabProcesses(1, "puma560", None)
     started = []
     monkeypatch.setattr(labs, "_start_again", lambda k: started.append(time.monotonic()))
     labs._processes[0].kill()

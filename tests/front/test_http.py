@@ -244,26 +244,6 @@ def test_a_lab_in_one_process_listens_at_one_port_only(bound):
         assert [port for _, port in bound] == [int(url.rstrip("/").rpartition(":")[2])]
 
 
-def test_the_lab_of_a_class_is_only_on_loopback_and_refuses_strangers(bound):
-    """Another user of this machine who finds viser's own port gets no session."""
-    from armlab.content.robots import catalogue
-    from armlab.ui.lab import Lab
-
-    lab = Lab(catalogue()["puma560"], None, "the secret")
-
-    async def main():
-        stranger = FakeBrowser(f"http://127.0.0.1:{lab.port}/", None)
-        await stranger.connect()
-        await asyncio.sleep(0.5)
-        assert "/target" not in stranger.nodes
-        assert not stranger.controls
-        await stranger.close()
-
-    run(main())
-    lab.stop()
-    assert bound == [("127.0.0.1", lab.port)]
-
-
 def test_a_port_in_use_is_one_clear_line():
     with running_lab() as address:
         port = int(address.split(":")[2].strip("/"))

@@ -1,16 +1,24 @@
 """As many sockets as the limits allow pass through the front at a time."""
 
 import asyncio
+import contextlib
+import tempfile
 from contextlib import AsyncExitStack, asynccontextmanager
 from types import SimpleNamespace
 
 import aiohttp
+import pytest
 from aiohttp import WSCloseCode, web
+from websockets.exceptions import ConnectionClosedOK
 
+from armlab.front.direct import DirectLine
 from armlab.front.front import Front
+from armlab.front.handover import HandOver
 from armlab.front.limits import Limits
 from armlab.front.page import make_page
+from armlab.front.reception import Reception
 from armlab.front.tokens import Tokens
+from armlab.ui.adapter import NotAMessage
 from support.patience import WAIT
 from support.student import run
 
@@ -30,19 +38,34 @@ async def served(app):
         await runner.cleanup()
 
 
-async def echo(request):
+async def echo(connection):
     """Send back what comes, as a lab that has nothing else to do."""
-    socket = web.WebSocketResponse(protocols=[PROTOCOL])
-    await socket.prepare(request)
-    async for message in socket:
-        await socket.send_bytes(message.data)
-    return socket
+    with contextlib.suppress(ConnectionClosedOK):
+        while True:
+            await connection.send(await connection.recv())
+
+
+@contextlib.asynccontextmanager
+async def straight(serve, limits):
+    """A line to a lab of this process."""
+    yield DirectLine(serve, limits)
+
+
+@contextlib.asynccontextmanager
+async def handed_over(serve, limits):
+    """A line to a lab as if it were another process."""
+    with tempfile.TemporaryDirectory() as folder:
+        await Reception(f"{folder}/lab", DirectLine(serve, limits), limits).open()
+        yield HandOver(f"{folder}/lab")
+
+
+WAYS = pytest.mark.parametrize("way", [straight, handed_over])
 
 
 def test_who_asks_too_often_is_answered_later():
     async def main():
         limits = Limits(requests=3.0, request_rate=1e-6, request_wait=0.3)
-        front = Front(make_page(), Tokens(b"s" * 32), "secret", [], None, limits)
+        front = Front(make_page(), Tokens(b"s" * 32), None, limits)
         loop = asyncio.get_running_loop()
         async with served(front.app) as port, aiohttp.ClientSession() as session:
             took = []
@@ -56,32 +79,23 @@ def test_who_asks_too_often_is_answered_later():
     run(main())
 
 
-def echoing():
-    app = web.Application()
-    app.router.add_get("/", echo)
-    return app
+async def offended(connection):
+    """Fail as a lab does that was sent what it cannot unpack."""
+    with contextlib.suppress(ConnectionClosedOK):
+        if await connection.recv() == b"nonsense":
+            raise NotAMessage
+        await connection.close(WSCloseCode.GOING_AWAY)
 
 
-async def offended(request):
-    """Close as a lab does that was sent what it cannot unpack."""
-    socket = web.WebSocketResponse(protocols=[PROTOCOL])
-    await socket.prepare(request)
-    async for message in socket:
-        await socket.close(code=WSCloseCode.INTERNAL_ERROR if message.data == b"nonsense" else WSCloseCode.GOING_AWAY)
-    return socket
-
-
-async def open_again(said):
+async def open_again(said, way):
     """Return whether a browser is let in again, and a newcomer, after the lab has closed for what the first one said.
 
     A newcomer who has to wait would wait for days.
     """
     tokens, limits = Tokens(b"s" * 32), Limits(lapses=0.0, lapse_rate=1e-6, newcomers_wait=1e6)
-    app = web.Application()
-    app.router.add_get("/", offended)
     async with AsyncExitStack() as opened:
-        lab = await opened.enter_async_context(served(app))
-        front = Front(SimpleNamespace(), tokens, "secret", [lab], None, limits)
+        front = Front(SimpleNamespace(), tokens, None, limits)
+        front.open_labs([await opened.enter_async_context(way(offended, limits))])
         url = f"http://127.0.0.1:{await opened.enter_async_context(served(front.app))}"
         browser = await opened.enter_async_context(aiohttp.ClientSession(headers={"Origin": url}))
         values = [tokens.new() for _ in range(2)]
@@ -104,17 +118,18 @@ async def open_again(said):
         return same is not None, await is_let_in(values[1], 0.5 if said == b"nonsense" else WAIT) is not None
 
 
-def test_who_was_let_go_for_nonsense_keeps_newcomers_of_the_address_waiting_and_nobody_else():
-    assert run(open_again(b"nonsense")) == (True, False)
-    assert run(open_again(b"goodbye")) == (True, True)
+@WAYS
+def test_who_was_let_go_for_nonsense_keeps_newcomers_of_the_address_waiting_and_nobody_else(way):
+    assert run(open_again(b"nonsense", way)) == (True, False)
+    assert run(open_again(b"goodbye", way)) == (True, True)
 
 
-async def story(limits):
+async def story(limits, way):
     """Open as many sockets as there may be, then one more; return how many are answered, and the last one's status."""
     tokens = Tokens(b"s" * 32)
     async with AsyncExitStack() as opened:
-        lab = await opened.enter_async_context(served(echoing()))
-        front = Front(SimpleNamespace(), tokens, "secret", [lab], None, limits)
+        front = Front(SimpleNamespace(), tokens, None, limits)
+        front.open_labs([await opened.enter_async_context(way(echo, limits))])
         url = f"http://127.0.0.1:{await opened.enter_async_context(served(front.app))}"
         browser = await opened.enter_async_context(
             aiohttp.ClientSession(connector=aiohttp.TCPConnector(limit=0), headers={"Origin": url})
@@ -137,6 +152,7 @@ async def story(limits):
     return answers.count(b"x"), 101
 
 
-def test_every_socket_that_the_limits_allow_reaches_its_lab():
+@WAYS
+def test_every_socket_that_the_limits_allow_reaches_its_lab(way):
     limits = Limits()
-    assert run(story(limits)) == (limits.sockets, 429)
+    assert run(story(limits, way)) == (limits.sockets, 429)

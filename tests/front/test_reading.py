@@ -8,9 +8,8 @@ from functools import partial
 
 import pytest
 
-from armlab.front import relay
+from armlab.front import direct
 from armlab.front import start as start_module
-from armlab.front.front import Front
 from armlab.front.limits import Limits
 from armlab.ui import adapter
 from armlab.ui import lab as lab_module
@@ -27,21 +26,22 @@ class Opened:
     """A lab whose parts can be looked at, and which soon asks its pages whether they read."""
 
     def __init__(self, monkeypatch):
-        self.fronts, self.labs = [], []
+        self.lines, self.labs = [], []
 
-        class NotedFront(Front):
-            def __init__(own, *parts, **named):  # noqa: N805
-                super().__init__(*parts, **named)
-                self.fronts.append(own)
+        class NotedLine(direct.DirectLine):
+            def __init__(own, *parts):  # noqa: N805
+                super().__init__(*parts)
+                self.lines.append(own)
 
         class NotedLab(lab_module.Lab):
             def __init__(own, *parts):  # noqa: N805
                 super().__init__(*parts)
                 self.labs.append(own)
 
-        monkeypatch.setattr(start_module, "Front", partial(NotedFront, limits=Limits(heartbeat=1.5)))
+        monkeypatch.setattr(start_module, "Limits", partial(Limits, heartbeat=1.5))
+        monkeypatch.setattr(direct, "DirectLine", NotedLine)
         monkeypatch.setattr(lab_module, "Lab", NotedLab)
-        monkeypatch.setattr(relay, "CLOSING", 0.3)
+        monkeypatch.setattr(direct, "CLOSING", 0.3)
 
     async def on_loop(self, work):
         """Run something on the lab's loop."""
@@ -53,7 +53,7 @@ class Opened:
 
     def waiting(self):
         """Return the bytes that wait in the front and the messages that wait in the lab, of the fullest connection."""
-        sockets = [ws._writer.transport for ws in list(self.fronts[0]._sockets) if ws._writer is not None]
+        sockets = [ws._writer.transport for ws in list(self.lines[0]._open) if ws._writer is not None]
         buffers = [state.message_buffer for state in self.labs[0].server._websock_server._client_state_from_id.values()]
         return (
             max((socket.get_write_buffer_size() for socket in sockets), default=0),

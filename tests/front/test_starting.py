@@ -39,9 +39,9 @@ def test_a_socket_waits_for_the_lab_and_then_its_page_opens(monkeypatch):
     class LateLab(lab_module.Lab):
         def __init__(self, *parts):
             patience = Patience()
-            while not fronts[0]._open.total() and patience.left():
+            while not fronts[0]._browsers._open.total() and patience.left():
                 threading.Event().wait(0.01)
-            assert fronts[0]._open.total() == 1, "the socket waits"
+            assert fronts[0]._browsers._open.total() == 1, "the socket waits"
             super().__init__(*parts)
 
     async def visit(url):

@@ -8,61 +8,55 @@ import numpy as np
 import pytest
 import viser
 from viser import _icons
+from viser.infra import _infra
 
 from armlab.errors import InputError
+from armlab.running_loop import running_loop
 from armlab.session.pages import tabs
 from armlab.ui import adapter, quick
-from support.bare import Bare
+from support.bare import SAID, Bare
 
 
 @pytest.fixture
 def bare():
     started = Bare()
     yield started
-    adapter.stop_server(started.server)
+    started.stop()
 
 
 @pytest.fixture
-def running_loop():
-    loop = asyncio.new_event_loop()
-    thread = threading.Thread(target=loop.run_forever, name="of the test")
-    thread.start()
-    yield loop
-    loop.call_soon_threadsafe(loop.stop)
-    thread.join()
-    loop.close()
+def loop():
+    with running_loop("of the test") as running:
+        yield running
 
 
 async def name_of_thread():
     return threading.current_thread().name
 
 
-def test_it_says_nothing_on_standard_output(capsys):
-    server = adapter.make_server(0)
+def test_it_says_nothing_on_standard_output(capsys, loop):
+    server, _ = adapter.make_server(loop)
     adapter.stop_server(server)
     assert capsys.readouterr().out == ""
 
 
-def test_a_server_in_a_loop_that_runs_has_no_port_and_no_loop_of_its_own(running_loop):
+def test_a_server_has_no_port_and_no_loop_of_its_own(loop):
     threads = threading.active_count()
-    server, serve = adapter.make_server_in(running_loop)
+    before = _infra.asyncio, _infra.websockets.asyncio.server.serve
+    server, serve = adapter.make_server(loop)
     assert callable(serve)
     assert server.get_port() == 0
     assert asyncio.run_coroutine_threadsafe(name_of_thread(), server.get_event_loop()).result(5.0) == "of the test"
     adapter.stop_server(server)
-    assert running_loop.is_running()
+    assert loop.is_running()
     assert threading.active_count() == threads
-    # What was changed for it is as before.
-    usual = adapter.make_server(0)
-    assert usual.get_port() > 0
-    assert usual.get_event_loop() is not running_loop
-    adapter.stop_server(usual)
+    assert (_infra.asyncio, _infra.websockets.asyncio.server.serve) == before
 
 
 def test_the_headers_of_a_connection_can_be_read(bare):
     async def work(_browser, do):
         headers = await do(lambda: adapter.request_headers(bare.server, bare.client))
-        assert headers["Host"] == f"127.0.0.1:{bare.server.get_port()}"
+        assert headers == SAID
 
     bare.run(work)
 
@@ -170,7 +164,7 @@ def test_a_mistake_in_a_callback_is_logged_and_later_events_arrive(bare, caplog)
 def test_what_is_said_to_a_page_that_has_gone_is_no_warning():
     async def work(browser, do):
         gone = asyncio.Event()
-        server.on_client_disconnect(lambda _client: gone.set())
+        bare.server.on_client_disconnect(lambda _client: gone.set())
         await browser.close()
         while not gone.is_set():
             await asyncio.sleep(0.01)
@@ -180,9 +174,8 @@ def test_what_is_said_to_a_page_that_has_gone_is_no_warning():
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         bare = Bare()
-        server = bare.server
         bare.run(work)
-        adapter.stop_server(server)
+        bare.stop()
     assert [one for one in said if "closed connection" in str(one.message)] == []
 
 

@@ -5,7 +5,6 @@ import logging
 
 import pytest
 
-from armlab.ui import adapter
 from armlab.ui.gate import Gate
 from support.bare import Bare
 from support.fake_browser import CAMERA
@@ -16,7 +15,7 @@ from support.patience import Patience
 def bare():
     started = Bare()
     yield started
-    adapter.stop_server(started.server)
+    started.stop()
 
 
 DIGITS = "9" * 400_000

@@ -16,7 +16,7 @@ from armlab.session.edits import MOST_TEXT, PasteTable
 from armlab.session.hand_in import MOST
 from armlab.session.lesson_progress import MOST_TYPED
 from armlab.session.state import State
-from armlab.ui import adapter, option_text
+from armlab.ui import option_text
 from armlab.ui.fields import LONGEST_CELL, LONGEST_TYPED, Fields
 from armlab.ui.units import units_of
 from support.bare import Bare
@@ -31,7 +31,7 @@ PUMA = catalogue()["puma560"]
 def bare():
     started = Bare()
     yield started
-    adapter.stop_server(started.server)
+    started.stop()
 
 
 def sent(browser, channel, said):

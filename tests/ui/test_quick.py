@@ -201,4 +201,4 @@ def test_the_pose_of_a_handle_of_one_page_is_sent_to_nobody_else():
 
         bare.run(work)
     finally:
-        adapter.stop_server(bare.server)
+        bare.stop()

@@ -20,7 +20,7 @@ from support.student import run
 def bare():
     started = Bare()
     yield started
-    adapter.stop_server(started.server)
+    started.stop()
 
 
 def test_who_uses_more_than_a_share_waits_and_who_was_quiet_has_some_to_spare():
@@ -110,8 +110,6 @@ def test_a_browser_that_has_used_up_its_share_is_heard_again_later_and_in_order(
 def test_a_socket_that_sent_nonsense_before_much_else_is_let_go_of_soon(bare):
     async def work(browser, do):
         live = bare.server._websock_server._live_connections
-        (socket,) = live.values()
-        assert socket.close_timeout == adapter.CLOSING < 1.0
         await browser.send_raw(b"\xc1 is no message")
         for _ in range(200):
             await browser.send_raw(b"x" * 10_000)

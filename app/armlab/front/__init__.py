@@ -1,4 +1,4 @@
-"""Everything the network sees: pages, tokens, limits, and WebSockets passed through to the labs on loopback."""
+"""Everything the network sees: pages, tokens, limits, and the WebSockets of the labs."""
 
 import os
 
@@ -9,8 +9,7 @@ CERTIFICATES = "SSL_CERT_FILE"
 def _import_aiohttp() -> None:
     """Import aiohttp, and keep it from reading the certificates of the whole world meanwhile.
 
-    It does so for connections that the front never makes, and takes a quarter of the time until the page is served. The
-    front speaks to labs on this machine only; in its process aiohttp trusts no other.
+    It does so for connections that the front never makes, and takes a quarter of the time until the page is served.
     """
     before = os.environ.get(CERTIFICATES)
     os.environ[CERTIFICATES] = os.devnull

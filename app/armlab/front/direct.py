@@ -1,9 +1,11 @@
-"""The lab in the process of the front, in the same event loop: a browser's messages reach it without another socket."""
+"""A browser's socket at the lab itself, in the lab's event loop: messages reach it without another socket."""
 
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import logging
+import weakref
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
@@ -12,8 +14,8 @@ from websockets.datastructures import Headers
 from websockets.exceptions import ConnectionClosedOK
 from websockets.http11 import Request
 
-from armlab.front.limits import Meter
-from armlab.front.relay import Line, let_go
+from armlab.front.limits import Limits, Meter
+from armlab.front.line import PROTOCOL, Ended
 from armlab.ui.adapter import NotAMessage
 
 if TYPE_CHECKING:
@@ -21,18 +23,32 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
+NONSENSE = frozenset(
+    {
+        WSCloseCode.PROTOCOL_ERROR,
+        WSCloseCode.UNSUPPORTED_DATA,
+        WSCloseCode.INVALID_TEXT,
+        WSCloseCode.POLICY_VIOLATION,
+        WSCloseCode.MESSAGE_TOO_BIG,
+        WSCloseCode.INTERNAL_ERROR,  # what a lab says to a message that it cannot unpack
+    }
+)
+"""Codes with which a browser is let go for what it has sent."""
+
+CLOSING = 3.0
+"""Time, seconds, for a regular close; a browser that no longer reads would delay it for ever."""
+
 
 class Direct:
     """A browser's connection as viser wants one: it stands in for one of `websockets`.
 
     Parameters
     ----------
-    request : aiohttp.web.Request
+    request : aiohttp.web.BaseRequest
     browser : aiohttp.web.WebSocketResponse
     meter : Meter
-    protocol : str
-    headers : mapping
-        What the front says of the browser.
+    said : mapping
+        Headers: what the front says of the browser.
 
     Attributes
     ----------
@@ -44,15 +60,10 @@ class Direct:
     """
 
     def __init__(
-        self,
-        request: web.Request,
-        browser: web.WebSocketResponse,
-        meter: Meter,
-        protocol: str,
-        headers: Mapping[str, str],
+        self, request: web.BaseRequest, browser: web.WebSocketResponse, meter: Meter, said: Mapping[str, str]
     ) -> None:
         self._asked, self._browser, self._meter = request, browser, meter
-        self.request, self.subprotocol = Request("/", Headers(headers)), protocol
+        self.request, self.subprotocol = Request("/", Headers(said)), request.headers[PROTOCOL]
         self.code: int = WSCloseCode.OK
 
     def has_gone(self) -> bool:
@@ -100,30 +111,55 @@ class Direct:
         await self._browser.close(code=code, message=reason.encode())
 
 
-def direct_line(serve: Serve, protocol: str, headers: Mapping[str, str]) -> Line:
-    """Return a line to the lab that serves.
+class DirectLine:
+    """Leads to a lab in this process; see `armlab.front.line.Line`.
 
     Parameters
     ----------
     serve : callable
         See `armlab.ui.lab.Lab`.
-    protocol : str
-        Names the version of viser of the page.
-    headers : mapping
-        What the front says of the browser.
+    limits : Limits
     """
 
-    async def line(request: web.Request, browser: web.WebSocketResponse, meter: Meter) -> bool:
-        connection = Direct(request, browser, meter, protocol, headers)
+    def __init__(self, serve: Serve, limits: Limits) -> None:
+        self._serve, self._limits = serve, limits
+        self._open: weakref.WeakSet[web.WebSocketResponse] = weakref.WeakSet()
+
+    async def serve(self, request: web.BaseRequest, said: Mapping[str, str], meter: Meter) -> Ended:
+        """Serve a socket until it has closed."""
+        browser = await self._accepted(request)
+        self._open.add(browser)
+        connection = Direct(request, browser, meter, said)
         try:
-            await serve(connection)
+            await self._serve(connection)
         except NotAMessage:
             connection.code = WSCloseCode.INTERNAL_ERROR
         except Exception:
             log.exception("a connection was lost")
             connection.code = WSCloseCode.SERVICE_RESTART
         finally:
-            was_nonsense = await let_go(request, browser, connection.code)
-        return was_nonsense
+            await _let_go(request, browser, connection.code)
+        return Ended(browser, connection.code in NONSENSE or browser.close_code in NONSENSE)
 
-    return line
+    async def _accepted(self, request: web.BaseRequest) -> web.WebSocketResponse:
+        browser = web.WebSocketResponse(
+            protocols=[request.headers[PROTOCOL]],
+            max_msg_size=self._limits.message,
+            heartbeat=self._limits.heartbeat,
+            compress=False,
+        )
+        await browser.prepare(request)
+        return browser
+
+    async def say_goodbye(self) -> None:
+        """Tell the pages that the lab ends."""
+        closing = (browser.close(code=WSCloseCode.GOING_AWAY, message=b"restarting") for browser in list(self._open))
+        await asyncio.gather(*closing, return_exceptions=True)
+
+
+async def _let_go(request: web.BaseRequest, browser: web.WebSocketResponse, code: int) -> None:
+    """Close a browser's connection."""
+    with contextlib.suppress(TimeoutError):
+        await asyncio.wait_for(asyncio.gather(browser.close(code=code), return_exceptions=True), CLOSING)
+    if request.transport is not None:
+        request.transport.abort()

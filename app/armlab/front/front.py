@@ -7,22 +7,20 @@ import contextlib
 import hashlib
 import io
 import re
-import weakref
-from collections import Counter
-from collections.abc import AsyncIterator, Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache, partial
 from typing import TypeVar
 
-import aiohttp
-from aiohttp import WSCloseCode, web
+from aiohttp import web
 
+from armlab.front.browsers import Browsers
 from armlab.front.doors import Doors
-from armlab.front.limits import Addresses, Limits, Meter
+from armlab.front.limits import Addresses, Limits
+from armlab.front.line import PROTOCOL, Line
 from armlab.front.page import Page
 from armlab.front.paper_pages import POLICY as OF_PAPER
 from armlab.front.paper_pages import PaperPages, Printed, in_their_language
-from armlab.front.relay import Line, relay
 from armlab.front.room import FORM, POLICY, Room
 from armlab.front.tokens import Tokens
 from armlab.front.wishes import NAME, PAPERS, ROUTES, Wishes, refused
@@ -36,10 +34,10 @@ HEADERS = {
     "Cross-Origin-Opener-Policy": "same-origin",
     "Permissions-Policy": "camera=(), microphone=(), geolocation=()",
 }
-OpenLine = Callable[[str, Mapping[str, str]], Line]
-"""Returns a line to a lab, given viser's protocol and what is said of the browser."""
 HOST = re.compile(r"[A-Za-z0-9.:\[\]-]+\Z")
-PROTOCOL = re.compile(r"viser-v[0-9.]{1,20}\Z")
+OF_VISER = re.compile(r"viser-v[0-9.]{1,20}\Z")
+SWITCHED = 101
+"""Status of an answer after which a connection is a socket."""
 STARTING = 30.0
 """Longest wait of a socket for labs that are being started, s."""
 GIVEN_UP = 0.5
@@ -62,17 +60,12 @@ def _threads() -> ThreadPoolExecutor:
 
 
 class Front:
-    """Serves the page, knows browsers by their token, and passes their sockets to a lab.
+    """Serves the page, knows browsers by their token, and leads their sockets to a lab.
 
     Parameters
     ----------
     page : Page
     tokens : Tokens
-    secret : str
-        The secret by which this front identifies itself to its labs.
-    labs : sequence of int
-        Loopback ports, one of which a browser always gets; they may change when a lab is started again. While there are
-        none, pages are served, and their sockets wait for `open_labs`.
     hosts : frozenset of str, or None
         Names this front is addressed by; None accepts every name.
     limits : Limits
@@ -86,29 +79,23 @@ class Front:
         self,
         page: Page,
         tokens: Tokens,
-        secret: str,
-        labs: Sequence[int],
         hosts: frozenset[str] | None,
         limits: Limits | None = None,
         room: Room | None = None,
         papers: PaperPages | None = None,
     ) -> None:
-        self._page, self._tokens, self._secret = page, tokens, secret
-        self._labs, self._hosts = labs, hosts
-        self._direct: OpenLine | None = None
+        self._page, self._tokens, self._hosts = page, tokens, hosts
+        self._lines: Sequence[Line] = ()
         self._limits, self._room = limits or Limits(), room
         self._papers = papers or PaperPages()
         self.doors = Doors(self._limits)
         self._lapsed = Addresses(self._limits.lapse_rate, self._limits.lapses)
         self._there = asyncio.Event()
-        self._meters: dict[str, Meter] = {}
+        self._browsers = Browsers(self._limits)
         self._wishes, self._languages = Wishes(), Wishes()
-        self._open: Counter[str] = Counter()
-        self._sockets: weakref.WeakSet[web.WebSocketResponse] = weakref.WeakSet()
         self._asked = Addresses(self._limits.request_rate, self._limits.requests)
         self.app = web.Application(client_max_size=64 << 10)
-        self.app.cleanup_ctx.append(self._with_client)
-        self.app.on_response_prepare.append(self._unhurried)
+        self.app.on_response_prepare.append(self._answer)
         self.app.on_response_prepare.append(_protect)
         self.app.on_shutdown.append(self._say_goodbye)
         self.app.router.add_get("/", self._visit)
@@ -117,39 +104,38 @@ class Front:
         for path in PAPERS:
             self.app.router.add_get(path, self._visit_paper)
 
-    def open_labs(self, labs: Sequence[int], direct: OpenLine | None = None) -> None:
+    def open_labs(self, lines: Sequence[Line]) -> None:
         """Let the sockets of pages through to labs, also those that wait; to be called on the front's loop.
+
+        Until then pages are served, and their sockets wait.
 
         Parameters
         ----------
-        labs : sequence of int
-            Loopback ports.
-        direct : callable, optional
-            Returns a line to the one lab, which runs in this loop, and has no port.
+        lines : sequence of Line
+            To one lab each, one of which a browser always gets.
         """
-        self._labs, self._direct = labs, direct
+        self._lines = lines
         self._there.set()
 
-    async def _with_client(self, _app: web.Application) -> AsyncIterator[None]:
-        # How many sockets there may be is told by `Limits`; a connector of its own mind would let the next one wait.
-        connector = aiohttp.TCPConnector(limit=0)
-        self._client = aiohttp.ClientSession(auto_decompress=False, connector=connector)
-        yield
-        await self._client.close()
-
-    async def _unhurried(self, request: web.Request, _response: web.StreamResponse) -> None:
-        """Answer whoever asks too often a little later, so that the others' sockets have most of the time.
+    async def _answer(self, request: web.Request, response: web.StreamResponse) -> None:
+        """Do what is to be done before an answer.
 
         No middleware does it, since aiohttp would keep the application of one for ever.
         """
+        if response.status == SWITCHED:
+            self.doors.leave(request.protocol)
+        else:
+            await self._unhurried(request)
+
+    async def _unhurried(self, request: web.Request) -> None:
+        """Let whoever asks too often wait a little, so that the others' sockets have most of the time."""
         address = request.remote or ""
         self._asked.note(address)
         if (wait := self._asked.wait(address)) > 0.0:
             await asyncio.sleep(min(wait, self._limits.request_wait))
 
     async def _say_goodbye(self, _app: web.Application) -> None:
-        closing = (ws.close(code=WSCloseCode.GOING_AWAY, message=b"restarting") for ws in list(self._sockets))
-        await asyncio.gather(*closing, return_exceptions=True)
+        await asyncio.gather(*(line.say_goodbye() for line in self._lines))
 
     async def _visit(self, request: web.Request) -> web.StreamResponse:
         is_socket = request.headers.get("Upgrade", "").lower() == "websocket"
@@ -241,69 +227,33 @@ class Front:
 
     async def _serve_socket(self, request: web.Request) -> web.StreamResponse:
         token = self._tokens.read(request.cookies.get(self._tokens.cookie))
-        protocol = request.headers.get("Sec-WebSocket-Protocol", "")
-        if token is None or not PROTOCOL.match(protocol):
+        if token is None or not OF_VISER.match(request.headers.get(PROTOCOL, "")):
             return _text(401, "Open the page first.")
-        if self._open[token] >= self._limits.sockets_each or self._open.total() >= self._limits.sockets:
+        if not self._browsers.have_room_for(token):
             return _text(429, "Too many connections.")
-        # The Origin is one that was compared with the host: what people type to get here.
-        origin = request.headers["Origin"]
-        headers = {"X-Armlab-Token": token, "X-Armlab-Secret": self._secret, "X-Armlab-Origin": origin}
-        headers |= {"X-Armlab-Address": request.remote or ""}
-        wish = self._wishes.take(token)
-        if wish is not None:
-            headers["X-Armlab-Wish"] = wish
-        language = self._languages.take(token)
-        if language is not None:
-            headers["X-Armlab-Asked"] = language
-        if accepted := request.headers.get("Accept-Language"):
-            headers["X-Armlab-Language"] = accepted[:200]
-        self._open[token] += 1
-        opened = contextlib.AsyncExitStack()
+        wish, language = self._wishes.take(token), self._languages.take(token)
+        self._browsers.come(token)
         try:
+            await self._unhurried(request)
             # The lab first: a browser is accepted only when there is something to talk to; it tries again otherwise.
             await asyncio.wait_for(self._labs_for(request), STARTING)
             await self._newcomer(token, request)
-            line = await self._line(token, protocol, headers, opened)
-        except (aiohttp.ClientError, OSError, TimeoutError):
-            self._release(token)
+            said, meter = _said(request, token, wish, language), self._browsers.meter(token)
+            ended = await self._line_of(token).serve(request, said, meter)
+        except (OSError, TimeoutError):
             for wishes, put_back in ((self._wishes, wish), (self._languages, language)):
                 if put_back is not None:
                     wishes.put(token, put_back)
             return _text(503, "The lab is starting.")
-        try:
-            browser = web.WebSocketResponse(
-                protocols=[protocol],
-                max_msg_size=self._limits.message,
-                heartbeat=self._limits.heartbeat,
-                compress=False,
-            )
-            await browser.prepare(request)
-            self._sockets.add(browser)
-            self.doors.leave(request.protocol)
-            meter = self._meters.setdefault(token, Meter(self._limits))
-            if await line(request, browser, meter):
-                self._lapsed.note(request.remote or "")
         finally:
-            await opened.aclose()
-            self._release(token)
-        return browser
-
-    async def _line(
-        self, token: str, protocol: str, headers: Mapping[str, str], opened: contextlib.AsyncExitStack
-    ) -> Line:
-        """Return a line to the lab of a browser; what it opens is to be closed in the end."""
-        if self._direct is not None:
-            return self._direct(protocol, headers)
-        lab = await self._client.ws_connect(
-            f"ws://127.0.0.1:{self._lab_of(token)}", protocols=[protocol], max_msg_size=0, compress=0, headers=headers
-        )
-        opened.push_async_callback(lab.close)
-        return partial(relay, lab)
+            self._browsers.go(token)
+        if ended.was_nonsense:
+            self._lapsed.note(request.remote or "")
+        return ended.response
 
     async def _labs_for(self, request: web.Request) -> None:
         """Return when there are labs; raise `TimeoutError` when the browser has given up before, as viser's does."""
-        while not self._there.is_set() and not self._labs:
+        while not self._there.is_set():
             if request.transport is None:
                 raise TimeoutError
             with contextlib.suppress(TimeoutError):
@@ -311,20 +261,26 @@ class Front:
 
     async def _newcomer(self, token: str, request: web.Request) -> None:
         """Wait before a browser that was not here before, if others at its address were let go for what they sent."""
-        if token not in self._meters:
+        if not self._browsers.knows(token):
             await asyncio.sleep(min(self._lapsed.wait(request.remote or ""), self._limits.newcomers_wait))
 
-    def _release(self, token: str) -> None:
-        self._open[token] -= 1
-        if self._open[token] <= 0:
-            del self._open[token]
-            # Kept for a minute, or a flooder would only have to reconnect.
-            loop = asyncio.get_running_loop()
-            loop.call_later(60.0, lambda: self._open[token] or self._meters.pop(token, None))
-
-    def _lab_of(self, token: str) -> int:
+    def _line_of(self, token: str) -> Line:
         number = int(hashlib.sha256(token.encode()).hexdigest(), 16)
-        return self._labs[number % len(self._labs)]
+        return self._lines[number % len(self._lines)]
+
+
+def _said(request: web.Request, token: str, wish: str | None, language: str | None) -> dict[str, str]:
+    """Return what the front says of a browser to its lab, as headers."""
+    # The Origin is one that was compared with the host: what people type to get here.
+    said = {"X-Armlab-Token": token, "X-Armlab-Origin": request.headers["Origin"]}
+    said["X-Armlab-Address"] = request.remote or ""
+    if wish is not None:
+        said["X-Armlab-Wish"] = wish
+    if language is not None:
+        said["X-Armlab-Asked"] = language
+    if accepted := request.headers.get("Accept-Language"):
+        said["X-Armlab-Language"] = accepted[:200]
+    return said
 
 
 def _give_cookie(request: web.Request, response: web.Response, name: str, value: str) -> None:

@@ -1,16 +1,22 @@
-"""One lab of a class: it reads settings from standard input, writes its port, and ends when standard input closes."""
+"""One lab of a class: it reads settings from standard input, says that it is open, and ends when that input closes."""
 
 from __future__ import annotations
 
+import asyncio
 import json
 import logging
 import sys
+from contextlib import ExitStack
 from pathlib import Path
 
 from armlab.content.desk import Desk, open_desk
 from armlab.content.lessons import add_folder
 from armlab.content.robots import catalogue
+from armlab.front.direct import DirectLine
+from armlab.front.limits import Limits
+from armlab.front.reception import Reception
 from armlab.front.start import SWITCH_INTERVAL
+from armlab.running_loop import running_loop
 from armlab.ui.lab import Lab
 from armlab.ui.plugin import panels
 from armlab.ui.search.finds import prepare
@@ -27,11 +33,18 @@ def main() -> None:
         open_desk(Desk(Path(settings["lessons"][0]), settings["teacher_key"]))
     folder = Path(settings["sessions"]) if settings["sessions"] else None
     panels()
-    lab = Lab(catalogue()[settings["opening"]], folder, settings["secret"])
-    print(json.dumps({"port": lab.port}), flush=True)
-    prepare()
-    sys.stdin.read()
-    lab.stop()
+    limits = Limits()
+    with ExitStack() as opened:
+        loop = opened.enter_context(running_loop("armlab-loop"))
+        lab = Lab(catalogue()[settings["opening"]], folder, loop)
+        opened.callback(lab.stop)
+        line = DirectLine(lab.serve, limits)
+        reception = Reception(settings["address"], line, limits)
+        asyncio.run_coroutine_threadsafe(reception.open(), loop).result()
+        print("open", flush=True)
+        prepare()
+        sys.stdin.read()
+        asyncio.run_coroutine_threadsafe(line.say_goodbye(), loop).result()
 
 
 if __name__ == "__main__":

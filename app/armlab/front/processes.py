@@ -7,6 +7,7 @@ import json
 import logging
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 from collections.abc import Sequence
@@ -28,15 +29,15 @@ LONGEST_WAIT = 30.0
 
 
 class LabProcesses:
-    """Several labs on loopback; one that dies is started again, and finds its students' work in the folder.
+    """Several labs; one that dies is started again, and finds its students' work in the folder.
 
     A lab reads its standard input and ends when it closes, so no lab outlives its front, not even one that was killed.
     It is started in a process group of its own: Ctrl-C reaches the front alone, which then ends the labs in order.
 
     Attributes
     ----------
-    ports : list of int
-        Ports of the labs; the entry of a restarted one changes.
+    addresses : list of str
+        Files at which the labs receive sockets, in a folder of this user alone.
     """
 
     def __init__(
@@ -44,21 +45,25 @@ class LabProcesses:
         count: int,
         opening: str,
         sessions: Path | None,
-        secret: str,
         lessons: Sequence[Path] = (),
         teacher_key: str = "",
     ) -> None:
-        folders = [str(folder.resolve()) for folder in lessons]
-        said = {"opening": opening, "sessions": sessions and str(sessions), "secret": secret, "lessons": folders}
-        said["teacher_key"] = teacher_key
-        self._settings = json.dumps(said)
+        self._settings = {
+            "opening": opening,
+            "sessions": sessions and str(sessions),
+            "lessons": [str(folder.resolve()) for folder in lessons],
+            "teacher_key": teacher_key,
+        }
+        self._folder = tempfile.TemporaryDirectory(prefix="armlab-")
+        self.addresses = [str(Path(self._folder.name, str(k))) for k in range(count)]
         self._stopping = threading.Event()
         self._processes: list[subprocess.Popen[str]] = []
         try:
-            for _ in range(count):
+            for address in self.addresses:
                 self._processes.append(self._launch())
-                self._tell(self._processes[-1])
-            self.ports = [self._port(process) for process in self._processes]
+                self._tell(self._processes[-1], address)
+            for process in self._processes:
+                self._wait_for(process)
         except (ArmlabError, OSError):
             self._end()
             raise ArmlabError("a lab process could not be started; its message is above") from None
@@ -85,8 +90,8 @@ class LabProcesses:
         self._pipe(self._processes[k].stdout).close()
         try:
             self._processes[k] = self._launch()
-            self._tell(self._processes[k])
-            self.ports[k] = self._port(self._processes[k])
+            self._tell(self._processes[k], self.addresses[k])
+            self._wait_for(self._processes[k])
         except (ArmlabError, OSError) as refusal:
             log.error("lab %d: %s", k + 1, refusal)
 
@@ -99,15 +104,13 @@ class LabProcesses:
             start_new_session=True,
         )
 
-    def _tell(self, process: subprocess.Popen[str]) -> None:
-        self._pipe(process.stdin).write(self._settings + "\n")
+    def _tell(self, process: subprocess.Popen[str], address: str) -> None:
+        self._pipe(process.stdin).write(json.dumps({**self._settings, "address": address}) + "\n")
         self._pipe(process.stdin).flush()
 
-    def _port(self, process: subprocess.Popen[str]) -> int:
-        line = self._pipe(process.stdout).readline()
-        if not line:
+    def _wait_for(self, process: subprocess.Popen[str]) -> None:
+        if not self._pipe(process.stdout).readline():
             raise ArmlabError("its process has ended; its message is above")
-        return int(json.loads(line)["port"])
 
     @staticmethod
     def _pipe(pipe: IO[str] | None) -> IO[str]:
@@ -117,7 +120,7 @@ class LabProcesses:
     def stop(self) -> None:
         """End all labs; they save first."""
         self._stopping.set()
-        self._watcher.join()  # at most until a lab that is being started says its port
+        self._watcher.join()  # at most until a lab that is being started is open
         self._end()
 
     def _end(self) -> None:
@@ -131,3 +134,4 @@ class LabProcesses:
                 process.kill()
                 process.wait()
             self._pipe(process.stdout).close()
+        self._folder.cleanup()

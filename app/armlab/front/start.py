@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import errno
-import secrets
 import socket
 import sys
 import tempfile
@@ -13,7 +11,6 @@ import threading
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -23,13 +20,16 @@ from armlab import resources
 from armlab.errors import ArmlabError, InputError
 from armlab.front.addresses import served_names
 from armlab.front.doors import Site, let_open_many_files
-from armlab.front.front import Front, OpenLine
+from armlab.front.front import Front
+from armlab.front.limits import Limits
+from armlab.front.line import Line
 from armlab.front.lock import FolderLock
 from armlab.front.page import make_page
 from armlab.front.paper_pages import PaperPages
 from armlab.front.processes import LabProcesses
 from armlab.front.room import Room
 from armlab.front.tokens import Tokens, kept_secret
+from armlab.running_loop import running_loop
 
 if TYPE_CHECKING:
     from armlab.ui.lab import Lab
@@ -140,23 +140,20 @@ def start(settings: Settings, on_served: Callable[[int], None] = lambda port: No
     sys.setswitchinterval(SWITCH_INTERVAL)
     let_open_many_files()
     _refuse_unknown(settings)
+    if settings.labs and not hasattr(socket, "send_fds"):
+        raise StartError("this system passes no sockets from one process to another; leave --labs out")
     with ExitStack() as opened:
         kept = _kept_secret(settings.folder, opened)
-        loop = _open_loop(opened)
+        loop = opened.enter_context(running_loop("armlab-loop"))
         behind = opened.enter_context(ExitStack())  # closed after the front, which says goodbye to the pages
-        secret = secrets.token_urlsafe(24)
         room = Room(settings.code, kept) if settings.code else None
         names = served_names(settings.host) | {name.lower() for name in settings.names}
         papers = PaperPages(settings.lessons)
-        front = Front(make_page(), Tokens(kept), secret, [], names, room=room, papers=papers)
+        front = Front(make_page(), Tokens(kept), names, room=room, papers=papers)
         port = _open_front(front, settings, loop, opened)
         on_served(port)
-        if settings.labs:
-            lab = None
-            loop.call_soon_threadsafe(front.open_labs, _open_processes(settings, secret, behind))
-        else:
-            lab, direct = _open_lab(settings, secret, loop, behind)
-            loop.call_soon_threadsafe(front.open_labs, (), direct)
+        lab, lines = _open_processes(settings, behind) if settings.labs else _open_lab(settings, loop, behind)
+        loop.call_soon_threadsafe(front.open_labs, lines)
         if settings.lessons:
             _add_lessons(settings.lessons)
         # All is well: what was opened stays open until `Running.stop`.
@@ -199,32 +196,31 @@ def _sessions(settings: Settings) -> Path | None:
     return settings.folder / SESSIONS if settings.folder is not None else None
 
 
-def _open_processes(settings: Settings, secret: str, opened: ExitStack) -> Sequence[int]:
-    """Open labs in processes of their own; return their ports."""
+def _open_processes(settings: Settings, opened: ExitStack) -> tuple[None, Sequence[Line]]:
+    """Open labs in processes of their own; return what leads to them."""
+    from armlab.front.handover import HandOver
+
     processes = LabProcesses(
-        settings.labs, settings.opening, _sessions(settings), secret, settings.lessons, settings.teacher_key
+        settings.labs, settings.opening, _sessions(settings), settings.lessons, settings.teacher_key
     )
     opened.callback(processes.stop)
-    return processes.ports
+    return None, [HandOver(address) for address in processes.addresses]
 
 
-def _open_lab(
-    settings: Settings, secret: str, loop: asyncio.AbstractEventLoop, opened: ExitStack
-) -> tuple[Lab, OpenLine]:
-    """Open the lab in this process, in the loop of the front; return it and what the front gets lines to it from."""
+def _open_lab(settings: Settings, loop: asyncio.AbstractEventLoop, opened: ExitStack) -> tuple[Lab, Sequence[Line]]:
+    """Open the lab in this process, in the loop of the front; return it and what leads to it."""
     # Imported here: a browser gets its page before, and the front of a class does not need viser in its own process.
     from armlab.content.robots import catalogue
-    from armlab.front.direct import direct_line
+    from armlab.front.direct import DirectLine
     from armlab.ui.lab import Lab
 
     if settings.teacher_key:
         from armlab.content.desk import Desk, open_desk
 
         opened.callback(open_desk(Desk(settings.lessons[0], settings.teacher_key)))
-    lab = Lab(catalogue()[settings.opening], _sessions(settings), secret, 0, settings.lessons, loop)
+    lab = Lab(catalogue()[settings.opening], _sessions(settings), loop, settings.lessons)
     opened.callback(lab.stop)
-    assert lab.serve is not None
-    return lab, partial(direct_line, lab.serve)
+    return lab, [DirectLine(lab.serve, Limits())]
 
 
 def _add_lessons(folders: tuple[Path, ...]) -> None:
@@ -232,29 +228,6 @@ def _add_lessons(folders: tuple[Path, ...]) -> None:
 
     for folder in folders:
         add_folder(folder)
-
-
-def _open_loop(opened: ExitStack) -> asyncio.AbstractEventLoop:
-    """Let an event loop run in its own thread."""
-    loop = asyncio.new_event_loop()
-    thread = threading.Thread(target=loop.run_forever, daemon=True, name="armlab-loop")
-    thread.start()
-
-    async def cancel_all() -> None:
-        left = asyncio.all_tasks() - {asyncio.current_task()}
-        for task in left:
-            task.cancel()
-        await asyncio.gather(*left, return_exceptions=True)
-
-    def end() -> None:
-        with contextlib.suppress(TimeoutError):
-            asyncio.run_coroutine_threadsafe(cancel_all(), loop).result(2.0)
-        loop.call_soon_threadsafe(loop.stop)
-        thread.join(2.0)
-        loop.close()
-
-    opened.callback(end)
-    return loop
 
 
 def _open_front(front: Front, settings: Settings, loop: asyncio.AbstractEventLoop, opened: ExitStack) -> int:

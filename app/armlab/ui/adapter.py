@@ -36,13 +36,7 @@ log = logging.getLogger(__name__)
 TOKEN_HEADER = "X-Armlab-Token"
 WISH_HEADER = "X-Armlab-Wish"
 ASKED_HEADER, LANGUAGE_HEADER = "X-Armlab-Asked", "X-Armlab-Language"
-SECRET_HEADER = "X-Armlab-Secret"
 ORIGIN_HEADER, ADDRESS_HEADER = "X-Armlab-Origin", "X-Armlab-Address"
-
-CLOSING = 0.5
-"""Time for the orderly end of a connection to the front, which runs on the same computer, seconds. Messages of a page
-that cannot be read would otherwise keep it open for 10 s, with all that were sent after them."""
-
 
 _STARTING = threading.RLock()
 """Held while a server starts: one that is to run in a loop changes for a moment what viser starts with."""
@@ -52,31 +46,22 @@ class NotAMessage(Exception):
     """A page has sent what cannot be read; its connection ends."""
 
 
-def make_server(port: int) -> viser.ViserServer:
-    """Return a viser server on loopback, silent, that accepts from its pages only the messages of the lab's own page.
+def make_server(loop: asyncio.AbstractEventLoop) -> tuple[viser.ViserServer, Serve]:
+    """Return a viser server that accepts from its pages only the messages of the lab's own page, and what serves them.
 
-    viser prints a banner with its own address even when told to be quiet; people must see the front's address only.
-    No controls are shared by all pages: viser's handlers for shared ones are removed, with those for public tunnels and
-    for forms that are passed on to all pages.
+    It runs in a loop, is silent, and has no port. No controls are shared by all pages: viser's handlers for shared ones
+    are removed, with those for public tunnels and for forms that are passed on to all pages.
     """
-    logging.getLogger("websockets.server").setLevel(logging.CRITICAL)
     # Each text would be kept for ever, so that it is shown once: a stranger may send as many as he likes.
     warnings.filterwarnings("ignore", message=r"\[viser\] .* does not match annotation", category=UserWarning)
     # A page may go at any moment; what is still said to it then is no news for whoever runs the lab.
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection", category=UserWarning)
-    with contextlib.redirect_stdout(io.StringIO()), _STARTING:
-        server = viser.ViserServer(host="127.0.0.1", port=port, verbose=False)
+    with contextlib.redirect_stdout(io.StringIO()), _STARTING, embedded(loop) as taken:
+        server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
+    (serve,) = taken
     server._websock_server._incoming_handlers.clear()
     turns: WeakValueDictionary[str, Turns] = WeakValueDictionary()
     server._websock_server.on_client_connect(lambda connection: _guard(server, connection, turns))
-    return server
-
-
-def make_server_in(loop: asyncio.AbstractEventLoop) -> tuple[viser.ViserServer, Serve]:
-    """Return a server as `make_server` that runs in a loop and has no port, and its function that serves."""
-    with _STARTING, embedded(loop) as taken:
-        server = make_server(0)
-    (serve,) = taken
     return server, serve
 
 
@@ -88,7 +73,7 @@ def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMappi
     if socket is not None:
         token = socket.request.headers.get(TOKEN_HEADER, "")
         turns = of_browsers.setdefault(token, turns)
-        socket.close_timeout, socket.recv = CLOSING, _in_turn(socket, connection, turns)
+        socket.recv = _in_turn(socket, connection, turns)
 
     async def guarded(client_id: Any, message: Any) -> None:
         # With the first message of the camera viser waits until the page is built, in the time of all.
@@ -109,7 +94,7 @@ def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMappi
 
 
 def _in_turn(socket: Any, connection: Any, turns: Turns) -> Callable[[], Awaitable[bytes]]:
-    """Return a function that receives a connection's messages one at a time; the others wait in front and browser.
+    """Return a function that receives a connection's messages one at a time; the others wait in the browser.
 
     Each is handled here: viser, which waits for what is returned, would make two tasks of it, and so go twice round the
     loop.
@@ -117,7 +102,7 @@ def _in_turn(socket: Any, connection: Any, turns: Turns) -> Callable[[], Awaitab
 
     async def received() -> bytes:
         while True:
-            message = _read(await turns.next(receive, has_gone))
+            message = _read(await turns.next(receive, socket.has_gone))
             handled = connection._handle_incoming_message(connection.client_id, message)
             if isinstance(message, _messages.ViewerCameraMessage):
                 # It may wait for the page, which may wait for other messages.
@@ -128,8 +113,6 @@ def _in_turn(socket: Any, connection: Any, turns: Turns) -> Callable[[], Awaitab
                 await handled
 
     receive, tasks = socket.recv, set[asyncio.Task[None]]()
-    # One of `websockets` closes by itself, whether or not somebody receives.
-    has_gone: Callable[[], bool] = getattr(socket, "has_gone", lambda: False)
     return received
 
 

@@ -1,4 +1,4 @@
-"""The lab of one process: viser on loopback, the sessions, the worker."""
+"""The lab of one process: viser, the sessions, the worker."""
 
 from __future__ import annotations
 
@@ -31,7 +31,6 @@ from armlab.session.state import Command, part_types
 from armlab.session.store import Store
 from armlab.session.worker import Worker
 from armlab.ui import adapter
-from armlab.ui.embedded import Serve
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.pace import Pace
 from armlab.ui.player import Player
@@ -80,44 +79,28 @@ class Lab:
         The arm a new student begins with.
     folder : Path or None
         Where sessions are kept.
-    secret : str
-        What the front says with every connection; others on this machine cannot.
-    port : int
-        On loopback; 0 takes a free one.
+    loop : asyncio.AbstractEventLoop
+        In which the lab runs. It has no port: whoever runs that loop brings it the connections of browsers.
     own_lessons : sequence of Path
         Folders of lessons besides those of the lab, read before a page is built.
-    loop : asyncio.AbstractEventLoop, optional
-        That of the front, if it is in this process: then the lab runs in it, and has no port.
 
     Attributes
     ----------
-    serve : callable or None
-        Serves a connection of the front in this process, which stands in for one of `websockets`.
+    serve : callable
+        Serves a connection, which stands in for one of `websockets`, until it has closed.
     first_page : threading.Event
         Set when a page is on a screen, or the lab is to end: what nobody waits for is done after it.
     """
 
     def __init__(
-        self,
-        opening: Robot,
-        folder: Path | None,
-        secret: str,
-        port: int = 0,
-        own_lessons: Sequence[Path] = (),
-        loop: asyncio.AbstractEventLoop | None = None,
+        self, opening: Robot, folder: Path | None, loop: asyncio.AbstractEventLoop, own_lessons: Sequence[Path] = ()
     ) -> None:
         # Found now, so that a broken plug-in stops the start and not the first student; panels take half a second, and
         # are looked at when the lab is open.
         for found in (part_types, methods, clips, jobs, tabs, layers):
             found()
-        self._secret, self._own_lessons = secret, own_lessons
-        self.serve: Serve | None = None
-        if loop is None:
-            self.server = adapter.make_server(port)
-            self.loop = self.server.get_event_loop()
-        else:
-            self.server, self.serve = adapter.make_server_in(loop)
-            self.loop = loop
+        self._own_lessons, self.loop = own_lessons, loop
+        self.server, self.serve = adapter.make_server(loop)
         self.pace = Pace()
         self.gallery = Gallery(lambda: self.pace.browsers > 1)
         self.store = Store(folder, opening)
@@ -146,11 +129,6 @@ class Lab:
         self._looking.start()
         _set_aside()
 
-    @property
-    def port(self) -> int:
-        """The loopback port."""
-        return self.server.get_port()
-
     def stop(self) -> None:
         """Save everything and stop the lab."""
         self._stopped.set()
@@ -171,10 +149,7 @@ class Lab:
         if headers is None:
             return  # already gone
         found = {name.lower(): value for name, value in headers.items()}
-        token = found.get(adapter.TOKEN_HEADER.lower())
-        if token is None or found.get(adapter.SECRET_HEADER.lower()) != self._secret:
-            log.warning("refused a connection that did not come through the front")
-            return
+        token = found[adapter.TOKEN_HEADER.lower()]
         if self._own_lessons:  # without them, what a student has done in one could not be read
             await self.loop.run_in_executor(None, self._add_lessons)
         # Reading all lessons takes longer than the start: only a page that shows some waits for them.

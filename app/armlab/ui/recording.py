@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from armlab.errors import InputError
 from armlab.kin.motion import Motion
+from armlab.running_loop import running_loop
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import Timeline
@@ -115,15 +116,16 @@ def record(scenario: Scenario, kind: Kind) -> bytes:
 
 @contextmanager
 def _server() -> Iterator[viser.ViserServer]:
-    """Provide an invisible server to draw on, on loopback, at a free port."""
-    server = adapter.make_server(0)
-    try:
-        server.scene.configure_default_lights(False)
-        server.scene.configure_environment_map(None)
-        server.scene.world_axes.visible = False
-        yield server
-    finally:
-        adapter.stop_server(server)
+    """Provide a server to draw on, which nobody sees."""
+    with running_loop("armlab-recording") as loop:
+        server, _ = adapter.make_server(loop)
+        try:
+            server.scene.configure_default_lights(False)
+            server.scene.configure_environment_map(None)
+            server.scene.world_axes.visible = False
+            yield server
+        finally:
+            adapter.stop_server(server)
 
 
 def _frames(scenario: Scenario, server: viser.ViserServer) -> Iterator[float]:
