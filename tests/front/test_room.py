@@ -5,7 +5,6 @@ from html import unescape
 
 import pytest
 
-from armlab.front.limits import Addresses
 from armlab.front.room import ASKED, TOO_OFTEN, TRIES, WRONG, Room
 from armlab.front.start import Settings, start
 from support.student import run, student
@@ -102,13 +101,6 @@ def test_who_guesses_has_to_wait_and_others_do_not():
     assert room.refusal("blue elbow", "10.0.0.2") == ""
     clock.now += 10.0
     assert room.refusal("blue elbow", "10.0.0.1") == ""
-
-
-def test_so_many_addresses_are_watched_and_no_more():
-    found = Addresses(1.0, 5.0)
-    for k in range(Addresses.MOST + 50):
-        found.note(f"address {k}")
-    assert len(found._left) == Addresses.MOST
 
 
 def test_a_long_word_is_only_wrong():

@@ -12,6 +12,7 @@ from armlab.front.direct import DirectLine
 from armlab.front.limits import Limits, Meter
 from armlab.running_loop import running_loop
 from armlab.ui import adapter
+from armlab.ui.manners import Manners
 from support.fake_browser import FakeBrowser
 from support.student import run
 
@@ -23,11 +24,11 @@ class Bare:
     """A viser server with one student, a slider, some markup and a handle."""
 
     def __init__(self):
-        self.heard, self.client = [], None
+        self.heard, self.client, self.manners = [], None, Manners()
         self.there = threading.Event()
         self._opened = ExitStack()
         loop = self._opened.enter_context(running_loop("bare"))
-        self.server, serve = adapter.make_server(loop)
+        self.server, serve = adapter.make_server(loop, self.manners)
         self._line, self._meter = DirectLine(serve, Limits()), Meter(Limits())
         self.server.on_client_connect(self._build)
         self._runner = asyncio.run_coroutine_threadsafe(self._listen(), loop).result()

@@ -14,6 +14,7 @@ from armlab.errors import InputError
 from armlab.running_loop import running_loop
 from armlab.session.pages import tabs
 from armlab.ui import adapter, quick
+from armlab.ui.manners import Manners
 from support.bare import SAID, Bare
 
 
@@ -35,7 +36,7 @@ async def name_of_thread():
 
 
 def test_it_says_nothing_on_standard_output(capsys, loop):
-    server, _ = adapter.make_server(loop)
+    server, _ = adapter.make_server(loop, Manners())
     adapter.stop_server(server)
     assert capsys.readouterr().out == ""
 
@@ -43,7 +44,7 @@ def test_it_says_nothing_on_standard_output(capsys, loop):
 def test_a_server_has_no_port_and_no_loop_of_its_own(loop):
     threads = threading.active_count()
     before = _infra.asyncio, _infra.websockets.asyncio.server.serve
-    server, serve = adapter.make_server(loop)
+    server, serve = adapter.make_server(loop, Manners())
     assert callable(serve)
     assert server.get_port() == 0
     assert asyncio.run_coroutine_threadsafe(name_of_thread(), server.get_event_loop()).result(5.0) == "of the test"

@@ -24,7 +24,7 @@ class Reader:
         self.now, self.shown, self.again = 0.0, 0, 0
         self.pace = Pace(busy=lambda: 0.0) if beside is None else beside.pace
         self.pace.browsers = browsers
-        self.turning = Turning(self.pace, self.come, lambda: self.now)
+        self.turning = Turning(self.pace, self.come, "token", lambda: self.now)
 
     def show(self):
         self.shown += 1

@@ -9,6 +9,7 @@ from viser import _messages
 
 from armlab.ui import adapter, turns
 from armlab.ui.fields import Fields
+from armlab.ui.manners import Manners
 from armlab.ui.turns import SHARE, SPARE, Turns
 from support.bare import Bare
 from support.fake_browser import CAMERA
@@ -42,6 +43,15 @@ def test_who_uses_more_than_a_share_waits_and_who_was_quiet_has_some_to_spare():
     now += 1000.0
     message(2.0 * SPARE)
     assert one.pause == pytest.approx(SPARE / SHARE), "no more is saved up than that"
+
+
+def test_time_is_dearer_for_whoever_has_bad_manners():
+    now = used = 0.0
+    one = Turns(lambda: now, lambda: used, lambda: 10.0)
+    one.begin()
+    used += 0.1 * SPARE + 0.003
+    one.end()
+    assert one.pause == pytest.approx(0.03 / SHARE)
 
 
 def test_who_has_gone_waits_for_no_turn():
@@ -133,11 +143,12 @@ def test_building_a_page_is_not_what_its_browser_has_taken(monkeypatch):
     async def receive():
         return b""
 
-    socket = SimpleNamespace(request=SimpleNamespace(headers={adapter.TOKEN_HEADER: "token"}), recv=receive)
+    headers = {adapter.TOKEN_HEADER: "token", adapter.ADDRESS_HEADER: "10.0.0.1"}
+    socket = SimpleNamespace(request=SimpleNamespace(headers=headers), recv=receive)
     server = SimpleNamespace(_websock_server=SimpleNamespace(_live_connections={7: socket}), _connected_clients={})
     monkeypatch.setattr(adapter, "send_at_once", lambda _buffer: None)
     connection = SimpleNamespace(client_id=7, _handle_incoming_message=handle, get_message_buffer=lambda: None)
-    adapter._guard(server, connection, turns_of)
+    adapter._guard(server, connection, turns_of, Manners())
     camera = {name: value for name, value in CAMERA.items() if name != "type"}
     run(connection._handle_incoming_message(7, _messages.ViewerCameraMessage(**camera)))
     assert turns_of["token"].pause == 0.0

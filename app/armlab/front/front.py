@@ -16,7 +16,7 @@ from aiohttp import web
 
 from armlab.front.browsers import Browsers
 from armlab.front.doors import Doors
-from armlab.front.limits import Addresses, Limits
+from armlab.front.limits import Limits
 from armlab.front.line import PROTOCOL, Line
 from armlab.front.page import Page
 from armlab.front.paper_pages import POLICY as OF_PAPER
@@ -24,6 +24,7 @@ from armlab.front.paper_pages import PaperPages, Printed, in_their_language
 from armlab.front.room import FORM, POLICY, Room
 from armlab.front.tokens import Tokens
 from armlab.front.wishes import NAME, PAPERS, ROUTES, Wishes, refused
+from armlab.session.saved_up import SavedUpEach
 
 T = TypeVar("T")
 
@@ -89,11 +90,11 @@ class Front:
         self._limits, self._room = limits or Limits(), room
         self._papers = papers or PaperPages()
         self.doors = Doors(self._limits)
-        self._lapsed = Addresses(self._limits.lapse_rate, self._limits.lapses)
+        self._lapsed = SavedUpEach(self._limits.lapse_rate, self._limits.lapses)
         self._there = asyncio.Event()
         self._browsers = Browsers(self._limits)
         self._wishes, self._languages = Wishes(), Wishes()
-        self._asked = Addresses(self._limits.request_rate, self._limits.requests)
+        self._asked = SavedUpEach(self._limits.request_rate, self._limits.requests)
         self.app = web.Application(client_max_size=64 << 10)
         self.app.on_response_prepare.append(self._answer)
         self.app.on_response_prepare.append(_protect)

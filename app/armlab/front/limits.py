@@ -65,36 +65,6 @@ class Limits:
     request_wait: float = 1.0
 
 
-class Addresses:
-    """A token bucket for each address.
-
-    Parameters
-    ----------
-    rate, burst : float
-        How much a second, and at a time.
-    clock : callable
-    """
-
-    MOST = 1000
-    """Number of addresses that are counted; the one with the oldest attempt is forgotten first."""
-
-    def __init__(self, rate: float, burst: float, clock: Callable[[], float] = time.monotonic) -> None:
-        self._rate, self._burst, self._clock = rate, burst, clock
-        self._left: dict[str, SavedUp] = {}
-
-    def note(self, address: str) -> None:
-        """Count one more."""
-        found = self._left.pop(address, None) or SavedUp(self._rate, self._burst, clock=self._clock)
-        self._left[address] = found
-        while len(self._left) > self.MOST:
-            del self._left[next(iter(self._left))]
-        found.spend(1.0)
-
-    def wait(self, address: str) -> float:
-        """Return the time an address has to wait, seconds."""
-        return self._left[address].wait if address in self._left else 0.0
-
-
 class Meter:
     """Count of what one browser sends over all its sockets, so that reconnecting gives no advantage."""
 

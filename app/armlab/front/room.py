@@ -7,7 +7,7 @@ import hmac
 import time
 from collections.abc import Callable
 
-from armlab.front.limits import Addresses
+from armlab.session.saved_up import SavedUpEach
 
 TRIES, TRIES_A_SECOND = 10.0, 0.2
 """Number of wrong codes from one address that are allowed in a row, and the rate afterwards: one in five seconds."""
@@ -52,7 +52,7 @@ class Room:
 
     def __init__(self, code: str, secret: bytes, clock: Callable[[], float] = time.monotonic) -> None:
         self._code = _plain(code)
-        self._guessed = Addresses(TRIES_A_SECOND, TRIES, clock)
+        self._guessed = SavedUpEach(TRIES_A_SECOND, TRIES, clock=clock)
         self.cookie = f"armlab-room-{hashlib.sha256(secret).hexdigest()[:8]}"
         self.key = hmac.new(secret, b"room " + self._code, hashlib.sha256).hexdigest()
         """Value of the cookie of everybody inside; it changes with the code."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
+from functools import partial
 
 
 class SavedUp:
@@ -42,3 +43,35 @@ class SavedUp:
     def _save(self) -> None:
         now = self._clock()
         self._left, self._at = min(self._most, self._left + self._rate * (now - self._at)), now
+
+
+class SavedUpEach:
+    """A token bucket for each of many, such as addresses.
+
+    Parameters
+    ----------
+    rate, most, longest : float
+    clock : callable
+        See `SavedUp`.
+    """
+
+    MOST = 1000
+    """Number of those that are counted; the one that was noted longest ago is forgotten first."""
+
+    def __init__(
+        self, rate: float, most: float, longest: float = math.inf, clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        self._new = partial(SavedUp, rate, most, longest, clock)
+        self._left: dict[str, SavedUp] = {}
+
+    def note(self, key: str, amount: float = 1.0) -> None:
+        """Take so much of what one has saved up."""
+        found = self._left.pop(key, None) or self._new()
+        self._left[key] = found
+        while len(self._left) > self.MOST:
+            del self._left[next(iter(self._left))]
+        found.spend(amount)
+
+    def wait(self, key: str) -> float:
+        """Return the time that one has to wait, seconds."""
+        return self._left[key].wait if key in self._left else 0.0

@@ -14,7 +14,7 @@ import time
 import warnings
 from collections.abc import Awaitable, Callable, MutableMapping
 from concurrent.futures import ThreadPoolExecutor
-from functools import cache
+from functools import cache, partial
 from typing import Any
 from weakref import WeakValueDictionary
 
@@ -28,6 +28,7 @@ from armlab.errors import ArmlabError, in_one_line
 from armlab.ui.door import Door
 from armlab.ui.embedded import Serve, embedded
 from armlab.ui.gate import Gate
+from armlab.ui.manners import Manners
 from armlab.ui.quick import send_at_once
 from armlab.ui.turns import Turns
 
@@ -46,7 +47,7 @@ class NotAMessage(Exception):
     """A page has sent what cannot be read; its connection ends."""
 
 
-def make_server(loop: asyncio.AbstractEventLoop) -> tuple[viser.ViserServer, Serve]:
+def make_server(loop: asyncio.AbstractEventLoop, manners: Manners) -> tuple[viser.ViserServer, Serve]:
     """Return a viser server that accepts from its pages only the messages of the lab's own page, and what serves them.
 
     It runs in a loop, is silent, and has no port. No controls are shared by all pages: viser's handlers for shared ones
@@ -61,19 +62,21 @@ def make_server(loop: asyncio.AbstractEventLoop) -> tuple[viser.ViserServer, Ser
     (serve,) = taken
     server._websock_server._incoming_handlers.clear()
     turns: WeakValueDictionary[str, Turns] = WeakValueDictionary()
-    server._websock_server.on_client_connect(lambda connection: _guard(server, connection, turns))
+    server._websock_server.on_client_connect(lambda connection: _guard(server, connection, turns, manners))
     return server, serve
 
 
-def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMapping[str, Turns]) -> None:
+def _guard(
+    server: viser.ViserServer, connection: Any, of_browsers: MutableMapping[str, Turns], manners: Manners
+) -> None:
     """Put a gate before all messages of a connection, and let them wait for their turn."""
-    gate, handle, turns = Gate(), connection._handle_incoming_message, Turns()
+    socket: Any = server._websock_server._live_connections[connection.client_id]
+    token, address = (socket.request.headers.get(header, "") for header in (TOKEN_HEADER, ADDRESS_HEADER))
+    manners.meet(token, address)
+    gate, handle = Gate(partial(manners.note, token, address)), connection._handle_incoming_message
+    turns = of_browsers.setdefault(token, Turns(price=partial(manners.price, token)))
     send_at_once(connection.get_message_buffer())
-    socket: Any = server._websock_server._live_connections.get(connection.client_id)
-    if socket is not None:
-        token = socket.request.headers.get(TOKEN_HEADER, "")
-        turns = of_browsers.setdefault(token, turns)
-        socket.recv = _in_turn(socket, connection, turns)
+    socket.recv = _in_turn(socket, connection, turns, gate)
 
     async def guarded(client_id: Any, message: Any) -> None:
         # With the first message of the camera viser waits until the page is built, in the time of all.
@@ -93,7 +96,7 @@ def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMappi
     connection._handle_incoming_message = guarded
 
 
-def _in_turn(socket: Any, connection: Any, turns: Turns) -> Callable[[], Awaitable[bytes]]:
+def _in_turn(socket: Any, connection: Any, turns: Turns, gate: Gate) -> Callable[[], Awaitable[bytes]]:
     """Return a function that receives a connection's messages one at a time; the others wait in the browser.
 
     Each is handled here: viser, which waits for what is returned, would make two tasks of it, and so go twice round the
@@ -102,7 +105,7 @@ def _in_turn(socket: Any, connection: Any, turns: Turns) -> Callable[[], Awaitab
 
     async def received() -> bytes:
         while True:
-            message = _read(await turns.next(receive, socket.has_gone))
+            message = _read(await turns.next(receive, socket.has_gone), gate)
             handled = connection._handle_incoming_message(connection.client_id, message)
             if isinstance(message, _messages.ViewerCameraMessage):
                 # It may wait for the page, which may wait for other messages.
@@ -116,11 +119,12 @@ def _in_turn(socket: Any, connection: Any, turns: Turns) -> Callable[[], Awaitab
     return received
 
 
-def _read(data: bytes) -> Message:
+def _read(data: bytes, gate: Gate) -> Message:
     try:
         return Message.deserialize(data)
     except Exception as error:
         # What a stranger sends may be wrong in any way; viser ends the connection.
+        gate.drop("it sent no message")
         raise NotAMessage(in_one_line(error)) from error
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 log = logging.getLogger(__name__)
@@ -50,10 +50,17 @@ POSITIVE = frozenset({"fov", "near", "far", "image_height", "image_width"})
 
 
 class Gate:
-    """A gate that checks each message of one connection, and logs the first one that it drops."""
+    """A gate that checks each message of one connection, and logs the first one that it drops.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    on_drop : callable, optional
+        Called with each that it drops.
+    """
+
+    def __init__(self, on_drop: Callable[[], None] = lambda: None) -> None:
         self.dropped = 0
+        self._on_drop = on_drop
 
     def passes(self, kind: str, fields: Mapping[str, Any], value_now: Any) -> bool:
         """Return whether a message may go on.
@@ -75,6 +82,7 @@ class Gate:
     def drop(self, why: str) -> None:
         """Count a dropped message; only the first one is logged."""
         self.dropped += 1
+        self._on_drop()
         if self.dropped == 1:
             log.warning("a page that is not ours: %s; this and what follows of the kind is dropped", why[:200])
 

@@ -32,6 +32,7 @@ from armlab.session.store import Store
 from armlab.session.worker import Worker
 from armlab.ui import adapter
 from armlab.ui.figure.drawn import Gallery
+from armlab.ui.manners import DEAR
 from armlab.ui.pace import Pace
 from armlab.ui.player import Player
 from armlab.ui.plugin import layers
@@ -100,8 +101,8 @@ class Lab:
         for found in (part_types, methods, clips, jobs, tabs, layers):
             found()
         self._own_lessons, self.loop = own_lessons, loop
-        self.server, self.serve = adapter.make_server(loop)
         self.pace = Pace()
+        self.server, self.serve = adapter.make_server(loop, self.pace.manners)
         self.gallery = Gallery(lambda: self.pace.browsers > 1)
         self.store = Store(folder, opening)
         self.worker = Worker(self._publish)
@@ -113,7 +114,8 @@ class Lab:
         self._due: set[str] = set()
         self._waiting: dict[str, list[asyncio.Future[None]]] = {}
         self._stopped, self.first_page = threading.Event(), threading.Event()
-        self._building = asyncio.Lock()
+        # One page after the other; those that are built slowly, for bad manners, hold up only each other.
+        self._building = {price: asyncio.Lock() for price in (1.0, DEAR)}
         self.server.scene.configure_default_lights(False)
         self.server.scene.configure_environment_map(None)
         self.server.scene.world_axes.visible = False
@@ -160,7 +162,7 @@ class Lab:
         asked = found.get(adapter.ASKED_HEADER.lower(), "")
         for command in (wished(session.state, wish), ReadIn(asked) if asked in keys() else None):
             await self._grant(session, command, client.client_id)
-        async with self._building:
+        async with self._building[self.pace.manners.price(token)]:
             if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
                 tongue = Tongue(client, session, found.get(adapter.LANGUAGE_HEADER.lower(), ""))
                 await self._open(client, session, tongue)
@@ -191,7 +193,8 @@ class Lab:
                 self._take_in(client, view)
             took = time.perf_counter() - went_on
             if took > PIECE or not more:
-                await asyncio.sleep(took * (1.0 / BUILDING - 1.0) if self._views.keys() - {client.client_id} else 0.0)
+                rest = took * (self.pace.manners.price(session.token) / BUILDING - 1.0)
+                await asyncio.sleep(rest if self._views.keys() - {client.client_id} else 0.0)
                 went_on = time.perf_counter()
 
     def _take_in(self, client: viser.ClientHandle, view: View) -> None:

@@ -14,6 +14,7 @@ from typing import Any
 
 from armlab.session.load import Load
 from armlab.session.saved_up import SavedUp
+from armlab.ui.manners import Manners
 from armlab.ui.spread import Spread
 
 SHARE = 0.05
@@ -53,11 +54,13 @@ class Pace:
         The time for showing other pages, of all browsers together.
     browsers : int
         How many are shown something.
+    manners : Manners
+        Of the browsers.
     """
 
     def __init__(self, clock: Callable[[], float] = time.perf_counter, busy: Callable[[], float] | None = None) -> None:
         self._clock, self._busy = clock, busy or Load()
-        self.spread, self.browsers = Spread(), 0
+        self.spread, self.browsers, self.manners = Spread(), 0, Manners()
         self.turning = SavedUp(TURNING, TURNING_SAVED_UP, TURNING_WAIT)
         self._spent, self._at = 0.0, clock()
 
@@ -71,8 +74,17 @@ class Pace:
             self._spent = self._load(now) * MEMORY + now - began
             self._at = now
 
-    def interval(self, usual: float) -> float:
-        """Return the seconds between two pictures: the usual time while there is time for it, else more."""
+    def interval(self, usual: float, browser: str = "") -> float:
+        """Return the seconds between two pictures: the usual time while there is time for it, else more.
+
+        Parameters
+        ----------
+        usual : float
+            Seconds.
+        browser : str, optional
+            Token of the one that is shown them; time is dearer for one with bad manners.
+        """
+        usual *= self.manners.price(browser)
         load, share = self._load(self._clock()), self._share()
         if load <= share:
             return usual

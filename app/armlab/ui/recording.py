@@ -29,6 +29,7 @@ from armlab.ui.eye import FIELD_OF_VIEW
 from armlab.ui.figure.drawn import Drawn
 from armlab.ui.figure.figure import build_figure
 from armlab.ui.html import joined
+from armlab.ui.manners import Manners
 from armlab.ui.scene import arm as arm_layer
 from armlab.ui.scene import stage
 from armlab.ui.scene._polyline import ROUGHNESS, simplified
@@ -118,7 +119,7 @@ def record(scenario: Scenario, kind: Kind) -> bytes:
 def _server() -> Iterator[viser.ViserServer]:
     """Provide a server to draw on, which nobody sees."""
     with running_loop("armlab-recording") as loop:
-        server, _ = adapter.make_server(loop)
+        server, _ = adapter.make_server(loop, Manners())
         try:
             server.scene.configure_default_lights(False)
             server.scene.configure_environment_map(None)

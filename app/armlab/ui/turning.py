@@ -26,12 +26,16 @@ class Turning:
     pace : Pace
     show : callable
         Called when the time for what had to wait has come; it calls the object again.
+    browser : str
+        Token.
     clock : callable
         Seconds that the thread of the loop has computed, so that a busy machine is nobody's fault.
     """
 
-    def __init__(self, pace: Pace, show: Callable[[], None], clock: Callable[[], float] = time.thread_time) -> None:
-        self._pace, self._show, self._clock = pace, show, clock
+    def __init__(
+        self, pace: Pace, show: Callable[[], None], browser: str, clock: Callable[[], float] = time.thread_time
+    ) -> None:
+        self._pace, self._show, self._browser, self._clock = pace, show, browser, clock
         self._loop = asyncio.get_running_loop()
         self._own, self._of_all = SavedUp(SHARE, SAVED_UP, LONGEST), pace.turning
         self._late: asyncio.TimerHandle | None = None
@@ -72,7 +76,7 @@ class Turning:
             show()
         finally:
             took = self._clock() - began
-            self._own.spend(took)
+            self._own.spend(took * self._price)
             self._of_all.spend(took)
 
     def _shown(self) -> None:
@@ -83,7 +87,12 @@ class Turning:
 
     def _wait(self) -> float:
         """Return how long to wait; for the others once, however many they are."""
-        return self._own.wait if self._has_waited else max(self._own.wait, self._of_all.wait)
+        own = self._own.wait * self._price
+        return own if self._has_waited else max(own, self._of_all.wait)
+
+    @property
+    def _price(self) -> float:
+        return self._pace.manners.price(self._browser)
 
     def _come(self) -> None:
         self._late, self._has_waited = None, True

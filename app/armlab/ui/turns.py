@@ -27,12 +27,17 @@ class Turns:
         Seconds of a steady clock.
     used : callable
         Seconds of processor time of the calling thread.
+    price : callable
+        How many seconds count for each one.
     """
 
     def __init__(
-        self, clock: Callable[[], float] = time.monotonic, used: Callable[[], float] = time.thread_time
+        self,
+        clock: Callable[[], float] = time.monotonic,
+        used: Callable[[], float] = time.thread_time,
+        price: Callable[[], float] = lambda: 1.0,
     ) -> None:
-        self._saved, self._used = SavedUp(SHARE, SPARE, clock=clock), used
+        self._saved, self._used, self._price = SavedUp(SHARE, SPARE, clock=clock), used, price
         self._began = 0.0
         self._had_one = False
 
@@ -42,7 +47,7 @@ class Turns:
 
     def end(self) -> None:
         """Count the time of the message, which was handled without a pause."""
-        self._saved.spend(self._used() - self._began)
+        self._saved.spend((self._used() - self._began) * self._price())
 
     @property
     def pause(self) -> float:

@@ -97,7 +97,7 @@ class View:
         self._notices, self._untaken = Notices(client, session), session.untaken
         self._refresh: asyncio.TimerHandle | None = None
         self._refreshed = 0.0
-        self._turning = Turning(pace, self.show)
+        self._turning = Turning(pace, self.show, session.token)
         self._closed = False
         self._first = first_window(session.state)
         self._asked = 0
@@ -335,8 +335,8 @@ class View:
 
     def _refresh_soon(self) -> None:
         if self._refresh is None:
-            wait = max(0.0, self._refreshed + self._pace.interval(PANEL_INTERVAL) - self._loop.time())
-            come = partial(self._pace.spread.put, self, self._refresh_now)
+            soonest = self._refreshed + self._pace.interval(PANEL_INTERVAL, self.session.token)
+            come, wait = partial(self._pace.spread.put, self, self._refresh_now), max(0.0, soonest - self._loop.time())
             if wait == 0.0:
                 come()
             else:
