@@ -1,144 +1,157 @@
-"""Who sends what the lab's page never sends, and who comes from where such a one is."""
+"""Small things that make a page feel broken when they are wrong."""
 
 import asyncio
+import re
+import threading
 
-import pytest
-
-from armlab.session.saved_up import SavedUpEach
-from armlab.ui.manners import DEAR, DROPPED, DROPPED_AT_ADDRESS, FORGIVEN, MOST, Manners
+from armlab.session.session import Session
+from armlab.ui import lab as lab_module
 from armlab.ui.pace import Pace
-from support.bare import Bare
-from support.fake_browser import cookie_of
-from support.lab import open_lab
-from support.patience import Patience
-from support.student import run, student
-
-HERE, THERE = "10.0.0.1", "10.0.0.2"
+from support.fake_browser import FakeBrowser, cookie_of
+from support.lab import running_lab
+from support.patience import WAIT
+from support.student import run, settled, student
 
 
-class Clock:
-    now = 0.0
-
-    def __call__(self):
-        return self.now
-
-
-@pytest.fixture
-def clock():
-    return Clock()
+def steps(browser):
+    """Return what undo and redo would do, from their titles."""
+    parts = browser.html().split('class="al-over al-steps"')[1].split("</div>")[0].split('title="')[1:]
+    return [part.split('"')[0] for part in parts]
 
 
-def test_a_few_dropped_messages_change_nothing_and_more_are_forgiven_after_a_while(clock):
-    manners = Manners(clock)
-    for _ in range(int(DROPPED)):
-        manners.note("one", HERE)
-    assert manners.price("one") == 1.0
-    manners.note("one", HERE)
-    assert (manners.price("one"), manners.price("another")) == (DEAR, 1.0)
-    clock.now += FORGIVEN
-    assert manners.price("one") == 1.0
-    for _ in range(100_000):
-        manners.note("one", HERE)
-    clock.now += 0.99 * DROPPED * FORGIVEN
-    assert manners.price("one") == DEAR
-    clock.now += 0.02 * DROPPED * FORGIVEN
-    assert manners.price("one") == 1.0, "after a minute all is forgiven"
+def pressed(browser, cell):
+    """Return whether a choice is shown as the one that holds."""
+    return re.search(rf'data-cell="{cell}"[^>]*aria-pressed="true"', browser.html()) is not None
 
 
-def test_who_comes_back_as_somebody_new_has_to_show_manners_and_who_was_there_has_not(clock):
-    manners = Manners(clock)
-    manners.meet("class-mate", HERE)
-    for k in range(int(DROPPED_AT_ADDRESS) + 1):
-        manners.note(f"stranger {k}", HERE)
-    for name, address in (("class-mate", HERE), ("newcomer", HERE), ("far away", THERE)):
-        manners.meet(name, address)
-    assert [manners.price(name) for name in ("class-mate", "newcomer", "far away")] == [1.0, DEAR, 1.0]
-    clock.now += 1.01 * DROPPED * FORGIVEN
-    assert manners.price("newcomer") == 1.0
-    manners.meet("much later", HERE)
-    assert manners.price("much later") == 1.0
-
-
-def test_so_many_are_known_and_no_more(clock):
-    manners = Manners(clock)
-    for k in range(10 * MOST):
-        manners.meet(f"{k}", HERE)
-        manners.note(f"{k}", f"address {k}")
-    assert len(manners._known) == MOST
-    assert len(manners._of_browsers._left) == len(manners._of_addresses._left) == SavedUpEach.MOST
-
-
-def test_pictures_come_less_often_to_a_browser_with_bad_manners():
-    pace = Pace(busy=lambda: 0.0)
-    for _ in range(10):
-        pace.manners.note("stranger", HERE)
-    assert pace.interval(0.125, "stranger") == DEAR * pace.interval(0.125, "honest") == DEAR * 0.125
-
-
-@pytest.mark.parametrize(
-    "message", [{"type": "ShareUrlRequest"}, {"type": "GuiUpdateMessage", "uuid": 5, "updates": 7}]
-)
-def test_what_the_gate_drops_is_noted(message):
-    bare = Bare()
-
-    async def work(browser, _do):
-        for _ in range(10):
-            await browser.send(message)
-        patience = Patience()
-        while bare.manners.price("token") == 1.0:
-            assert patience.left()
-            await asyncio.sleep(0.01)
-
-    try:
-        bare.run(work)
-    finally:
-        bare.stop()
-
-
-def test_the_lab_knows_strangers_by_their_address_and_students_by_themselves(tmp_path):
-    lab = open_lab(tmp_path)
-    url = f"http://127.0.0.1:{lab.port}/"
-    price = lab.lab.pace.manners.price
+def test_a_choice_undone_before_anything_was_shown_is_shown_undone(url, monkeypatch):
+    monkeypatch.setattr(Pace, "interval", lambda self, usual, browser="": 0.5)
 
     async def main():
-        honest = await student(url, cookie_of(url))
-        (token,) = lab.lab._of_session
-        stranger = await student(url, cookie_of(url))
-        (other,) = lab.lab._of_session.keys() - {token}
-        for _ in range(int(DROPPED_AT_ADDRESS) + 5):
-            await stranger.send({"type": "ShareUrlRequest"})
-        patience = Patience()
-        while price(other) == 1.0:
-            assert patience.left()
-            await asyncio.sleep(0.01)
-        await stranger.close()
-        await honest.close()
-        again = await student(url, honest.cookie)
-        newcomer = await student(url, cookie_of(url))
-        (new,) = lab.lab._of_session.keys() - {token, other}
-        assert (price(token), price(new)) == (1.0, DEAR)
-        assert again.controls.keys()
-        assert newcomer.controls.keys()
-        await again.close()
-        await newcomer.close()
-
-    try:
-        run(main())
-    finally:
-        lab.stop()
-
-
-def test_nobody_waits_for_a_page_that_is_built_slowly_for_its_browsers_manners(tmp_path):
-    lab = open_lab(tmp_path)
-    building = lab.lab._building[DEAR]
-
-    async def main():
-        asyncio.run_coroutine_threadsafe(building.acquire(), lab.lab.loop).result()
-        browser = await student(f"http://127.0.0.1:{lab.port}/")
+        browser = await student(url)
+        await browser.open("target")
+        method = browser.control("Method")
+        first = method["value"]
+        other = next(title for title in method["props"]["options"] if title != first)
+        await browser.set_value(method, other)
+        await browser.until(lambda: 'title="Undo:' in browser.html())
+        await browser.set_value(method, first)
+        await asyncio.sleep(0.15)
+        await browser.press("undo")
+        await browser.until(lambda: browser.control("Method")["value"] == other)
         await browser.close()
-        assert building.locked()
 
-    try:
-        run(main())
-    finally:
-        lab.stop()
+    run(main())
+
+
+def test_what_was_pressed_while_the_page_was_made_anew_counts(url):
+    async def main():
+        browser = await student(url)
+        await browser.open("picture")
+        before = browser.channel("m")
+        await browser.press("rad")
+        await browser.until(lambda: browser.channel("m") != before)
+        await browser.press_on(before, "m")
+        await browser.until(lambda: pressed(browser, "m") and pressed(browser, "rad"))
+        await browser.close()
+
+    run(main())
+
+
+def test_what_was_pressed_for_another_arm_does_not_count(url):
+    async def main():
+        browser = await student(url)
+        await browser.open("picture", "joints", "robot")
+        before = browser.channel("zero")
+        await browser.press("ur10e")
+        await browser.until(lambda: browser.channel("zero") != before)
+        await browser.press_on(before, "zero")
+        await settled(browser)  # "m" is made anew for this arm, too
+        await browser.press("m")
+        await browser.until(lambda: pressed(browser, "m"))
+        assert browser.slider(1)["value"] != 0.0
+        await browser.close()
+
+    run(main())
+
+
+def test_a_click_on_the_handle_is_no_step(url):
+    async def main():
+        browser = await student(url)
+        await browser.press("zero")
+        await browser.until(lambda: steps(browser)[0].startswith("Undo: move"))
+        await browser.press("undo")
+        await browser.until(lambda: steps(browser)[1].startswith("Redo: move"))
+        await browser.drag("start")
+        await browser.drag("end")
+        await asyncio.sleep(0.5)
+        assert steps(browser)[1].startswith("Redo: move")
+        assert steps(browser)[0] == "Nothing to undo"
+        await browser.close()
+
+    run(main())
+
+
+def test_a_notice_is_told_once(url):
+    async def main():
+        cookie = cookie_of(url + "robot/puma56")
+        browser = await student(url, cookie)
+        await browser.until(lambda: any("did you mean 'puma560'" in text for text in browser.notices))
+        await browser.close()
+        again = await student(url, cookie)
+        await asyncio.sleep(0.5)
+        assert again.notices == []
+        await again.close()
+
+    run(main())
+
+
+def test_a_page_closed_while_it_opens_leaves_nothing_behind(tmp_path, monkeypatch):
+    """The worker is slow, the link asks for another arm, and the browser goes before the page is built."""
+    built, begun, gone = [], threading.Event(), threading.Event()
+    apply = Session.apply
+
+    def slowly(self, command, *more):
+        begun.set()
+        gone.wait(WAIT)
+        apply(self, command, *more)
+
+    class Recorded(lab_module.View):
+        def __init__(self, *arguments):
+            built.append(self)
+            super().__init__(*arguments)
+
+    monkeypatch.setattr(Session, "apply", slowly)
+    monkeypatch.setattr(lab_module, "View", Recorded)
+
+    async def main(url):
+        browser = FakeBrowser(url, cookie_of(url + "robot/scara"))
+        await browser.connect()
+        await asyncio.to_thread(begun.wait, WAIT)
+        await browser.close()
+        await asyncio.sleep(0.5)  # until the lab has noticed
+        gone.set()
+        await asyncio.sleep(0.5)
+
+    with running_lab(tmp_path) as url:
+        run(main(url))
+    assert built == []
+
+
+def test_a_page_opens_while_the_lessons_are_still_read_and_one_of_a_lesson_waits_for_them(monkeypatch):
+    read, lessons = threading.Event(), lab_module.lessons
+    monkeypatch.setattr(lab_module, "lessons", lambda: (read.wait(WAIT), lessons())[1])
+    with running_lab() as url:
+
+        async def main():
+            await (await student(url)).close()
+            opening = asyncio.create_task(student(url, path="/lesson/first_arm"))
+            await asyncio.sleep(0.5)
+            assert not opening.done()
+            read.set()
+            await (await opening).close()
+
+        try:
+            run(main())
+        finally:
+            read.set()

@@ -21,6 +21,7 @@ from armlab.errors import ArmlabError, InputError
 from armlab.front.addresses import served_names
 from armlab.front.doors import Site, let_open_many_files
 from armlab.front.front import Front
+from armlab.front.handover import HandOver
 from armlab.front.limits import Limits
 from armlab.front.line import Line
 from armlab.front.lock import FolderLock
@@ -198,8 +199,6 @@ def _sessions(settings: Settings) -> Path | None:
 
 def _open_processes(settings: Settings, opened: ExitStack) -> tuple[None, Sequence[Line]]:
     """Open labs in processes of their own; return what leads to them."""
-    from armlab.front.handover import HandOver
-
     processes = LabProcesses(
         settings.labs, settings.opening, _sessions(settings), settings.lessons, settings.teacher_key
     )

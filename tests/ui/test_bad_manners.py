@@ -1,0 +1,144 @@
+"""Who sends what the lab's page never sends, and who comes from where such a one is."""
+
+import asyncio
+
+import pytest
+
+from armlab.session.saved_up import SavedUpEach
+from armlab.ui.manners import DEAR, DROPPED, DROPPED_AT_ADDRESS, FORGIVEN, MOST, Manners
+from armlab.ui.pace import Pace
+from support.bare import Bare
+from support.fake_browser import cookie_of
+from support.lab import open_lab
+from support.patience import Patience
+from support.student import run, student
+
+HERE, THERE = "10.0.0.1", "10.0.0.2"
+
+
+class Clock:
+    now = 0.0
+
+    def __call__(self):
+        return self.now
+
+
+@pytest.fixture
+def clock():
+    return Clock()
+
+
+def test_a_few_dropped_messages_change_nothing_and_more_are_forgiven_after_a_while(clock):
+    manners = Manners(clock)
+    for _ in range(int(DROPPED)):
+        manners.note("one", HERE)
+    assert manners.price("one") == 1.0
+    manners.note("one", HERE)
+    assert (manners.price("one"), manners.price("another")) == (DEAR, 1.0)
+    clock.now += FORGIVEN
+    assert manners.price("one") == 1.0
+    for _ in range(100_000):
+        manners.note("one", HERE)
+    clock.now += 0.99 * DROPPED * FORGIVEN
+    assert manners.price("one") == DEAR
+    clock.now += 0.02 * DROPPED * FORGIVEN
+    assert manners.price("one") == 1.0, "after a minute all is forgiven"
+
+
+def test_who_comes_back_as_somebody_new_has_to_show_manners_and_who_was_there_has_not(clock):
+    manners = Manners(clock)
+    manners.meet("class-mate", HERE)
+    for k in range(int(DROPPED_AT_ADDRESS) + 1):
+        manners.note(f"stranger {k}", HERE)
+    for name, address in (("class-mate", HERE), ("newcomer", HERE), ("far away", THERE)):
+        manners.meet(name, address)
+    assert [manners.price(name) for name in ("class-mate", "newcomer", "far away")] == [1.0, DEAR, 1.0]
+    clock.now += 1.01 * DROPPED * FORGIVEN
+    assert manners.price("newcomer") == 1.0
+    manners.meet("much later", HERE)
+    assert manners.price("much later") == 1.0
+
+
+def test_so_many_are_known_and_no_more(clock):
+    manners = Manners(clock)
+    for k in range(10 * MOST):
+        manners.meet(f"{k}", HERE)
+        manners.note(f"{k}", f"address {k}")
+    assert len(manners._known) == MOST
+    assert len(manners._of_browsers._left) == len(manners._of_addresses._left) == SavedUpEach.MOST
+
+
+def test_pictures_come_less_often_to_a_browser_with_bad_manners():
+    pace = Pace(busy=lambda: 0.0)
+    for _ in range(10):
+        pace.manners.note("stranger", HERE)
+    assert pace.interval(0.125, "stranger") == DEAR * pace.interval(0.125, "honest") == DEAR * 0.125
+
+
+@pytest.mark.parametrize(
+    "message", [{"type": "ShareUrlRequest"}, {"type": "GuiUpdateMessage", "uuid": 5, "updates": 7}]
+)
+def test_what_the_gate_drops_is_noted(message):
+    bare = Bare()
+
+    async def work(browser, _do):
+        for _ in range(10):
+            await browser.send(message)
+        patience = Patience()
+        while bare.manners.price("token") == 1.0:
+            assert patience.left()
+            await asyncio.sleep(0.01)
+
+    try:
+        bare.run(work)
+    finally:
+        bare.stop()
+
+
+def test_the_lab_knows_strangers_by_their_address_and_students_by_themselves(tmp_path):
+    lab = open_lab(tmp_path)
+    url = f"http://127.0.0.1:{lab.port}/"
+    price = lab.lab.pace.manners.price
+
+    async def main():
+        honest = await student(url, cookie_of(url))
+        (token,) = lab.lab._of_session
+        stranger = await student(url, cookie_of(url))
+        (other,) = lab.lab._of_session.keys() - {token}
+        for _ in range(int(DROPPED_AT_ADDRESS) + 5):
+            await stranger.send({"type": "ShareUrlRequest"})
+        patience = Patience()
+        while price(other) == 1.0:
+            assert patience.left()
+            await asyncio.sleep(0.01)
+        await stranger.close()
+        await honest.close()
+        again = await student(url, honest.cookie)
+        newcomer = await student(url, cookie_of(url))
+        (new,) = lab.lab._of_session.keys() - {token, other}
+        assert (price(token), price(new)) == (1.0, DEAR)
+        assert again.controls.keys()
+        assert newcomer.controls.keys()
+        await again.close()
+        await newcomer.close()
+
+    try:
+        run(main())
+    finally:
+        lab.stop()
+
+
+def test_nobody_waits_for_a_page_that_is_built_slowly_for_its_browsers_manners(tmp_path):
+    lab = open_lab(tmp_path)
+    building = lab.lab._building[DEAR]
+
+    async def main():
+        asyncio.run_coroutine_threadsafe(building.acquire(), lab.lab.loop).result()
+        browser = await student(f"http://127.0.0.1:{lab.port}/")
+        await browser.close()
+        assert building.locked()
+
+    try:
+        run(main())
+    finally:
+        lab.stop()
