@@ -1,10 +1,12 @@
 """What is shown to many comes a little each time the loop goes round, and messages are looked at in between."""
 
 import asyncio
+import time
 from itertools import pairwise
 
 import pytest
 
+from armlab.ui.pace import Pace
 from armlab.ui.spread import PIECE, Spread
 from support.student import run
 
@@ -158,3 +160,56 @@ def test_whoever_puts_a_call_does_not_do_what_waits_of_others(clock):
         return before, done
 
     assert run(story()) == ([], ["a", "b"])
+
+
+def test_what_comes_last_waits_for_all_others_and_has_one_call_in_each_turn(clock):
+    async def story():
+        spread, done, of_turn = Spread(clock), [], []
+
+        def message():
+            of_turn.append(list(done))
+            if len(done) < 7:
+                asyncio.get_running_loop().call_soon(message)
+
+        spread.put("long", lambda: clock.work(2.0 * PIECE))
+        for k in range(3):
+            spread.put(f"last {k}", lambda k=k: done.append(f"last {k}"), last=True)
+        for k in range(3):
+            spread.put(f"{k}", lambda k=k: (clock.work(0.6 * PIECE), done.append(k)))
+        spread.put("both", lambda: done.append("never"), last=True)
+        spread.put("both", lambda: done.append("both"))
+        message()
+        await turns_until(lambda: len(done) == 7)
+        return done, of_turn
+
+    done, of_turn = run(story())
+    assert done == [0, 1, 2, "both", "last 0", "last 1", "last 2"]
+    in_turns = [after[len(before) :] for before, after in pairwise(of_turn)]
+    assert max(sum(str(one).startswith("last") for one in done) for done in in_turns) == 1
+
+
+def test_what_comes_last_takes_no_time_of_what_is_put_after_it(clock):
+    async def story():
+        spread, done = Spread(clock), []
+        spread.put("slow", lambda: clock.work(50.0 * PIECE), last=True)
+        spread.put("waits", lambda: done.append("waits"), last=True)
+        spread.put("a", lambda: done.append("a"))
+        before = list(done)
+        await turns_until(lambda: len(done) == 2)
+        return before, done
+
+    assert run(story()) == (["a"], ["a", "waits"])
+
+
+def test_the_pace_puts_whoever_has_bad_manners_last():
+    async def story():
+        pace, done = Pace(busy=lambda: 0.0), []
+        for _ in range(10):
+            pace.manners.note("stranger", "10.0.0.1")
+        pace.put("student", "long", lambda: time.sleep(2.0 * PIECE))
+        pace.put("stranger", 1, lambda: done.append("stranger"))
+        pace.put("student", 2, lambda: done.append("student"))
+        await turns_until(lambda: len(done) == 2)
+        return done
+
+    assert run(story()) == ["student", "stranger"]

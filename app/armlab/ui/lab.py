@@ -247,7 +247,7 @@ class Lab:
             return
         self._due.add(session.token)
         try:
-            self.loop.call_soon_threadsafe(self.pace.spread.put, session, lambda: self._show(session))
+            self.loop.call_soon_threadsafe(self.pace.put, session.token, session, lambda: self._show(session))
         except RuntimeError:
             log.debug("the server has stopped")
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from typing import Any
 
 from armlab.session.load import Load
@@ -63,6 +63,10 @@ class Pace:
         self.spread, self.browsers, self.manners = Spread(), 0, Manners()
         self.turning = SavedUp(TURNING, TURNING_SAVED_UP, TURNING_WAIT)
         self._spent, self._at = 0.0, clock()
+
+    def put(self, browser: str, key: Hashable, call: Callable[[], None]) -> None:
+        """Let a call for a browser, told by its token, have its turn; for one with bad manners after all others."""
+        self.spread.put(key, call, last=self.manners.price(browser) > 1.0)
 
     def timed(self, call: Callable[..., Any], *arguments: Any) -> Any:
         """Return the result of a call and count its time."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Generator
 
-from armlab.ui.spread import Spread
+from armlab.ui.pace import Pace
 
 PIECE = 0.002
 """Time of a piece after which others have their turn, seconds; a step of the work is not interrupted."""
@@ -16,7 +16,9 @@ class Pieces:
 
     Parameters
     ----------
-    spread : Spread
+    pace : Pace
+    browser : str
+        Token of the one for which the work is done.
     timed : callable
         Calls a function that does a piece, and counts its time.
     done : callable
@@ -27,12 +29,13 @@ class Pieces:
 
     def __init__(
         self,
-        spread: Spread,
+        pace: Pace,
+        browser: str,
         timed: Callable[[Callable[[], None]], None],
         done: Callable[[], None],
         clock: Callable[[], float] = time.perf_counter,
     ) -> None:
-        self._spread, self._timed, self._done, self._clock = spread, timed, done, clock
+        self._pace, self._browser, self._timed, self._done, self._clock = pace, browser, timed, done, clock
         self._work: Generator[None, None, None] | None = None
         self._at_it = self._stopped = False
 
@@ -44,12 +47,12 @@ class Pieces:
     def begin(self, work: Generator[None, None, None]) -> None:
         """Do the work, which may be interrupted at each of its steps."""
         self._work = work
-        self._spread.put(self, self._go_on)
+        self._pace.put(self._browser, self, self._go_on)
 
     def stop(self) -> None:
         """Leave the work as it is, for good; it may be that itself which asks for it."""
         self._stopped = True
-        self._spread.drop(self)
+        self._pace.spread.drop(self)
         if self._work is not None and not self._at_it:
             self._work.close()
             self._work = None
@@ -63,7 +66,7 @@ class Pieces:
             elif self._work is None:
                 self._done()
             else:
-                self._spread.put(self, self._go_on)
+                self._pace.put(self._browser, self, self._go_on)
 
     def _piece(self) -> None:
         assert self._work is not None

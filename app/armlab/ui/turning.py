@@ -40,7 +40,7 @@ class Turning:
         self._own, self._of_all = SavedUp(SHARE, SAVED_UP, LONGEST), pace.turning
         self._late: asyncio.TimerHandle | None = None
         self._has_waited = self._again = False
-        self._pieces = Pieces(pace.spread, self._timed, self._shown)
+        self._pieces = Pieces(pace, browser, self._timed, self._shown)
 
     def __call__(self, showing: Callable[[], Generator[None, None, None]], turned: bool) -> None:
         """Show a state: now, or, if another page is wanted, in pieces, and later if there is no time for it.
@@ -96,7 +96,7 @@ class Turning:
 
     def _come(self) -> None:
         self._late, self._has_waited = None, True
-        self._pace.spread.put(self, self._show)
+        self._pace.put(self._browser, self, self._show)
 
     def stop(self) -> None:
         """Cancel what is still to come."""

@@ -335,8 +335,8 @@ class View:
 
     def _refresh_soon(self) -> None:
         if self._refresh is None:
-            soonest = self._refreshed + self._pace.interval(PANEL_INTERVAL, self.session.token)
-            come, wait = partial(self._pace.spread.put, self, self._refresh_now), max(0.0, soonest - self._loop.time())
+            soonest = self._refreshed + self._pace.interval(PANEL_INTERVAL, token := self.session.token)
+            come, wait = partial(self._pace.put, token, self, self._refresh_now), max(0.0, soonest - self._loop.time())
             if wait == 0.0:
                 come()
             else:
