@@ -18,8 +18,8 @@ DROPPED, DROPPED_AT_ADDRESS = 5.0, 20.0
 FORGIVEN = 12.0
 """Time in which one more is forgiven, seconds: after a minute without any a browser is as all others."""
 
-DEAR = 10.0
-"""Price of time for a browser with bad manners: it gets a tenth of what others get."""
+DEAR = 20.0
+"""Price of time for a browser with bad manners: it gets a twentieth of what others get."""
 
 MOST = 1000
 """Largest number of browsers that are known."""

@@ -63,7 +63,7 @@ class Spread:
             began = self._clock()
             self._call_next(self._waiting)
             self._left -= self._ended - began
-        if with_last and self._last and not self._waiting and not self._had_last:
+        if with_last and self._last and self._left > 0.0 and not self._waiting and not self._had_last:
             self._had_last = True
             self._call_next(self._last)
 
