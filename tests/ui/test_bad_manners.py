@@ -5,7 +5,7 @@ import asyncio
 import pytest
 
 from armlab.session.saved_up import SavedUpEach
-from armlab.ui.manners import DEAR, DROPPED, DROPPED_AT_ADDRESS, FORGIVEN, MOST, Manners
+from armlab.ui.manners import DEAR, FORGIVEN, MOST, SENSELESS, SENSELESS_AT_ADDRESS, Manners
 from armlab.ui.pace import Pace
 from support.bare import Bare
 from support.fake_browser import cookie_of
@@ -28,9 +28,9 @@ def clock():
     return Clock()
 
 
-def test_a_few_dropped_messages_change_nothing_and_more_are_forgiven_after_a_while(clock):
+def test_a_few_senseless_messages_change_nothing_and_more_are_forgiven_after_a_while(clock):
     manners = Manners(clock)
-    for _ in range(int(DROPPED)):
+    for _ in range(int(SENSELESS)):
         manners.note("one", HERE)
     assert manners.price("one") == 1.0
     manners.note("one", HERE)
@@ -39,21 +39,21 @@ def test_a_few_dropped_messages_change_nothing_and_more_are_forgiven_after_a_whi
     assert manners.price("one") == 1.0
     for _ in range(100_000):
         manners.note("one", HERE)
-    clock.now += 0.99 * DROPPED * FORGIVEN
+    clock.now += 0.99 * SENSELESS * FORGIVEN
     assert manners.price("one") == DEAR
-    clock.now += 0.02 * DROPPED * FORGIVEN
+    clock.now += 0.02 * SENSELESS * FORGIVEN
     assert manners.price("one") == 1.0, "after a minute all is forgiven"
 
 
 def test_who_comes_back_as_somebody_new_has_to_show_manners_and_who_was_there_has_not(clock):
     manners = Manners(clock)
-    manners.meet("class-mate", HERE)
-    for k in range(int(DROPPED_AT_ADDRESS) + 1):
+    manners.meet("classmate", HERE)
+    for k in range(int(SENSELESS_AT_ADDRESS) + 1):
         manners.note(f"stranger {k}", HERE)
-    for name, address in (("class-mate", HERE), ("newcomer", HERE), ("far away", THERE)):
+    for name, address in (("classmate", HERE), ("newcomer", HERE), ("far away", THERE)):
         manners.meet(name, address)
-    assert [manners.price(name) for name in ("class-mate", "newcomer", "far away")] == [1.0, DEAR, 1.0]
-    clock.now += 1.01 * DROPPED * FORGIVEN
+    assert [manners.price(name) for name in ("classmate", "newcomer", "far away")] == [1.0, DEAR, 1.0]
+    clock.now += 1.01 * SENSELESS * FORGIVEN
     assert manners.price("newcomer") == 1.0
     manners.meet("much later", HERE)
     assert manners.price("much later") == 1.0
@@ -78,7 +78,7 @@ def test_pictures_come_less_often_to_a_browser_with_bad_manners():
 @pytest.mark.parametrize(
     "message", [{"type": "ShareUrlRequest"}, {"type": "GuiUpdateMessage", "uuid": 5, "updates": 7}]
 )
-def test_what_the_gate_drops_is_noted(message):
+def test_nonsense_is_noted(message):
     bare = Bare()
 
     async def work(browser, _do):
@@ -88,6 +88,27 @@ def test_what_the_gate_drops_is_noted(message):
         while bare.manners.price("token") == 1.0:
             assert patience.left()
             await asyncio.sleep(0.01)
+
+    try:
+        bare.run(work)
+    finally:
+        bare.stop()
+
+
+def test_a_hand_that_drags_to_the_horizon_has_no_bad_manners():
+    bare = Bare()
+
+    async def work(browser, _do):
+        await browser.drag("start")
+        for k in range(20):
+            await browser.drag("update", (1e8 + k, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0))
+        await browser.drag("update", (0.5, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0))
+        await browser.drag("end")
+        patience = Patience()
+        while bare.heard != ["start", "update", "end"]:
+            assert patience.left()
+            await asyncio.sleep(0.01)
+        assert bare.manners.price("token") == 1.0
 
     try:
         bare.run(work)
@@ -105,7 +126,7 @@ def test_the_lab_knows_strangers_by_their_address_and_students_by_themselves(tmp
         (token,) = lab.lab._of_session
         stranger = await student(url, cookie_of(url))
         (other,) = lab.lab._of_session.keys() - {token}
-        for _ in range(int(DROPPED_AT_ADDRESS) + 5):
+        for _ in range(int(SENSELESS_AT_ADDRESS) + 5):
             await stranger.send({"type": "ShareUrlRequest"})
         patience = Patience()
         while price(other) == 1.0:

@@ -124,7 +124,7 @@ def _read(data: bytes, gate: Gate) -> Message:
         return Message.deserialize(data)
     except Exception as error:
         # What a stranger sends may be wrong in any way; viser ends the connection.
-        gate.drop("it sent no message")
+        gate.drop("it sent no message", nonsense=True)
         raise NotAMessage(in_one_line(error)) from error
 
 

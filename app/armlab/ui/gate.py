@@ -54,13 +54,13 @@ class Gate:
 
     Parameters
     ----------
-    on_drop : callable, optional
-        Called with each that it drops.
+    on_nonsense : callable, optional
+        Called with each that it drops and that no page of the lab can have sent, whatever a hand has done on it.
     """
 
-    def __init__(self, on_drop: Callable[[], None] = lambda: None) -> None:
+    def __init__(self, on_nonsense: Callable[[], None] = lambda: None) -> None:
         self.dropped = 0
-        self._on_drop = on_drop
+        self._on_nonsense = on_nonsense
 
     def passes(self, kind: str, fields: Mapping[str, Any], value_now: Any) -> bool:
         """Return whether a message may go on.
@@ -76,13 +76,15 @@ class Gate:
         """
         wrong = _wrong(kind, fields, value_now)
         if wrong:
-            self.drop(wrong)
+            # A handle that is dragged to the horizon may be anywhere.
+            self.drop(wrong, nonsense=kind not in SAID or kind == "GuiUpdateMessage")
         return not wrong
 
-    def drop(self, why: str) -> None:
+    def drop(self, why: str, nonsense: bool = False) -> None:
         """Count a dropped message; only the first one is logged."""
         self.dropped += 1
-        self._on_drop()
+        if nonsense:
+            self._on_nonsense()
         if self.dropped == 1:
             log.warning("a page that is not ours: %s; this and what follows of the kind is dropped", why[:200])
 

@@ -1,7 +1,7 @@
 """Who behaves as the lab's own page does; whoever does not gets little of the lab's time.
 
-The lab's page never sends what the gate drops. A program that does so sends much of it, and would otherwise take as
-much time as a class-mate; a page that does so once, for whatever reason, is still served as all others.
+No page of the lab sends what the gate calls nonsense. A program that does so sends much of it, and would otherwise take
+as much time as a classmate; a page that does so once, for whatever reason, is still served as all others.
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ from collections.abc import Callable
 
 from armlab.session.saved_up import SavedUpEach
 
-DROPPED, DROPPED_AT_ADDRESS = 5.0, 20.0
-"""Numbers of dropped messages in a row of a browser, and of all at one address, that change nothing."""
+SENSELESS, SENSELESS_AT_ADDRESS = 5.0, 20.0
+"""Numbers of senseless messages in a row of a browser, and of all at one address, that change nothing."""
 
 FORGIVEN = 12.0
 """Time in which one more is forgiven, seconds: after a minute without any a browser is as all others."""
@@ -26,7 +26,7 @@ MOST = 1000
 
 
 class Manners:
-    """The messages that were dropped, by browser and by the address it comes from.
+    """The senseless messages, by browser and by the address it comes from.
 
     Whoever is thrown out comes back as somebody new; so at an address with bad manners a new browser has a minute to
     show that it has good ones.
@@ -39,8 +39,8 @@ class Manners:
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         rate = 1.0 / FORGIVEN
-        self._of_browsers = SavedUpEach(rate, DROPPED, DROPPED / rate, clock)
-        self._of_addresses = SavedUpEach(rate, DROPPED_AT_ADDRESS, DROPPED / rate, clock)
+        self._of_browsers = SavedUpEach(rate, SENSELESS, SENSELESS / rate, clock)
+        self._of_addresses = SavedUpEach(rate, SENSELESS_AT_ADDRESS, SENSELESS / rate, clock)
         self._known: OrderedDict[str, None] = OrderedDict()
 
     def meet(self, browser: str, address: str) -> None:
@@ -51,10 +51,10 @@ class Manners:
         if len(self._known) > MOST:
             self._known.popitem(last=False)
         if is_new and self._of_addresses.wait(address) > 0.0:
-            self._of_browsers.note(browser, 2.0 * DROPPED)
+            self._of_browsers.note(browser, 2.0 * SENSELESS)
 
     def note(self, browser: str, address: str) -> None:
-        """Note a message that the lab's page does not send."""
+        """Note a senseless message."""
         self._of_browsers.note(browser)
         self._of_addresses.note(address)
 
