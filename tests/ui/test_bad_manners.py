@@ -53,8 +53,11 @@ def test_who_comes_back_as_somebody_new_has_to_show_manners_and_who_was_there_ha
     for name, address in (("classmate", HERE), ("newcomer", HERE), ("far away", THERE)):
         manners.meet(name, address)
     assert [manners.price(name) for name in ("classmate", "newcomer", "far away")] == [1.0, DEAR, 1.0]
-    clock.now += 1.01 * SENSELESS * FORGIVEN
+    clock.now += 1.01 * FORGIVEN
     assert manners.price("newcomer") == 1.0
+    manners.note("newcomer", HERE)
+    assert manners.price("newcomer") == DEAR, "nothing is saved up yet"
+    clock.now += 1.01 * SENSELESS * FORGIVEN
     manners.meet("much later", HERE)
     assert manners.price("much later") == 1.0
 

@@ -28,8 +28,8 @@ MOST = 1000
 class Manners:
     """The senseless messages, by browser and by the address it comes from.
 
-    Whoever is thrown out comes back as somebody new; so at an address with bad manners a new browser has a minute to
-    show that it has good ones.
+    Whoever is thrown out comes back as somebody new. So at an address with bad manners a new browser is taken for one
+    of those until a first senseless message would have been forgiven, which is about as long as its page is built.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ class Manners:
         if len(self._known) > MOST:
             self._known.popitem(last=False)
         if is_new and self._of_addresses.wait(address) > 0.0:
-            self._of_browsers.note(browser, 2.0 * SENSELESS)
+            self._of_browsers.note(browser, SENSELESS + 1.0)
 
     def note(self, browser: str, address: str) -> None:
         """Note a senseless message."""
