@@ -9,15 +9,19 @@ import sys
 import threading
 import time
 
+import aiohttp
 import pytest
+from websockets.exceptions import ConnectionClosedOK
 
 from armlab.front import doors as module
+from armlab.front.direct import DirectLine
 from armlab.front.doors import FILES, Doors, Quiet, let_open_many_files
 from armlab.front.front import Front
 from armlab.front.limits import Limits
 from armlab.front.page import make_page
 from armlab.front.start import Settings, _listen
 from armlab.front.tokens import Tokens
+from support.fake_browser import cookie_of
 from support.lab import running_lab
 from support.patience import Patience
 from support.student import run
@@ -229,6 +233,30 @@ def test_the_address_with_most_connections_loses_its_oldest():
 
     doors = Doors(Limits(visitors=3))
     run(story())
+
+
+def test_a_socket_is_no_visitor_and_not_hung_up_on(opened):
+    front = opened(visit=0.5)
+
+    async def echo(connection):
+        with contextlib.suppress(ConnectionClosedOK):
+            while True:
+                await connection.send(await connection.recv())
+
+    async def open_lab():
+        front.front.open_labs([DirectLine(echo, Limits())])
+
+    async def main():
+        cookie = {"Cookie": cookie_of(front.url), "Origin": front.url.rstrip("/")}
+        async with aiohttp.ClientSession(headers=cookie) as browser:
+            socket = await browser.ws_connect(front.url, protocols=["viser-v1.1.1"])
+            await asyncio.to_thread(front.until_inside, 0)
+            await asyncio.sleep(1.0)
+            await socket.send_bytes(b"x")
+            assert await socket.receive_bytes() == b"x"
+
+    front.on_loop(open_lab())
+    run(main())
 
 
 def test_of_a_page_that_is_not_taken_only_a_piece_is_held(opened):

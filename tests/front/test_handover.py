@@ -11,7 +11,7 @@ from types import SimpleNamespace
 
 import aiohttp
 import pytest
-from aiohttp import web
+from aiohttp import WSCloseCode, web
 from websockets.exceptions import ConnectionClosedOK
 
 from armlab.front import start as start_module
@@ -24,7 +24,7 @@ from armlab.front.reception import Reception
 from armlab.front.start import Settings, StartError, start
 from armlab.front.tokens import Tokens
 from support.fake_browser import cookie_of
-from support.lab import running_lab
+from support.lab import open_lab, running_lab
 from support.patience import Patience
 from support.student import run, student
 
@@ -194,6 +194,21 @@ def test_a_socket_whose_lab_dies_closes_and_is_counted_no_more(tmp_path, monkeyp
         assert folder.stat().st_mode & 0o777 == 0o700
         run(main(url))
     assert not folder.exists()
+
+
+@pytest.mark.parametrize("labs", [0, 1])
+def test_pages_are_told_that_the_lab_ends(labs):
+    async def main():
+        lab = await asyncio.to_thread(open_lab, labs=labs)
+        browser = await student(f"http://127.0.0.1:{lab.port}/")
+        await asyncio.to_thread(lab.stop)
+        patience = Patience()
+        while browser.close_code is None:
+            assert patience.left()
+            await asyncio.sleep(0.01)
+        assert browser.close_code == WSCloseCode.GOING_AWAY
+
+    run(main())
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")

@@ -79,6 +79,26 @@ def test_who_asks_too_often_is_answered_later():
     run(main())
 
 
+@WAYS
+def test_who_opens_sockets_too_often_waits_as_well(way):
+    async def main():
+        tokens, limits = Tokens(b"s" * 32), Limits(requests=3.0, request_rate=1e-6, request_wait=0.3)
+        async with AsyncExitStack() as opened:
+            front = Front(SimpleNamespace(), tokens, None, limits)
+            front.open_labs([await opened.enter_async_context(way(echo, limits))])
+            url = f"http://127.0.0.1:{await opened.enter_async_context(served(front.app))}"
+            browser = await opened.enter_async_context(aiohttp.ClientSession(headers={"Origin": url}))
+            cookie = {"Cookie": f"{tokens.cookie}={tokens.new()}"}
+            took = []
+            for _ in range(5):
+                began = asyncio.get_running_loop().time()
+                await browser.ws_connect(url, protocols=[PROTOCOL], headers=cookie)
+                took.append(asyncio.get_running_loop().time() - began)
+        assert min(took[3:]) >= 0.3
+
+    run(main())
+
+
 async def offended(connection):
     """Fail as a lab does that was sent what it cannot unpack."""
     with contextlib.suppress(ConnectionClosedOK):

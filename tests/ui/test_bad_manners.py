@@ -6,7 +6,7 @@ import pytest
 
 from armlab.session.saved_up import SavedUpEach
 from armlab.ui.manners import DEAR, FORGIVEN, MOST, SENSELESS, SENSELESS_AT_ADDRESS, Manners
-from armlab.ui.pace import Pace
+from armlab.ui.pace import BUILDING, Pace
 from support.bare import Bare
 from support.fake_browser import cookie_of
 from support.lab import open_lab
@@ -76,6 +76,35 @@ def test_pictures_come_less_often_to_a_browser_with_bad_manners():
     for _ in range(10):
         pace.manners.note("stranger", HERE)
     assert pace.interval(0.125, "stranger") == DEAR * pace.interval(0.125, "honest") == DEAR * 0.125
+
+
+def test_a_page_is_built_slowly_for_a_browser_with_bad_manners():
+    pace = Pace(busy=lambda: 0.0)
+    for _ in range(10):
+        pace.manners.note("stranger", HERE)
+    took = 0.01
+    assert took / (took + pace.rest("honest", took)) == pytest.approx(BUILDING)
+    assert took / (took + pace.rest("stranger", took)) == pytest.approx(BUILDING / DEAR)
+
+
+def test_the_panels_of_a_page_come_at_the_pace_of_its_browser(url, monkeypatch):
+    asked, interval = set(), Pace.interval
+
+    def noted(pace, usual, browser=""):
+        asked.add(browser)
+        return interval(pace, usual, browser)
+
+    async def main():
+        browser = await student(url)
+        monkeypatch.setattr(Pace, "interval", noted)
+        await browser.set_value(browser.slider(1), 10.0)
+        patience = Patience()
+        while not any(asked):
+            assert patience.left()
+            await asyncio.sleep(0.01)
+        await browser.close()
+
+    run(main())
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import itertools
 import threading
 import time
 
-from armlab.ui.lab import BUILDING
+from armlab.ui.pace import BUILDING
 from armlab.ui.view import View
 from support.fake_browser import FakeBrowser, cookie_of
 from support.patience import Patience

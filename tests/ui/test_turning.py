@@ -5,6 +5,7 @@ import re
 import time
 
 from armlab.ui import turning
+from armlab.ui.manners import DEAR
 from armlab.ui.pace import TURNING, TURNING_SAVED_UP, Pace
 from armlab.ui.pieces import PIECE
 from armlab.ui.turning import LONGEST, SAVED_UP, SHARE, Turning
@@ -54,6 +55,19 @@ def test_many_pages_in_a_row_are_shown_and_then_one_waits_until_its_time():
             await asyncio.sleep(0.01)
         assert time.monotonic() - began > 0.5 * PAGE / SHARE
         assert reader.shown == shown + 1
+        reader.turning.stop()
+
+    run(main())
+
+
+def test_who_has_bad_manners_turns_few_pages_and_waits_long_for_the_next():
+    async def main():
+        reader = Reader(browsers=2)
+        for _ in range(10):
+            reader.pace.manners.note("token", "10.0.0.1")
+        reader.turn(round(SAVED_UP / PAGE))
+        assert reader.shown <= round(SAVED_UP / PAGE / DEAR) + 1
+        assert reader.turning._wait() > LONGEST
         reader.turning.stop()
 
     run(main())

@@ -57,10 +57,6 @@ PIECE_PATIENCE = 2.0
 SAVE_INTERVAL = 0.75
 """Time between two savings, seconds; together with the time of one, a crash loses at most a second."""
 
-BUILDING = 1.0 / 3.0
-"""Share of the event loop's time in which pages may be built while others are open, so that a class that opens the lab,
-or a stranger who returns again and again, does not stop the arms of the others."""
-
 SELDOM = 30
 """Number of small garbage collections for each whole one: closed pages can wait for it, moving arms cannot."""
 
@@ -193,7 +189,7 @@ class Lab:
                 self._take_in(client, view)
             took = time.perf_counter() - went_on
             if took > PIECE or not more:
-                rest = took * (self.pace.manners.price(session.token) / BUILDING - 1.0)
+                rest = self.pace.rest(session.token, took)
                 await asyncio.sleep(rest if self._views.keys() - {client.client_id} else 0.0)
                 went_on = time.perf_counter()
 

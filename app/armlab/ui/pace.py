@@ -24,6 +24,10 @@ LEAST_SHARE = 0.01
 BUSY, FULL = 0.6, 0.95
 """Load of a core from which the share becomes smaller, and load at which the share is least."""
 
+BUILDING = 1.0 / 3.0
+"""Share of the loop's time in which pages may be built while others are open, so that a class that opens the lab, or a
+stranger who returns again and again, does not stop the arms of the others."""
+
 MEMORY = 1.0
 """Time over which the work is summed, seconds."""
 
@@ -67,6 +71,10 @@ class Pace:
     def put(self, browser: str, key: Hashable, call: Callable[[], None]) -> None:
         """Let a call for a browser, told by its token, have its turn; for one with bad manners after all others."""
         self.spread.put(key, call, last=self.manners.price(browser) > 1.0)
+
+    def rest(self, browser: str, took: float) -> float:
+        """Return the seconds for others, after a piece of the page of a browser has taken so many."""
+        return took * (self.manners.price(browser) / BUILDING - 1.0)
 
     def timed(self, call: Callable[..., Any], *arguments: Any) -> Any:
         """Return the result of a call and count its time."""
