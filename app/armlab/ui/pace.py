@@ -17,6 +17,12 @@ from armlab.session.saved_up import SavedUp
 from armlab.ui.manners import Manners
 from armlab.ui.spread import Spread
 
+PANEL_INTERVAL = 0.125
+"""Time between updates of panels, seconds: the scene follows a drag at once, numbers at a pace that can be read."""
+
+NEXT_EVENT = 0.06
+"""Time within which the next event of a drag comes, seconds: panels are shown after it, and not beside one."""
+
 SHARE = 0.05
 """Share of the loop's time in which panels, overlays and films of all students may be made; sending costs as much."""
 

@@ -31,7 +31,7 @@ from armlab.ui.layer_drawing import Drawing
 from armlab.ui.lesson.dock import LessonDock
 from armlab.ui.notices import Notices
 from armlab.ui.overlay import Overlay, Screen
-from armlab.ui.pace import Pace
+from armlab.ui.pace import NEXT_EVENT, PANEL_INTERVAL, Pace
 from armlab.ui.plugin import Panel, hidden_layers, layers, whole_panel, wish_of, without_the_arm
 from armlab.ui.search.dialog import SearchDialog
 from armlab.ui.switches import DARK, SKELETON
@@ -42,9 +42,6 @@ from armlab.ui.turning import Turning
 from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)
-
-PANEL_INTERVAL = 0.125
-"""Time between updates of panels, seconds: the scene follows a drag at once, numbers at a pace that can be read."""
 
 DOCK_WIDTH = 345
 """Width of the dock without the rail of its tabs, pixels. It leaves the scene 71 % of a window of 1400, 60 % of 1024,
@@ -334,13 +331,12 @@ class View:
         self._loop.call_later(seconds, lambda: self._closed or call())
 
     def _refresh_soon(self) -> None:
-        if self._refresh is None:
-            soonest = self._refreshed + self._pace.interval(PANEL_INTERVAL, token := self.session.token)
-            come, wait = partial(self._pace.put, token, self, self._refresh_now), max(0.0, soonest - self._loop.time())
-            if wait == 0.0:
-                come()
-            else:
-                self._refresh = self._loop.call_later(wait, come)
+        soonest = self._refreshed + self._pace.interval(PANEL_INTERVAL, token := self.session.token)
+        come, wait = partial(self._pace.put, token, self, self._refresh_now), soonest - self._loop.time()
+        if wait <= 0.0:
+            come()
+        elif self._refresh is None:
+            self._refresh = self._loop.call_later(wait + NEXT_EVENT, come)
 
     def _refresh_now(self) -> None:
         self._refresh_no_more()
