@@ -140,6 +140,22 @@ def test_a_browser_that_breaks_off_at_once_leaves_its_place():
     run(main())
 
 
+def test_what_is_no_request_is_refused_and_the_front_told():
+    async def main():
+        async with opened() as lab:
+            ours, theirs = socket.socketpair()
+            with socket.socket(socket.AF_UNIX) as front, ours:
+                front.connect(lab.reception._address)
+                socket.send_fds(front, [b'{"X-Armlab-Token": "t"}\nno request\r\n\r\n'], [theirs.fileno()])
+                theirs.close()
+                assert (await asyncio.to_thread(ours.recv, 100)).startswith(b"HTTP/1.0 400")
+                assert await asyncio.to_thread(front.recv, 1) == b"0"
+            await lab.until(lambda: len(lab.reception._tasks) == 1)
+            assert lab.said == []
+
+    run(main())
+
+
 def test_a_lab_that_is_not_there_is_a_request_to_come_again():
     async def main():
         async with opened() as lab:

@@ -5,6 +5,9 @@ import asyncio
 import pytest
 
 from armlab.session.saved_up import SavedUpEach
+from armlab.ui import adapter
+from armlab.ui.adapter import NotAMessage
+from armlab.ui.gate import Gate
 from armlab.ui.manners import DEAR, FORGIVEN, MOST, SENSELESS, SENSELESS_AT_ADDRESS, Manners
 from armlab.ui.pace import BUILDING, Pace
 from support.bare import Bare
@@ -125,6 +128,13 @@ def test_nonsense_is_noted(message):
         bare.run(work)
     finally:
         bare.stop()
+
+
+def test_what_cannot_be_read_is_nonsense():
+    noted = []
+    with pytest.raises(NotAMessage):
+        adapter._read(b"\xc1", Gate(lambda: noted.append("nonsense")))
+    assert noted == ["nonsense"]
 
 
 def test_a_hand_that_drags_to_the_horizon_has_no_bad_manners():
