@@ -176,6 +176,8 @@ def test_what_comes_last_waits_for_all_others_and_has_one_call_in_each_turn(cloc
             spread.put(f"last {k}", lambda k=k: done.append(f"last {k}"), last=True)
         for k in range(3):
             spread.put(f"{k}", lambda k=k: (clock.work(0.6 * PIECE), done.append(k)))
+        spread.put("dropped", lambda: done.append("dropped"), last=True)
+        spread.drop("dropped")
         spread.put("both", lambda: done.append("never"), last=True)
         spread.put("both", lambda: done.append("both"))
         message()
