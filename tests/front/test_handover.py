@@ -25,7 +25,7 @@ from armlab.front.start import Settings, StartError, start
 from armlab.front.tokens import Tokens
 from support.fake_browser import cookie_of
 from support.lab import open_lab, running_lab
-from support.patience import Patience
+from support.patience import WAIT, Patience
 from support.student import run, student
 
 PROTOCOL = "viser-v1.1.1"
@@ -145,6 +145,8 @@ def test_what_is_no_request_is_refused_and_the_front_told():
         async with opened() as lab:
             ours, theirs = socket.socketpair()
             with socket.socket(socket.AF_UNIX) as front, ours:
+                ours.settimeout(WAIT)
+                front.settimeout(WAIT)
                 front.connect(lab.reception._address)
                 socket.send_fds(front, [b'{"X-Armlab-Token": "t"}\nno request\r\n\r\n'], [theirs.fileno()])
                 theirs.close()
