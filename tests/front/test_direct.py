@@ -8,10 +8,12 @@ import pytest
 from aiohttp import ClientConnectionResetError, WSCloseCode, WSMessage, WSMsgType
 from websockets.exceptions import ConnectionClosedOK
 
+from armlab.front import direct
 from armlab.front.direct import Direct, DirectLine
 from armlab.front.limits import Limits, Meter
 from armlab.front.line import PROTOCOL
 from armlab.ui.adapter import NotAMessage
+from support.patience import WAIT
 from support.student import run
 
 
@@ -139,4 +141,18 @@ def test_a_message_that_came_too_early_waits():
             await connection.recv()
         assert asyncio.get_running_loop().time() - began > 0.04
 
+    run(main())
+
+
+def test_a_page_that_takes_no_goodbye_keeps_no_lab_from_its_end(monkeypatch):
+    class Deaf(Browser):
+        async def close(self, code=WSCloseCode.OK, message=b""):
+            await asyncio.sleep(3600.0)
+
+    async def main():
+        deaf, line = Deaf(), DirectLine(echo, Limits())
+        line._open.add(deaf)
+        await asyncio.wait_for(line.say_goodbye(), WAIT)
+
+    monkeypatch.setattr(direct, "GOODBYE", 0.05)
     run(main())

@@ -14,6 +14,7 @@ import pytest
 from aiohttp import WSCloseCode, web
 from websockets.exceptions import ConnectionClosedOK
 
+from armlab.front import reception
 from armlab.front import start as start_module
 from armlab.front.direct import DirectLine
 from armlab.front.front import Front
@@ -108,27 +109,127 @@ def test_a_lab_hears_what_the_front_says_and_nothing_else_of_what_a_browser_clai
     run(main())
 
 
-def test_a_request_that_opens_no_socket_is_refused_and_none_behind_it_is_read():
-    behind = UPGRADE + KEY + b"X-Armlab-Token: another\r\n\r\n"
-
+@pytest.mark.parametrize(
+    "request_of",
+    [
+        b"Sec-WebSocket-Key: short\r\nSec-WebSocket-Version: 13\r\n",
+        b"Sec-WebSocket-Key: \xc3\xa9\r\nSec-WebSocket-Version: 13\r\n",
+        KEY.replace(b"13", b"12"),
+    ],
+)
+def test_a_request_that_opens_no_socket_is_refused_by_the_front(request_of, caplog):
     async def main():
         async with opened() as lab:
-            reader, writer = await lab.ask(b"Sec-WebSocket-Key: short\r\nSec-WebSocket-Version: 13\r\n\r\n")
-            head = await reader.readuntil(b"\r\n\r\n")
-            with contextlib.suppress(ConnectionError):
-                writer.write(behind)
-                rest = await reader.read()
-                assert b"HTTP/1.1" not in rest
+            reader, writer = await lab.ask(request_of, b"\r\n")
+            assert (await reader.readuntil(b"\r\n\r\n")).startswith(b"HTTP/1.1 400")
             writer.close()
-            assert head.startswith(b"HTTP/1.1 400")
             assert lab.said == []
-            await lab.until(lambda: not lab.front._browsers._open)
-            assert not lab.front._lapsed.wait("127.0.0.1")
+            assert not lab.front._browsers._open
+
+    run(main())
+    assert not caplog.records
+
+
+@asynccontextmanager
+async def handed_over(lab, head):
+    """Hand a request over as the front does; yields the browser's side, and the front's when the socket is taken."""
+    ours, theirs = socket.socketpair()
+    with socket.socket(socket.AF_UNIX) as front, ours:
+        ours.settimeout(WAIT)
+        front.settimeout(WAIT)
+        front.connect(lab.reception._address)
+        socket.send_fds(front, [b'{"X-Armlab-Token": "t"}\n' + head], [theirs.fileno()])
+        assert await asyncio.to_thread(front.recv, 1) == b"t"
+        theirs.close()
+        yield ours, front
+
+
+def test_a_request_that_opens_no_socket_is_refused_by_the_lab_and_none_behind_it_is_read():
+    async def main():
+        async with opened() as lab, handed_over(lab, UPGRADE + b"\r\n") as (ours, front):
+            assert (await asyncio.to_thread(ours.recv, 1000)).startswith(b"HTTP/1.1 400")
+            with contextlib.suppress(ConnectionError):
+                ours.sendall(UPGRADE + KEY + b"X-Armlab-Token: another\r\n\r\n")
+                assert b"HTTP/1.1" not in await asyncio.to_thread(ours.recv, 1000)
+            assert await asyncio.to_thread(front.recv, 1) == b"0"
+            await lab.until(lambda: len(lab.reception._tasks) == 1)
+            assert lab.said == []
 
     run(main())
 
 
-def test_a_browser_that_breaks_off_at_once_leaves_its_place():
+def test_what_is_no_request_is_refused_and_the_front_told():
+    async def main():
+        async with opened() as lab, handed_over(lab, b"no request\r\n\r\n") as (ours, front):
+            assert (await asyncio.to_thread(ours.recv, 100)).startswith(b"HTTP/1.0 400")
+            assert await asyncio.to_thread(front.recv, 1) == b"0"
+            await lab.until(lambda: len(lab.reception._tasks) == 1)
+            assert lab.said == []
+
+    run(main())
+
+
+def test_a_browser_that_has_gone_before_the_lab_looks_is_no_news(caplog):
+    async def main():
+        async with opened() as lab:
+            ours, theirs = socket.socketpair()
+            ours.close()
+            with socket.socket(socket.AF_UNIX) as front:
+                front.settimeout(WAIT)
+                front.connect(lab.reception._address)
+                socket.send_fds(front, [b'{"X-Armlab-Token": "t"}\n' + UPGRADE + KEY + b"\r\n"], [theirs.fileno()])
+                theirs.close()
+                assert await asyncio.to_thread(front.recv, 1) == b"t"
+                assert await asyncio.to_thread(front.recv, 1) == b"0"
+            await lab.until(lambda: len(lab.reception._tasks) == 1)
+            assert not lab.reception._browsers._open
+
+    run(main())
+    assert not caplog.records
+
+
+def test_a_lab_receives_again_where_that_has_failed(monkeypatch, caplog):
+    failures = [OSError(24, "Too many open files")]
+
+    async def main():
+        accept = asyncio.get_running_loop().sock_accept
+
+        async def accepted(listener):
+            if failures:
+                raise failures.pop()
+            return await accept(listener)
+
+        monkeypatch.setattr(asyncio.get_running_loop(), "sock_accept", accepted)
+        async with opened() as lab:
+            reader, writer = await lab.ask(KEY, b"\r\n")
+            assert (await reader.readuntil(b"\r\n\r\n")).startswith(b"HTTP/1.1 101")
+            writer.close()
+            await lab.until(lambda: not lab.front._browsers._open)
+
+    monkeypatch.setattr(reception, "AGAIN", 0.05)
+    run(main())
+    assert ["no socket can be received" in record.message for record in caplog.records] == [True]
+
+
+def test_a_lab_that_dies_before_it_holds_a_socket_leaves_its_wish_and_the_browser_comes_again(tmp_path):
+    async def main():
+        async with opened() as lab:
+            with socket.socket(socket.AF_UNIX) as listener:
+                listener.bind(str(tmp_path / "lab"))
+                listener.listen()
+                lab.front.open_labs([HandOver(str(tmp_path / "lab"))])
+                lab.front._wishes.put(lab.token, "robot/scara")
+                reader, writer = await lab.ask(KEY, b"\r\n")
+                front, _ = await asyncio.to_thread(listener.accept)
+                front.close()
+                assert (await reader.readuntil(b"\r\n\r\n")).startswith(b"HTTP/1.1 503")
+                writer.close()
+            assert lab.front._wishes.take(lab.token) == "robot/scara"
+
+    run(main())
+
+
+def test_a_browser_that_breaks_off_at_once_leaves_its_place(caplog):
     async def main():
         async with opened() as lab:
             for _ in range(20):
@@ -138,24 +239,7 @@ def test_a_browser_that_breaks_off_at_once_leaves_its_place():
             await lab.until(lambda: len(lab.reception._tasks) == 1)  # that which receives the next
 
     run(main())
-
-
-def test_what_is_no_request_is_refused_and_the_front_told():
-    async def main():
-        async with opened() as lab:
-            ours, theirs = socket.socketpair()
-            with socket.socket(socket.AF_UNIX) as front, ours:
-                ours.settimeout(WAIT)
-                front.settimeout(WAIT)
-                front.connect(lab.reception._address)
-                socket.send_fds(front, [b'{"X-Armlab-Token": "t"}\nno request\r\n\r\n'], [theirs.fileno()])
-                theirs.close()
-                assert (await asyncio.to_thread(ours.recv, 100)).startswith(b"HTTP/1.0 400")
-                assert await asyncio.to_thread(front.recv, 1) == b"0"
-            await lab.until(lambda: len(lab.reception._tasks) == 1)
-            assert lab.said == []
-
-    run(main())
+    assert not caplog.records
 
 
 def test_a_lab_that_is_not_there_is_a_request_to_come_again():
@@ -190,7 +274,7 @@ def test_a_front_that_breaks_off_is_no_news(caplog):
     assert not caplog.records
 
 
-def test_a_socket_whose_lab_dies_closes_and_is_counted_no_more(tmp_path, monkeypatch):
+def test_a_socket_whose_lab_dies_closes_and_the_folder_is_of_one_user(tmp_path, monkeypatch):
     found = []
 
     class Noted(LabProcesses):

@@ -1,6 +1,7 @@
 """Who sends what the lab's page never sends, and who comes from where such a one is."""
 
 import asyncio
+import time
 
 import pytest
 
@@ -9,7 +10,7 @@ from armlab.ui import adapter
 from armlab.ui.adapter import NotAMessage
 from armlab.ui.gate import Gate
 from armlab.ui.manners import DEAR, FORGIVEN, MOST, SENSELESS, SENSELESS_AT_ADDRESS, Manners
-from armlab.ui.pace import BUILDING, Pace
+from armlab.ui.pace import BUILDING, SLOWEST, Pace
 from support.bare import Bare
 from support.fake_browser import cookie_of
 from support.lab import open_lab
@@ -79,6 +80,8 @@ def test_pictures_come_less_often_to_a_browser_with_bad_manners():
     for _ in range(10):
         pace.manners.note("stranger", HERE)
     assert pace.interval(0.125, "stranger") == DEAR * pace.interval(0.125, "honest") == DEAR * 0.125
+    pace.timed(time.sleep, 0.3)
+    assert pace.interval(0.125, "honest") <= SLOWEST < DEAR * 0.125 <= pace.interval(0.125, "stranger")
 
 
 def test_a_page_is_built_slowly_for_a_browser_with_bad_manners():
@@ -194,6 +197,23 @@ def test_the_lab_knows_strangers_by_their_address_and_students_by_themselves(tmp
 def test_nobody_waits_for_a_page_that_is_built_slowly_for_its_browsers_manners(tmp_path):
     lab = open_lab(tmp_path)
     building = lab.lab._building[DEAR]
+
+    async def main():
+        asyncio.run_coroutine_threadsafe(building.acquire(), lab.lab.loop).result()
+        browser = await student(f"http://127.0.0.1:{lab.port}/")
+        await browser.close()
+        assert building.locked()
+
+    try:
+        run(main())
+    finally:
+        lab.stop()
+
+
+def test_a_newcomer_who_is_forgiven_waits_no_longer_for_strangers(tmp_path, monkeypatch):
+    lab = open_lab(tmp_path)
+    building, prices = lab.lab._building[DEAR], [DEAR]
+    monkeypatch.setattr(Manners, "price", lambda self, browser: prices.pop() if prices else 1.0)
 
     async def main():
         asyncio.run_coroutine_threadsafe(building.acquire(), lab.lab.loop).result()

@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 
 from armlab.ui.pace import Pace
-from armlab.ui.spread import PIECE, Spread
+from armlab.ui.spread import PIECE, STARVING, Spread
 from support.student import run
 
 
@@ -201,6 +201,24 @@ def test_what_comes_last_takes_no_time_of_what_is_put_after_it(clock):
         return before, done
 
     assert run(story()) == (["a"], ["a", "waits"])
+
+
+def test_what_comes_last_is_called_after_a_while_though_others_never_end(clock):
+    async def story():
+        spread, done = Spread(clock), []
+
+        def goes_on(k):
+            clock.work(0.01)
+            spread.put(k + 1, lambda: goes_on(k + 1))
+
+        goes_on(0)
+        spread.put("last", lambda: done.append(clock.now), last=True)
+        await turns_until(lambda: done)
+        spread.drop(next(iter(spread._waiting)))
+        return done
+
+    (at,) = run(story())
+    assert STARVING < at < STARVING + 0.1
 
 
 def test_the_pace_puts_whoever_has_bad_manners_last():

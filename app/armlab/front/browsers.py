@@ -23,6 +23,7 @@ class Browsers:
         self._limits = limits
         self._open: Counter[str] = Counter()
         self._meters: dict[str, Meter] = {}
+        self._forgetting: dict[str, asyncio.TimerHandle] = {}
 
     def have_room_for(self, token: str) -> bool:
         """Return whether a browser may open one more socket."""
@@ -31,13 +32,16 @@ class Browsers:
     def come(self, token: str) -> None:
         """Count one more socket of a browser."""
         self._open[token] += 1
+        if (forgetting := self._forgetting.pop(token, None)) is not None:
+            forgetting.cancel()
 
     def go(self, token: str) -> None:
         """Count one less, on a running loop."""
         self._open[token] -= 1
         if self._open[token] <= 0:
             del self._open[token]
-            asyncio.get_running_loop().call_later(REMEMBERED, self._forget, token)
+            loop = asyncio.get_running_loop()
+            self._forgetting[token] = loop.call_later(REMEMBERED, self._forget, token)
 
     def knows(self, token: str) -> bool:
         """Return whether a browser has been let in before."""
@@ -48,5 +52,5 @@ class Browsers:
         return self._meters.setdefault(token, Meter(self._limits))
 
     def _forget(self, token: str) -> None:
-        if not self._open[token]:
-            self._meters.pop(token, None)
+        self._forgetting.pop(token, None)
+        self._meters.pop(token, None)

@@ -39,6 +39,10 @@ CLOSING = 3.0
 """Time, seconds, for a regular close; a browser that no longer reads would delay it for ever."""
 
 
+GOODBYE = 1.0
+"""Longest wait, seconds, for pages to be told that the lab ends."""
+
+
 class Direct:
     """A browser's connection as viser wants one: it stands in for one of `websockets`.
 
@@ -154,7 +158,8 @@ class DirectLine:
     async def say_goodbye(self) -> None:
         """Tell the pages that the lab ends."""
         closing = (browser.close(code=WSCloseCode.GOING_AWAY, message=b"restarting") for browser in list(self._open))
-        await asyncio.gather(*closing, return_exceptions=True)
+        with contextlib.suppress(TimeoutError):  # a page that does not read must not keep the lab from saving
+            await asyncio.wait_for(asyncio.gather(*closing, return_exceptions=True), GOODBYE)
 
 
 async def _let_go(request: web.BaseRequest, browser: web.WebSocketResponse, code: int) -> None:

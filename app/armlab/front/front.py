@@ -139,7 +139,7 @@ class Front:
         await asyncio.gather(*(line.say_goodbye() for line in self._lines))
 
     async def _visit(self, request: web.Request) -> web.StreamResponse:
-        is_socket = request.headers.get("Upgrade", "").lower() == "websocket"
+        is_socket = request.method == "GET" and request.headers.get("Upgrade", "").lower() == "websocket"
         refusal = self._turned_away(request, is_socket)
         if refusal is not None:
             return await _told(request, refusal)
@@ -230,6 +230,8 @@ class Front:
         token = self._tokens.read(request.cookies.get(self._tokens.cookie))
         if token is None or not OF_VISER.match(request.headers.get(PROTOCOL, "")):
             return _text(401, "Open the page first.")
+        if not _opens_a_socket(request):
+            return _text(400, "This opens no socket.")
         if not self._browsers.have_room_for(token):
             return _text(429, "Too many connections.")
         wish, language = self._wishes.take(token), self._languages.take(token)
@@ -268,6 +270,14 @@ class Front:
     def _line_of(self, token: str) -> Line:
         number = int(hashlib.sha256(token.encode()).hexdigest(), 16)
         return self._lines[number % len(self._lines)]
+
+
+def _opens_a_socket(request: web.Request) -> bool:
+    """Return whether a request has all that it takes to open a WebSocket."""
+    try:
+        return web.WebSocketResponse(protocols=[request.headers[PROTOCOL]]).can_prepare(request).ok
+    except ValueError:  # a key of other letters
+        return False
 
 
 def _said(request: web.Request, token: str, wish: str | None, language: str | None) -> dict[str, str]:

@@ -24,6 +24,9 @@ ASKED = ("Sec-WebSocket-Key", "Sec-WebSocket-Version", PROTOCOL)
 END = b"\r\n\r\n"
 """End of what a lab gets."""
 
+TAKEN = b"t"
+"""Answer of a lab that holds a socket."""
+
 NONSENSE, FINE = b"1", b"0"
 """Answers of a lab when a socket has closed: whether that was for what its browser sent."""
 
@@ -49,13 +52,21 @@ class HandOver:
             lab.setblocking(False)
             await loop.sock_connect(lab, self._address)
             message = _message(request, said)
-            sent = socket.send_fds(lab, [message], [transport.get_extra_info("socket").fileno()])
-            # Of two that hold a socket the first one lets it go: this closes nothing.
-            transport.abort()
-            with contextlib.suppress(OSError):  # a lab that has died says nothing, and its sockets have closed
+            transport.pause_reading()  # what comes now is for the lab
+            try:
+                sent = socket.send_fds(lab, [message], [transport.get_extra_info("socket").fileno()])
                 await loop.sock_sendall(lab, message[sent:])
-                return Ended(_done(), await loop.sock_recv(lab, len(NONSENSE)) == NONSENSE)
-        return Ended(_done(), False)
+                if await loop.sock_recv(lab, len(TAKEN)) != TAKEN:
+                    raise ConnectionResetError
+            except OSError:
+                transport.resume_reading()
+                raise
+            # Both hold the socket now, and the first of two that lets it go closes nothing.
+            transport.abort()
+            how = FINE
+            with contextlib.suppress(OSError):  # a lab that has died says nothing, and its sockets have closed
+                how = await loop.sock_recv(lab, len(NONSENSE))
+        return Ended(_done(), how == NONSENSE)
 
     async def say_goodbye(self) -> None:
         """Leave it to the lab, which is told to end by whoever has started it."""

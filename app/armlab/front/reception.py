@@ -5,6 +5,8 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import json
+import logging
+import os
 import socket
 from collections.abc import Coroutine
 from functools import partial
@@ -13,10 +15,17 @@ from typing import cast
 
 from aiohttp import web
 
+from armlab.errors import in_one_line
 from armlab.front.browsers import Browsers
 from armlab.front.direct import DirectLine
-from armlab.front.handover import END, FINE, NONSENSE
+from armlab.front.doors import Quiet
+from armlab.front.handover import END, FINE, NONSENSE, TAKEN
 from armlab.front.limits import Limits
+
+log = logging.getLogger(__name__)
+
+AGAIN = 1.0
+"""Time, seconds, after which sockets are received again where that has failed."""
 
 TOGETHER = 65536
 """Number of bytes that are received together."""
@@ -36,6 +45,8 @@ class Reception:
     def __init__(self, address: str, line: DirectLine, limits: Limits) -> None:
         self._address, self._line, self._limits = address, line, limits
         self._browsers = Browsers(limits)
+        self._log = logging.getLogger("armlab.front.received")
+        self._log.filters[:] = [Quiet()]
         self._tasks: set[asyncio.Task[None]] = set()
 
     async def open(self) -> None:
@@ -50,8 +61,13 @@ class Reception:
     async def _receive_all(self, listener: socket.socket) -> None:
         with listener:
             while True:
-                front, _ = await asyncio.get_running_loop().sock_accept(listener)
-                self._keep(self._receive(front))
+                try:
+                    front, _ = await asyncio.get_running_loop().sock_accept(listener)
+                except OSError as error:  # such as too many open files, which will be fewer
+                    log.error("no socket can be received: %s", in_one_line(error))
+                    await asyncio.sleep(AGAIN)
+                else:
+                    self._keep(self._receive(front))
 
     def _keep(self, work: Coroutine[None, None, None]) -> None:
         task = asyncio.get_running_loop().create_task(work)
@@ -63,9 +79,11 @@ class Reception:
         loop = asyncio.get_running_loop()
         with front, contextlib.suppress(OSError):  # the front has ended
             said, head, browser = await _received(front)
+            await loop.sock_sendall(front, TAKEN)
             ended: asyncio.Future[bytes] = loop.create_future()
             server = web.Server(partial(self._serve, said, ended))
-            _, handler = await loop.connect_accepted_socket(partial(_Received, server, ended, loop), browser)
+            made = partial(_Received, server, ended, loop, self._log)
+            _, handler = await loop.connect_accepted_socket(made, browser)
             handler.data_received(head)
             await loop.sock_sendall(front, await ended)
 
@@ -82,9 +100,11 @@ class Reception:
         except web.HTTPException as refusal:
             refusal.force_close()  # nothing else is served here
             raise
+        except ConnectionError:  # the browser has gone before it was answered
+            return web.Response()
         finally:
             self._browsers.go(token)
-            ended.set_result(how)
+            _tell(ended, how)
         return end.response
 
 
@@ -97,17 +117,30 @@ class _Received(web.RequestHandler):
     ended : asyncio.Future
         Told then.
     loop : asyncio.AbstractEventLoop
+    logger : logging.Logger
+        For requests that make no sense.
     """
 
-    def __init__(self, server: web.Server, ended: asyncio.Future[bytes], loop: asyncio.AbstractEventLoop) -> None:
-        super().__init__(server, loop=loop, access_log=None)  # type: ignore[arg-type]
+    def __init__(
+        self,
+        server: web.Server,
+        ended: asyncio.Future[bytes],
+        loop: asyncio.AbstractEventLoop,
+        logger: logging.Logger,
+    ) -> None:
+        super().__init__(server, loop=loop, access_log=None, logger=logger)  # type: ignore[arg-type]
         self._ended, self.is_served = ended, False
 
     def connection_lost(self, exc: BaseException | None) -> None:
         """Note the end of the connection."""
         super().connection_lost(exc)
         if not self.is_served:
-            self._ended.set_result(FINE)
+            _tell(self._ended, FINE)
+
+
+def _tell(ended: asyncio.Future[bytes], how: bytes) -> None:
+    if not ended.done():
+        ended.set_result(how)
 
 
 async def _received(front: socket.socket) -> tuple[dict[str, str], bytes, socket.socket]:
@@ -124,7 +157,11 @@ async def _received(front: socket.socket) -> tuple[dict[str, str], bytes, socket
     data, files, _, _ = socket.recv_fds(front, TOGETHER, 1)
     if not files:
         raise ConnectionResetError
-    browser = socket.socket(fileno=files[0])
+    try:
+        browser = socket.socket(fileno=files[0])
+    except OSError:
+        os.close(files[0])
+        raise
     while not data.endswith(END):
         more = await loop.sock_recv(front, TOGETHER)
         if not more:

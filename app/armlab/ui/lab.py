@@ -7,7 +7,8 @@ import gc
 import logging
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import AsyncIterator, Sequence
+from contextlib import asynccontextmanager, suppress
 from itertools import chain
 from pathlib import Path
 
@@ -59,6 +60,9 @@ SAVE_INTERVAL = 0.75
 
 SELDOM = 30
 """Number of small garbage collections for each whole one: closed pages can wait for it, moving arms cannot."""
+
+RECONSIDERED = 1.0
+"""Time, seconds, after which one who waits for a page is asked for manners again."""
 
 PIECE = 0.002
 """Time of building a page after which others have their turn, seconds."""
@@ -158,10 +162,23 @@ class Lab:
         asked = found.get(adapter.ASKED_HEADER.lower(), "")
         for command in (wished(session.state, wish), ReadIn(asked) if asked in keys() else None):
             await self._grant(session, command, client.client_id)
-        async with self._building[self.pace.manners.price(token)]:
+        async with self._turn_to_build(token):
             if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
                 tongue = Tongue(client, session, found.get(adapter.LANGUAGE_HEADER.lower(), ""))
                 await self._open(client, session, tongue)
+
+    @asynccontextmanager
+    async def _turn_to_build(self, token: str) -> AsyncIterator[None]:
+        """Hold the place in which a page for a browser is built; who is forgiven meanwhile does not wait any longer."""
+        while True:
+            place = self._building[self.pace.manners.price(token)]
+            with suppress(TimeoutError):
+                await asyncio.wait_for(place.acquire(), RECONSIDERED)
+                break
+        try:
+            yield
+        finally:
+            place.release()
 
     def _add_lessons(self) -> None:
         """Add the folders of lessons; those that are there already stay as they are."""

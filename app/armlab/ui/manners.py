@@ -21,7 +21,7 @@ FORGIVEN = 12.0
 DEAR = 20.0
 """Price of time for a browser with bad manners: it gets a twentieth of what others get."""
 
-MOST = 1000
+MOST = 10_000
 """Largest number of browsers that are known."""
 
 

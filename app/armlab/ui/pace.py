@@ -106,7 +106,7 @@ class Pace:
         load, share = self._load(self._clock()), self._share()
         if load <= share:
             return usual
-        return min(SLOWEST, max(usual, 0.05) * (load / share) ** 2)
+        return min(max(SLOWEST, usual), max(usual, 0.05) * (load / share) ** 2)
 
     def _share(self) -> float:
         full = min(max((self._busy() - BUSY) / (FULL - BUSY), 0.0), 1.0)

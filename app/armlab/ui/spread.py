@@ -14,10 +14,14 @@ PIECE = 0.003
 messages of all. If those take longer the updates get as much time, so that a class that drags also sees the result."""
 
 
+STARVING = 1.0
+"""Time, seconds, after which one of those that come last is called though others wait."""
+
+
 class Spread:
     """Calls in the order of their arrival, as many in each turn of the loop as its time allows; see `PIECE`.
 
-    Besides, there are those that come last: one in each turn, when none of the others waits.
+    Besides, there are those that come last: one in each turn, when none of the others waits, or after `STARVING`.
 
     Parameters
     ----------
@@ -29,7 +33,7 @@ class Spread:
         self._clock = clock
         self._waiting: dict[Hashable, Callable[[], None]] = {}
         self._last: dict[Hashable, Callable[[], None]] = {}
-        self._left, self._ended = PIECE, 0.0
+        self._left, self._ended, self._last_at = PIECE, 0.0, 0.0
         self._calling, self._comes_round, self._had_last = False, False, False
 
     def put(self, key: Hashable, call: Callable[[], None], last: bool = False) -> None:
@@ -48,6 +52,8 @@ class Spread:
         others.pop(key, None)
         # Nobody's call is done inside what another one is at.
         is_first = not (self._waiting or (last and self._last))
+        if last and not self._last:
+            self._last_at = self._clock()
         calls[key] = call
         if is_first and not self._calling:
             self._go_on(with_last=last)
@@ -63,9 +69,17 @@ class Spread:
             began = self._clock()
             self._call_next(self._waiting)
             self._left -= self._ended - began
-        if with_last and self._last and self._left > 0.0 and not self._waiting and not self._had_last:
+        if with_last and self._last and not self._had_last and (self._is_starving() or self._has_time()):
             self._had_last = True
             self._call_next(self._last)
+            self._last_at = self._ended
+
+    def _has_time(self) -> bool:
+        return self._left > 0.0 and not self._waiting
+
+    def _is_starving(self) -> bool:
+        """Return whether one that comes last has waited for long."""
+        return self._clock() - self._last_at > STARVING
 
     def _come_round(self) -> None:
         if not self._comes_round:

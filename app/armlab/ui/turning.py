@@ -76,7 +76,7 @@ class Turning:
             show()
         finally:
             took = self._clock() - began
-            self._own.spend(took * self._price)
+            self._own.spend(took * self._pace.manners.price(self._browser))
             self._of_all.spend(took)
 
     def _shown(self) -> None:
@@ -87,12 +87,7 @@ class Turning:
 
     def _wait(self) -> float:
         """Return how long to wait; for the others once, however many they are."""
-        own = self._own.wait * self._price
-        return own if self._has_waited else max(own, self._of_all.wait)
-
-    @property
-    def _price(self) -> float:
-        return self._pace.manners.price(self._browser)
+        return self._own.wait if self._has_waited else max(self._own.wait, self._of_all.wait)
 
     def _come(self) -> None:
         self._late, self._has_waited = None, True
