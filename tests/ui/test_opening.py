@@ -104,10 +104,10 @@ def test_a_page_that_goes_while_it_is_built_is_not_shown_anything(url, monkeypat
         await leaving.until(half.is_set)
         await leaving.close()
         patience = Patience()
-        while not closed and patience.left():
+        while views[0] not in closed and patience.left():  # a page of the test before may close as well
             await asyncio.sleep(0.01)
         gone.set()
-        assert closed == views
+        assert [view for view in closed if view in views] == views
         other = await student(url)
         await other.close()
 
