@@ -9,26 +9,11 @@ import pytest
 
 from armlab.errors import ArmlabError
 from armlab.front import processes as module
-from armlab.front import start as start_module
 from armlab.front.processes import LabProcesses
 from support.fake_browser import cookie_of
 from support.lab import running_lab
 from support.patience import Patience
 from support.student import run, student
-
-
-@pytest.fixture
-def labs(monkeypatch):
-    """The lab processes of each lab that is opened."""
-    found = []
-
-    class Noted(LabProcesses):
-        def __init__(self, *arguments):
-            super().__init__(*arguments)
-            found.append(self)
-
-    monkeypatch.setattr(start_module, "LabProcesses", Noted)
-    return found
 
 
 def wait_for(condition):

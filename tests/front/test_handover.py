@@ -15,12 +15,11 @@ from aiohttp import WSCloseCode, web
 from websockets.exceptions import ConnectionClosedOK
 
 from armlab.front import reception
-from armlab.front import start as start_module
 from armlab.front.direct import DirectLine
 from armlab.front.front import Front
 from armlab.front.handover import HandOver
 from armlab.front.limits import Limits
-from armlab.front.processes import LabProcesses
+from armlab.front.page import make_page
 from armlab.front.reception import Reception
 from armlab.front.start import Settings, StartError, start
 from armlab.front.tokens import Tokens
@@ -158,6 +157,22 @@ def test_a_request_that_opens_no_socket_is_refused_by_the_lab_and_none_behind_it
     run(main())
 
 
+@pytest.mark.parametrize(("line", "connection", "status"), [(b"HEAD", b"Upgrade", 200), (b"GET", b"close", 400)])
+def test_what_does_not_ask_for_a_socket_becomes_none(line, connection, status):
+    request = UPGRADE.replace(b"GET", line).replace(b"Connection: Upgrade", b"Connection: " + connection) + KEY
+
+    async def main():
+        async with opened() as lab:
+            lab.front._page = make_page()
+            reader, writer = await asyncio.open_connection("127.0.0.1", lab.port)
+            writer.write(request + b"Cookie: " + lab.cookie.encode() + b"\r\n\r\n")
+            assert int((await reader.readuntil(b"\r\n")).split()[1]) == status
+            writer.close()
+            assert lab.said == []
+
+    run(main())
+
+
 def test_what_is_no_request_is_refused_and_the_front_told():
     async def main():
         async with opened() as lab, handed_over(lab, b"no request\r\n\r\n") as (ours, front):
@@ -225,6 +240,7 @@ def test_a_lab_that_dies_before_it_holds_a_socket_leaves_its_wish_and_the_browse
                 assert (await reader.readuntil(b"\r\n\r\n")).startswith(b"HTTP/1.1 503")
                 writer.close()
             assert lab.front._wishes.take(lab.token) == "robot/scara"
+            assert not lab.front._browsers._open
 
     run(main())
 
@@ -274,25 +290,17 @@ def test_a_front_that_breaks_off_is_no_news(caplog):
     assert not caplog.records
 
 
-def test_a_socket_whose_lab_dies_closes_and_the_folder_is_of_one_user(tmp_path, monkeypatch):
-    found = []
-
-    class Noted(LabProcesses):
-        def __init__(self, *arguments):
-            super().__init__(*arguments)
-            found.append(self)
-
+def test_a_socket_whose_lab_dies_closes_and_the_folder_is_of_one_user(tmp_path, labs):
     async def main(url):
         browser = await student(url, cookie_of(url))
-        found[0]._processes[0].kill()
+        labs[0]._processes[0].kill()
         patience = Patience()
         while browser.close_code is None:
             assert patience.left()
             await asyncio.sleep(0.01)
 
-    monkeypatch.setattr(start_module, "LabProcesses", Noted)
     with running_lab(tmp_path, labs=1) as url:
-        folder = Path(found[0].addresses[0]).parent
+        folder = Path(labs[0].addresses[0]).parent
         assert folder.stat().st_mode & 0o777 == 0o700
         run(main(url))
     assert not folder.exists()
@@ -314,18 +322,10 @@ def test_pages_are_told_that_the_lab_ends(labs):
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
-def test_the_labs_of_a_class_listen_at_no_port(monkeypatch):
-    found = []
-
-    class Noted(LabProcesses):
-        def __init__(self, *arguments):
-            super().__init__(*arguments)
-            found.append(self)
-
-    monkeypatch.setattr(start_module, "LabProcesses", Noted)
+def test_the_labs_of_a_class_listen_at_no_port(labs):
     with running_lab(labs=1) as url:
         assert run(is_open(url))
-        (process,) = found[0]._processes
+        (process,) = labs[0]._processes
         assert not ports_of(process.pid)
         assert ports_of("self")
 

@@ -194,26 +194,11 @@ def test_the_lab_knows_strangers_by_their_address_and_students_by_themselves(tmp
         lab.stop()
 
 
-def test_nobody_waits_for_a_page_that_is_built_slowly_for_its_browsers_manners(tmp_path):
-    lab = open_lab(tmp_path)
+@pytest.mark.parametrize("prices", [[], [DEAR]], ids=["behind strangers", "forgiven meanwhile"])
+def test_nobody_waits_for_a_page_that_is_built_slowly_for_its_browsers_manners(tmp_path, monkeypatch, prices):
+    lab, left = open_lab(tmp_path), list(prices)
     building = lab.lab._building[DEAR]
-
-    async def main():
-        asyncio.run_coroutine_threadsafe(building.acquire(), lab.lab.loop).result()
-        browser = await student(f"http://127.0.0.1:{lab.port}/")
-        await browser.close()
-        assert building.locked()
-
-    try:
-        run(main())
-    finally:
-        lab.stop()
-
-
-def test_a_newcomer_who_is_forgiven_waits_no_longer_for_strangers(tmp_path, monkeypatch):
-    lab = open_lab(tmp_path)
-    building, prices = lab.lab._building[DEAR], [DEAR]
-    monkeypatch.setattr(Manners, "price", lambda self, browser: prices.pop() if prices else 1.0)
+    monkeypatch.setattr(Manners, "price", lambda self, browser: left.pop() if left else 1.0)
 
     async def main():
         asyncio.run_coroutine_threadsafe(building.acquire(), lab.lab.loop).result()

@@ -38,7 +38,6 @@ NONSENSE = frozenset(
 CLOSING = 3.0
 """Time, seconds, for a regular close; a browser that no longer reads would delay it for ever."""
 
-
 GOODBYE = 1.0
 """Longest wait, seconds, for pages to be told that the lab ends."""
 

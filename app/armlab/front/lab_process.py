@@ -6,6 +6,7 @@ import asyncio
 import json
 import logging
 import sys
+import threading
 from contextlib import ExitStack
 from pathlib import Path
 
@@ -42,7 +43,8 @@ def main() -> None:
         reception = Reception(settings["address"], line, limits)
         asyncio.run_coroutine_threadsafe(reception.open(), loop).result()
         print("open", flush=True)
-        prepare()
+        # Besides, since the front may end while lessons are still read: students' work is saved first, and at once.
+        threading.Thread(target=prepare, name="armlab-index").start()
         sys.stdin.read()
         asyncio.run_coroutine_threadsafe(line.say_goodbye(), loop).result()
 
