@@ -10,6 +10,7 @@ from weakref import WeakSet
 
 from armlab.front.direct import Direct
 from armlab.front.start import Running
+from armlab.ui.player import Player
 from support.patience import WAIT
 
 SOON = 2.0
@@ -68,7 +69,7 @@ class Told(NamedTuple):
     Attributes
     ----------
     answered : bool
-        Whether every command is applied and shown, and nothing waits to be sent.
+        Whether every command is applied and shown, and nothing waits to be sent. While a film plays, panels may lag.
     idle : bool
         Whether, besides, no long work is under way, in no thread, and nothing is to happen soon.
     """
@@ -98,11 +99,13 @@ def _ask(lab: Any) -> Told:
             for identifier, state in server._client_state_from_id.items()
             for buffer in (state.message_buffer, server.get_message_buffer())
         ]
-        answered = lab.worker.idle and not lab._due and all(itertools.starmap(_is_sent, buffers))
+        soon = _due_soon(lab.loop)
+        plays = any(getattr(call, "__func__", None) is Player._next for call in soon)
+        done = lab.worker.idle and not lab._due and all(itertools.starmap(_is_sent, buffers))
         making = any(view._making is not None for view in lab._views.values())
         aside = any(each.get_loop() is lab.loop for each in list(ASIDE))
-        busy = making or aside or _is_due_soon(lab.loop)
-        return Told(traffic, answered, answered and lab.runner.idle and not busy)
+        idle = done and lab.runner.idle and not (making or aside or soon)
+        return Told(traffic, done and (plays or not soon), idle)
 
     return asyncio.run_coroutine_threadsafe(look(), lab.loop).result(WAIT)
 
@@ -116,9 +119,9 @@ def _is_sent(identifier: int, buffer: Any) -> bool:
     return bool(buffer.generator_cursors.get(identifier, -1) == buffer.message_counter - 1)
 
 
-def _is_due_soon(loop: Any) -> bool:
-    """Return whether the lab means to do something soon; what only sleeps, or watches over connections, does not."""
+def _due_soon(loop: Any) -> list[Any]:
+    """Return what the lab means to do soon; what only sleeps, or watches over connections, is not in it."""
     asleep = asyncio.futures._set_result_unless_cancelled  # type: ignore[attr-defined]
     timers = (each for each in loop._scheduled if not each.cancelled() and each._callback is not asleep)
-    soon = (each for each in timers if each.when() < loop.time() + SOON)
-    return any(not str(getattr(each._callback, "__module__", "")).startswith("aiohttp.") for each in soon)
+    soon = (each._callback for each in timers if each.when() < loop.time() + SOON)
+    return [call for call in soon if not str(getattr(call, "__module__", "")).startswith("aiohttp.")]

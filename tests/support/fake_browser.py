@@ -80,6 +80,10 @@ class FakeBrowser:
         Where the lab has put the camera last: position, look_at, up_direction.
     downloads : dict
         Files that were sent to be saved: name to what has come of them.
+    sent, received : int
+        Numbers of messages.
+    bytes : int
+        Of what was received.
     """
 
     def __init__(self, url: str, cookie: str | None, path: str = "/") -> None:
@@ -92,7 +96,7 @@ class FakeBrowser:
         self.downloads: dict[str, bytes] = {}
         self._transfers: dict[str, str] = {}
         self.owner = ""
-        self.bytes = 0
+        self.bytes = self.sent = self.received = 0
         self.on_message: Callable[[Message, float], None] = lambda _message, _at: None
         self._changed = asyncio.Event()
 
@@ -115,10 +119,12 @@ class FakeBrowser:
         await asyncio.gather(self._reader, return_exceptions=True)
 
     async def send(self, message: Message) -> None:
+        self.sent += 1
         await self._socket.send(_ENCODER.encode(message))
 
     async def send_raw(self, data: bytes | str) -> None:
         """Send anything; the lab may hang up in the middle of it."""
+        self.sent += 1
         with contextlib.suppress(websockets.ConnectionClosed):
             await self._socket.send(data)
 
@@ -131,6 +137,7 @@ class FakeBrowser:
             now = time.perf_counter()
             assert isinstance(frame, bytes)
             self.bytes += len(frame)
+            self.received += 1
             for message in decode(frame):
                 self._note(message)
                 self.on_message(message, now)
@@ -269,6 +276,11 @@ class FakeBrowser:
             message["position"] = tuple(map(float, position))
             message["wxyz"] = tuple(map(float, wxyz if wxyz is not None else self.nodes[node]["wxyz"]))
         await self.send(message)
+
+
+def connected() -> list[FakeBrowser]:
+    """Return the open browsers of this loop."""
+    return [each for each in _CONNECTED.get(asyncio.get_running_loop(), []) if each.close_code is None]
 
 
 def _is_of_page(props: Message) -> bool:

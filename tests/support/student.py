@@ -4,16 +4,24 @@ from __future__ import annotations
 
 import asyncio
 import re
+import time
 from collections.abc import Coroutine
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, TypeVar
 
-from support.fake_browser import FakeBrowser, cookie_of, hang_up
+from support.at_rest import SOON, Traffic, told
+from support.fake_browser import FakeBrowser, connected, cookie_of, hang_up
 
 Result = TypeVar("Result")
 
 MOST = 300.0
 """Seconds for one story."""
+
+APART = 0.02
+"""Seconds between two looks at a lab."""
+
+QUIET = SOON + 0.5
+"""Seconds in which nothing comes from a lab that has answered, where it cannot be asked, or plays a film."""
 
 
 def run(main: Coroutine[Any, Any, Result]) -> Result:
@@ -56,10 +64,26 @@ def arm_nodes(browser: FakeBrowser) -> list[str]:
     return sorted(name for name in browser.nodes if "/arm/" in name and name.rsplit("/", 1)[1].isdigit())
 
 
-async def settled(browser: FakeBrowser, seconds: float = 0.35) -> None:
-    """Wait until nothing has come for a while."""
-    while True:
-        before = browser.bytes
-        await asyncio.sleep(seconds)
-        if browser.bytes == before:
+async def moves(browser: FakeBrowser) -> None:
+    """Wait until a joint of the arm has moved."""
+    before = {name: dict(browser.nodes[name]) for name in arm_nodes(browser)}
+    await browser.until(lambda: any(browser.nodes[name] != pose for name, pose in before.items()))
+
+
+async def settled(browser: FakeBrowser) -> None:
+    """Wait until the labs of this process have answered all that was said; else until nothing has come for long."""
+    since, before = time.monotonic(), None
+    while time.monotonic() < since + QUIET:
+        received, lab = browser.received, told()
+        now = None if lab is None else (lab.idle, lab.traffic, _traffic())
+        if now is not None and now == before and lab.idle and lab.traffic == _traffic():
             return
+        before = now
+        await asyncio.sleep(APART)
+        if browser.received != received:
+            since = time.monotonic()
+
+
+def _traffic() -> Traffic:
+    browsers = connected()
+    return Traffic(sum(each.sent for each in browsers), sum(each.received for each in browsers))

@@ -115,7 +115,7 @@ def test_a_page_jogs_a_joint_is_told_of_its_limit_and_takes_the_jog_back(url):
         before, jog = browser.slider(1)["value"], time.time_ns() // 10**6
         for _ in range(3):
             await browser.press("jog", f"{jog}:1,0,0,0,0,0")
-            await settled(browser, 0.1)
+            await settled(browser)
         await browser.until(lambda: browser.slider(1)["value"] == pytest.approx(before + 15.0))
         await browser.press("undo")
         await browser.until(lambda: browser.slider(1)["value"] == pytest.approx(before))

@@ -302,8 +302,8 @@ def test_a_class_has_several_labs_behind_one_front(tmp_path):
             browsers = [await student(url) for _ in range(6)]
             for k, browser in enumerate(browsers):
                 await browser.set_value(browser.slider(1), float(10 * k))
+            await asyncio.gather(*map(settled, browsers))
             for k, browser in enumerate(browsers):
-                await settled(browser, 0.2)
                 assert slider_values(browser)[0] == 10.0 * k
             await asyncio.gather(*(browser.close() for browser in browsers))
 

@@ -48,7 +48,7 @@ async def tells(browser, eye):
 async def at_section(browser):
     await browser.open("section")
     await browser.until(lambda: "To the boundary" in browser.html() and is_square(browser))
-    await settled(browser, 0.8)
+    await settled(browser)
 
 
 def test_after_a_section_the_view_is_what_it_was(url):
@@ -78,7 +78,7 @@ def test_a_hand_in_between_keeps_its_view_and_an_undo_moves_no_eye(url):
         await browser.set_value(browser.slider(1), 50.0)
         await settled(browser)
         await browser.press("undo")
-        await settled(browser, 0.8)
+        await settled(browser)
         assert browser.counts["SetCameraPositionMessage"] == before
         await browser.close()
 
@@ -105,7 +105,7 @@ def test_the_view_of_a_lesson_comes_before_what_its_page_wants(url, name, square
         browser = await in_lesson(url, name)
         await browser.open("section")
         await browser.until(lambda: "To the boundary" in browser.html())
-        await settled(browser, 0.8)
+        await settled(browser)
         assert is_square(browser) == square
         if not square:
             x, y, z = eye_of(browser).back
@@ -122,7 +122,7 @@ def test_the_points_that_a_page_samples_come_into_the_picture(url):
         await browser.press("count", "26000")
         await browser.press("sample")
         await browser.until(lambda: "26\u202f000</span>" in browser.html())
-        await settled(browser, 0.8)
+        await settled(browser)
         assert "26\u202f000 of the first 26\u202f000" in browser.html(), "of a SCARA nothing is cut away"
         points = np.vstack([piece.points for piece in samples(catalogue()["scara"].arm, 26_000, seed=0)])
         aspect = CAMERA["image_width"] / CAMERA["image_height"]

@@ -36,7 +36,7 @@ from armlab.session.parts.selection import Select
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.state import State, apply
 from support.forms import BareForm, asked
-from support.student import run, student
+from support.student import moves, run, settled, student
 
 
 def opened(key="planar_2r", *commands):
@@ -270,8 +270,9 @@ def test_the_page_of_speeds(url):
         slider = next(c for c in browser.controls.values() if c["props"].get("label", "").startswith("q\u0307₂"))
         await browser.set_value(slider, 60.0)
         await says(browser, "|ω| <b>60.0 °/s</b>")
+        await settled(browser)
         await browser.press("play-speeds")
-        await says(browser, "❚❚ Pause")
+        await moves(browser)
         await browser.close()
 
     run(main())
