@@ -29,11 +29,11 @@ DEFAULT_ROBOT = "puma560"
 DEFAULT_PORTS = range(8080, 8100)
 
 UNVISITED = 3.0
-"""Seconds after which a lab that nobody has opened yet looks whether all of it can be used."""
+"""Time, seconds, after which a lab that nobody has opened yet looks whether all of it can be used."""
 
 # A signal may come at any point of the main thread; of all that waits only this queue can be told in the middle of it.
 Ended: TypeAlias = "queue.SimpleQueue[str]"
-"""Where the end is told: why, or an empty text when a person wants it."""
+"""The reasons to end, one after the other: an empty text when a person wants it."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

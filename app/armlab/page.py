@@ -1,4 +1,4 @@
-"""What is known of a page before anybody opens it."""
+"""A page of the lab as it is known before anybody opens it."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class Page:
 
     @property
     def name(self) -> str:
-        """What it is called among the pages of its tab."""
+        """The name among the pages of its tab."""
         return self.page or self.title
 
     @property

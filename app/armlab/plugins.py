@@ -1,8 +1,8 @@
 """Find plug-ins by folder: one module each, one constant each.
 
-What is nobody's bench in particular lies in folders of its own, see `discover`; what belongs to a page lies in the
-folder of that page, ``armlab/benches/TAB/PAGE``, in a module with a fixed name, see `discover_in_benches`. Nobody below
-imports `armlab.benches`: it is only walked.
+Plug-ins of no page in particular lie in folders of their own, see `discover`; those of a page lie in the folder of that
+page, ``armlab/benches/TAB/PAGE``, in modules with fixed names, see `discover_in_benches`. Nobody below imports
+`armlab.benches`: it is only walked.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ from armlab.errors import PluginError, UnknownName
 
 
 class Keyed(Protocol):
-    """What can stand in a registry."""
+    """An entry of a registry."""
 
     @property
     def key(self) -> str:

@@ -1,5 +1,6 @@
 """A bench is a folder: what tabs may see of each other, what in them draws, and how far their styles reach."""
 
+import ast
 import json
 import re
 import shutil
@@ -14,12 +15,10 @@ from armlab.session.pages import pages
 from armlab.session.parts.timeline import clips
 from armlab.ui.plugin import layers, panel
 from support.everything import everything
-from support.sources import PACKAGE, TOP, imports_of
+from support.sources import PACKAGE, TOP, imports_of, tree_of
 
 DRAWING = ("armlab.ui", "viser", "trimesh", "latex2mathml")
 """What only the folders ``ui`` of benches may import."""
-
-MARKUP = re.compile(r"""class=\\?["']([^"'{}]*)""")
 
 
 def tab_of(name):
@@ -65,51 +64,123 @@ def test_a_planted_trespass_is_found(file, line, tmp_path):
 
 
 def classes(text):
-    """Return the classes that stylesheets speak of."""
-    return set(re.findall(r"\.([a-zA-Z][\w-]*)", re.sub(r"\{[^{}]*\}", "{}", text)))
+    """Return the classes with a prefix, such as ``law-name``, that stylesheets speak of.
 
-
-def strangers(tab, markup, own, common, others):
-    """Return the classes that markup of a tab takes from stylesheets of other tabs, which do not reach it.
-
-    Classes of benches have a prefix, such as ``law-``; plain words stand behind one of these, and mean nothing alone.
+    Plain words stand behind one of these, and mean nothing alone.
     """
-    used = {name for text in MARKUP.findall(markup) for name in text.split()}
-    return sorted(name for name in used if "-" in name and name in others and name not in own | common)
+    plain = re.sub(r"\{[^{}]*\}", "{}", re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL))
+    return {name for name in re.findall(r"\.([a-zA-Z][\w-]*)", plain) if "-" in name}
 
 
-def styles():
-    """Return the classes of each tab's stylesheets, and those of the whole lab."""
-    common = "".join(file.read_text() for file in (PACKAGE / "front" / "static").glob("*.css"))
-    tabs = {folder.name: "" for folder in (PACKAGE / "benches").iterdir() if folder.is_dir()}
-    for file in (PACKAGE / "benches").glob("*/*/style.css"):
-        tabs[file.parts[-3]] += file.read_text()
-    return {tab: classes(text) for tab, text in tabs.items()}, classes(common)
+def words_with_prefix(files):
+    """Return the words with a prefix in the texts of modules: classes of elements, and others."""
+    found = set()
+    for file in files:
+        texts = (node.value for node in ast.walk(tree_of(file)) if isinstance(node, ast.Constant))
+        found |= {word for text in texts if isinstance(text, str) for word in re.split(r"[^\w-]+", text) if "-" in word}
+    return found
 
 
-def test_markup_of_a_bench_uses_its_own_styles_and_the_common_ones():
-    tabs, common = styles()
-    found = {}
-    for tab, own in tabs.items():
-        others = set().union(*(names for key, names in tabs.items() if key != tab))
-        markup = "".join(file.read_text() for file in (PACKAGE / "benches" / tab).rglob("*.py"))
-        found[tab] = strangers(tab, markup, own, common, others)
-    kit = "".join(file.read_text() for file in (PACKAGE / "ui").rglob("*.py"))
-    found["ui"] = strangers("ui", kit, set(), common, set().union(*tabs.values()))
-    assert {tab: names for tab, names in found.items() if names} == {}
+COMMON = classes("".join(file.read_text() for file in (PACKAGE / "front" / "static").glob("*.css")))
 
 
-def test_a_class_of_another_tab_is_found():
-    tabs, common = styles()
-    assert strangers("control", '<i class="law-name">', tabs["control"], common, tabs["motion"]) == ["law-name"]
+def styles(package):
+    """Return the classes of the stylesheet of each page, by its folder."""
+    sheets = sorted((package / "benches").glob("*/*/style.css"))
+    return {sheet.parent: classes(sheet.read_text(encoding="utf-8")) - COMMON for sheet in sheets}
+
+
+def strangers(package):
+    """Return what uses a class of another tab, whose styles do not reach it, or has a style that it does not use."""
+    own = styles(package)
+    of_tabs = {tab: set().union(*(own[page] for page in own if page.parent == tab)) for tab in {p.parent for p in own}}
+    every = set().union(*of_tabs.values())
+    found = []
+    for tab in [*sorted((package / "benches").glob("*/")), package / "ui"]:
+        strange = words_with_prefix(tab.rglob("*.py")) & every - of_tabs.get(tab, set())
+        found += [f"{tab.relative_to(package)} uses the class {name} of another tab" for name in sorted(strange)]
+    for page, names in own.items():
+        used = words_with_prefix(page.rglob("*.py"))
+        begun = tuple(word for word in used if word.endswith("-"))  # the program completes them
+        unused = sorted(name for name in names - used if not name.startswith(begun))
+        found += [f"{page.relative_to(package)} has a style for {name}, which it does not use" for name in unused]
+    return found
+
+
+def test_a_stylesheet_is_that_of_its_page_and_reaches_only_its_tab():
+    assert strangers(PACKAGE) == []
+
+
+@pytest.mark.parametrize(
+    ("file", "line", "told"),
+    [
+        (
+            "control/loop/ui/page.py",
+            'NAME = tag("i.law-name")',
+            "benches/control uses the class law-name of another tab",
+        ),
+        ("control/loop/ui/page.py", 'NAME = tag("i", class_="law-name")', "benches/control uses the class law-name"),
+        ("control/loop/style.css", ".exp-other { margin: 0; }", "control/loop has a style for exp-other"),
+    ],
+)
+def test_a_style_in_the_wrong_place_is_found(file, line, told, tmp_path):
+    for page in ("control/loop", "motion/laws"):
+        shutil.copytree(PACKAGE / "benches" / page, tmp_path / "benches" / page)
+    (tmp_path / "ui").mkdir()
+    planted = tmp_path / "benches" / file
+    planted.write_text(f"{planted.read_text(encoding='utf-8')}\n\n{line}\n", encoding="utf-8")
+    (found,) = strangers(tmp_path)
+    assert told in found
+
+
+OF_PAGES = {"PANEL", "PANELS", "PAGE", "PAGES"}
+"""Names of constants of benches that hold keys of pages."""
+
+
+def keys_written(package):
+    """Return file and key of every page that a bench names by a text: in such a constant, or where panels are asked."""
+    found = []
+    for file in sorted((package / "benches").glob("*/*/**/*.py")):
+        for node in ast.walk(tree_of(file)):
+            if isinstance(node, ast.Assign) and OF_PAGES & {getattr(target, "id", "") for target in node.targets}:
+                if not (isinstance(node.value, ast.Call) and getattr(node.value.func, "id", "") in ("Page", "Panel")):
+                    found += [(file, text) for text in _texts(node.value)]
+            elif isinstance(node, ast.Compare) and "panels" in map(ast.unparse, node.comparators):
+                found += [(file, text) for text in _texts(node.left)]
+            elif isinstance(node, ast.Call) and ast.unparse(node.func).startswith("panels."):
+                found += [(file, text) for argument in node.args for text in _texts(argument)]
+    return found
+
+
+def _texts(tree):
+    return [node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and isinstance(node.value, str)]
 
 
 def test_keys_that_are_written_as_text_exist():
-    """Jobs and clips say on which pages they are wanted; what a lesson or a link names is looked up when it is read."""
+    """What a lesson or a link names is looked up when it is read."""
     assert {clip.panel for clip in clips().values() if clip.panel} <= pages().keys()
-    for file in (PACKAGE / "benches").glob("*/*/job*.py"):
-        for key in re.findall(r'^(?:PANEL|PAGE) = "(\w+)"', file.read_text(), re.MULTILINE):
-            assert key in pages(), f"{file}: there is no page {key!r}"
+    written = keys_written(PACKAGE)
+    assert len(written) > 20
+    assert [f"{file.relative_to(PACKAGE)}: {key}" for file, key in written if key not in pages()] == []
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new"),
+    [
+        ("target/solutions/job.py", '"by_hand"', '"by_hnd"'),
+        ("motion/plan/job.py", '"motion_pick"', '"mition"'),
+        ("motion/pick/ui/scene.py", '"motion_plots"', '"motion_plts"'),
+        ("workspace/section/job.py", "PANEL in panels", '"sektion" in panels'),
+        ("workspace/section/job.py", "PANEL in panels", 'panels.intersection({"sektion"})'),
+    ],
+)
+def test_a_planted_key_of_no_page_is_found(file, old, new, tmp_path):
+    text = (PACKAGE / "benches" / file).read_text(encoding="utf-8")
+    assert old in text
+    planted = tmp_path / "benches" / file
+    planted.parent.mkdir(parents=True)
+    planted.write_text(text.replace(old, new), encoding="utf-8")
+    assert new.split('"')[1] in {key for _, key in keys_written(tmp_path) if key not in pages()}
 
 
 def test_what_lies_in_a_bench_is_found_and_nothing_twice():
@@ -202,10 +273,42 @@ def test_a_lab_without_one_page_passes_the_tests_of_the_others_of_its_tab(withou
     assert done.returncode == 0, done.stdout
 
 
-def test_every_file_the_page_about_the_house_names_is_there():
+def named_in(text):
+    """Return what a page names in the code: files and folders, and words that are no file."""
+    quoted = {name for name in re.findall(r"`([\w./]+)`", text) if "TAB" not in name}
+    return {name for name in quoted if "/" in name}, {name for name in quoted if "/" not in name}
+
+
+def nowhere(text):
+    """Return the names of a page that lead nowhere."""
+    files, words = named_in(text)
+    of_pages = {"/".join(path.relative_to(PACKAGE / "benches").parts[2:]) for path in (PACKAGE / "benches").rglob("*")}
+    lost = [name for name in sorted(files) if not (TOP / name).exists() and name not in of_pages]
+    code = "".join(file.read_text(encoding="utf-8") for file in PACKAGE.rglob("*.py"))
+    every = set(re.findall(r"\w+", code))
+    names = {path.name for path in (PACKAGE / "benches").rglob("*")}
+    return lost + [word for word in sorted(words) if word not in (names if "." in word else names | every)]
+
+
+def test_every_name_on_the_page_about_the_house_leads_somewhere():
     text = (TOP / "docs/house.md").read_text(encoding="utf-8")
-    named = {name for name in re.findall(r"`((?:app|tests|benchmarks)/[\w./]+)`", text) if name == name.lower()}
-    assert len(named) > 20
-    assert [name for name in sorted(named) if not (TOP / name).exists()] == []
-    for word in ("DragTarget", "OpenLesson", "Registry", "View"):
-        assert any(f"class {word}" in file.read_text() for file in PACKAGE.rglob("*.py")), word
+    files, words = named_in(text)
+    assert len(files) > 40
+    assert len(words) > 15
+    assert nowhere(text) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("lessons/course.toml", "lessons/kourse.toml"),
+        ("`OpenLesson`", "`OpenLessons`"),
+        ("`examples.py`", "`exampels.py`"),
+        ("`ui/scene.py`", "`ui/szene.py`"),
+        ("app/armlab/ui/door.py", "app/armlab/ui/dor.py"),
+    ],
+)
+def test_a_name_that_leads_nowhere_is_found(old, new):
+    text = (TOP / "docs/house.md").read_text(encoding="utf-8")
+    assert old in text
+    assert nowhere(text.replace(old, new)) == [new.strip("`")]

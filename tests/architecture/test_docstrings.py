@@ -7,7 +7,8 @@ import pytest
 
 from support.sources import PACKAGE, tree_of
 
-LAYERS = ["kin", "content", "session", "ui", "benches", "front"]
+LAYERS = ["kin", "content", "session", "ui", "benches", "front", "commands", ""]
+"""The folders of the package; the last one is what lies in none of them."""
 
 SENTENCE = re.compile(r"(?:\A|(?<=[.!?])\s+|\n\s*\n\s*|\n\s*-{3,}\n\s*)((?:What|Of|Those that)\b[^\n]*)")
 """The opening of a sentence, as far as it stands on its line, if it is one of those that a reader has to read twice."""
@@ -43,7 +44,7 @@ def opens_badly(text, of_constant):
 def problems(folder):
     return [
         f"{path.relative_to(PACKAGE)}:{line}: {bad}"
-        for path in sorted(folder.rglob("*.py"))
+        for path in sorted(folder.glob("*.py") if folder == PACKAGE else folder.rglob("*.py"))
         for line, text, under in docstrings(tree_of(path))
         if (bad := opens_badly(text, under)) is not None
     ]

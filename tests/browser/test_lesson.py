@@ -105,9 +105,13 @@ def test_a_lesson_from_its_link_to_its_end_with_a_reload(visit):
     lab.until(lambda: shown(lab, "the second one still bends away"))
     lab.press("stretched")
     lab.until(lambda: shown(lab, "✓ Done"))
-    # The whole arm is in the picture where the lesson has led it.
-    at = lab.on_screen("/target")
-    assert left < at[0] < right
+    # The whole arm is in the picture where the lesson has led it, from its base to its tool.
+    bodies = [name for name in lab.nodes() if "/arm/" in name and name.rsplit("/", 1)[1].isdigit()]
+    assert len(bodies) == 2
+    for node in (*bodies, "/target"):
+        at = lab.on_screen(node)
+        assert left < at[0] < right, node
+        assert 0 < at[1] < 850, node
     lab.press("lesson-next")
     player.at(2)
     player.hint()

@@ -244,6 +244,7 @@ def start_fresh_asks_and_forgets(lab):
     for answer, kept in (("Escape", True), ("No, go back", True), ("Yes, start fresh", False)):
         lab.page.get_by_role("button", name="Start fresh ...").click()
         dialog.wait_for()
+        assert "the progress in all lessons" in dialog.inner_text()
         if answer == "Escape":
             what_destroys_is_not_filled(lab, dialog)
             lab.page.keyboard.press("Escape")

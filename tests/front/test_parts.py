@@ -179,6 +179,20 @@ def test_another_viser_is_noticed(monkeypatch, tmp_path):
         page.make_page()
 
 
+@pytest.mark.parametrize(
+    "rules", [".a { margin: 0; }} .al-over { margin: 0; }", ".a { margin: 0;", "} .b { margin: 0; } .c {"]
+)
+def test_a_stylesheet_that_leaves_the_rule_around_it_is_noticed(monkeypatch, tmp_path, rules):
+    sheet = tmp_path / "benches" / "control" / "loop" / "style.css"
+    sheet.parent.mkdir(parents=True)
+    sheet.write_text("/* } */ " + rules)
+    monkeypatch.setattr(page.resources, "files", lambda _name: tmp_path)
+    with pytest.raises(page.PageError, match=r"loop/style\.css: expected a closing brace for each opening one"):
+        page._bench_styles()
+    sheet.write_text("/* } */ .a { margin: 0; }")
+    assert page._bench_styles().startswith(".b-control {")
+
+
 def test_base88_unpacks_what_it_packs(rng):
     def encode(data):
         text = ""

@@ -4,6 +4,7 @@ import json
 import os
 import time
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -94,6 +95,47 @@ def test_a_file_of_another_version_gives_a_fresh_session_and_a_notice(tmp_path, 
     session = Store(tmp_path, PUMA).get("a student")
     assert session.robot is PUMA
     assert "does not fit" in session.notice.text
+
+
+@pytest.mark.parametrize(
+    "data", [b"", b"{", b'{"format": 2, "parts": {}}', b'{"format": 1, "parts": {"robot": "gone"}}']
+)
+def test_a_file_that_cannot_be_read_is_kept_when_its_student_goes_on(tmp_path, data):
+    broken_store(tmp_path, data)
+    store = Store(tmp_path, PUMA)
+    session = store.get("a student")
+    (file,) = tmp_path.iterdir()
+    assert file.read_bytes() == data, "not touched before there is something to save"
+    session.apply(TakePose("zero"), 0.0)
+    assert store.save() == 1
+    (kept,) = tmp_path.glob("*.kept")
+    assert kept.read_bytes() == data
+    assert kept.name.startswith(file.stem)
+    assert file.stem[:8] in session.notice.text
+    session.apply(TakePose("home"), 0.0)
+    assert store.save() == 1
+    assert len(list(tmp_path.iterdir())) == 2
+    assert Store(tmp_path, PUMA).get("a student").notice is None
+
+
+def test_a_file_that_could_not_be_opened_once_is_not_written_over(tmp_path, monkeypatch):
+    store = Store(tmp_path, PUMA)
+    store.get("a student").apply(TakePose("zero"), 0.0)
+    store.save()
+    (file,) = tmp_path.iterdir()
+    before, read = file.read_bytes(), Path.read_text
+
+    def too_many_open(*_, **__):
+        raise OSError(24, "Too many open files")
+
+    monkeypatch.setattr(Path, "read_text", too_many_open)
+    again = Store(tmp_path, PUMA)
+    session = again.get("a student")
+    monkeypatch.setattr(Path, "read_text", read)
+    session.apply(MoveJoint(0, 0.25), 0.0)
+    assert again.save() == 1
+    (kept,) = tmp_path.glob("*.kept")
+    assert kept.read_bytes() == before
 
 
 def broken_store(folder, data):

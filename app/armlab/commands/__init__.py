@@ -1,4 +1,4 @@
-"""What ``armlab`` does besides opening the lab: one file a command, each with a constant ``COMMAND``.
+"""The commands of ``armlab`` besides opening the lab: one file a command, each with a constant ``COMMAND``.
 
 The modules import what they need only when they run: the lab starts without it.
 """

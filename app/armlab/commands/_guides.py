@@ -1,4 +1,4 @@
-"""What is wrong with the guides that lie beside courses: their files, their chapters, and where their links lead."""
+"""Faults of the guides that lie beside courses: in their files, in their chapters, and links that lead nowhere."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ VARIANTS = "0-30"
 MOST_VARIANTS = 1000
 LAST_VARIANT = 9999
 LARGEST_LIST = 1_000_000
-"""Bytes of a list of names."""
+"""Largest size of a list of names, bytes."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -1,4 +1,4 @@
-"""What a lesson asks of the benches, in words for the solution sheet: their commands, and facts that are checked."""
+"""The commands and checked facts of benches in a lesson, in words for the solution sheet."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a solution does to the plan of a motion, in words for the solution sheet."""
+"""The actions of a solution on the plan of a motion, in words for the solution sheet."""
 
 from __future__ import annotations
 

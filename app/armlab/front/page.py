@@ -133,8 +133,20 @@ def _bench_styles() -> str:
         for page in _folders(tab):
             file = page / "style.css"
             if file.is_file():
-                found.append(f".b-{tab.name} {{\n{_asset(file)}}}")
+                found.append(f".b-{tab.name} {{\n{_closed(_asset(file), f'{tab.name}/{page.name}')}}}")
     return "\n".join(found)
+
+
+def _closed(rules: str, page: str) -> str:
+    """Return a stylesheet; `PageError` when it would end the rule around it, or leaves one open."""
+    depth = 0
+    for brace in re.findall(r"[{}]", re.sub(r"/\*.*?\*/", "", rules, flags=re.DOTALL)):
+        depth += 1 if brace == "{" else -1
+        if depth < 0:
+            break
+    if depth != 0:
+        raise PageError(f"{page}/style.css: expected a closing brace for each opening one")
+    return rules
 
 
 def _folders(place: Traversable) -> list[Traversable]:

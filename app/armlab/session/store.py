@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
 import logging
@@ -38,6 +39,14 @@ MOST_UNSEEN = 64 << 20
 """Largest size, bytes, of the present states of students without a page: results of long work are large, and can be
 computed again."""
 
+KEPT = ".kept"
+"""Ending of files that could not be read."""
+
+UNREADABLE = (
+    "Your saved work cannot be read or does not fit this version of the lab; this is a fresh start. The old file is "
+    "kept beside the others: whoever runs the lab finds it by the name {name}."
+)
+
 MOST_FILES = 20_000
 """Largest number of students whose work is kept, the latest visitors; a number, as clocks may be wrong."""
 
@@ -60,6 +69,7 @@ class Store:
         self._saved: dict[str, State] = {}
         self._weights: dict[str, tuple[State, int]] = {}
         self._failing: dict[str, str] = {}
+        self._unread: set[str] = set()
         self._lock, self._saving = threading.Lock(), threading.Lock()
         if folder is not None:
             folder.mkdir(parents=True, exist_ok=True, mode=0o700)
@@ -157,10 +167,19 @@ class Store:
             with os.fdopen(handle, "w", encoding="utf-8") as file:
                 # In one piece: `json.dump` writes each number by itself, and is three times as slow.
                 file.write(json.dumps(data))
+            if token in self._unread:
+                self._keep(token)
             os.replace(temporary, self._path(token))
         except BaseException:
             Path(temporary).unlink(missing_ok=True)
             raise
+
+    def _keep(self, token: str) -> None:
+        """Put a file that could not be read aside: what is in it may be wanted once it can be read."""
+        path = self._path(token)
+        with contextlib.suppress(FileNotFoundError):
+            os.replace(path, path.with_suffix(f".{path.stat().st_mtime_ns}{KEPT}"))
+        self._unread.discard(token)
 
     def _load(self, token: str) -> Session:
         session = Session.fresh(token, self.opening)
@@ -173,10 +192,12 @@ class Store:
             return session
         except Exception as error:
             # Nobody can list what a damaged file may raise, and it must not keep its student out.
-            log.warning("a saved session is not usable: %r", error)
-            session.tell(
-                "Your saved work cannot be read or does not fit this version of the lab; this is a fresh start."
-            )
+            self._unread.add(token)
+            name = self._path(token).stem
+            log.warning("the session %s is not usable, and is kept: %r", name, error)
+            session.tell(UNREADABLE.format(name=name[:8]))
+        else:
+            self._unread.discard(token)
         return session
 
 
@@ -190,8 +211,9 @@ def state_from_text(text: str) -> State:
 
 def _clear_up(folder: Path) -> None:
     """Remove unfinished files of a killed process, and the oldest files when there are too many."""
-    kept = sorted(folder.glob("*.json"), key=lambda path: path.stat().st_mtime)
-    for path in (*folder.glob(".writing-*"), *kept[: max(0, len(kept) - MOST_FILES)]):
+    kept = [sorted(folder.glob(f"*{ending}"), key=lambda path: path.stat().st_mtime) for ending in (".json", KEPT)]
+    too_many = (path for paths in kept for path in paths[: max(0, len(paths) - MOST_FILES)])
+    for path in (*folder.glob(".writing-*"), *too_many):
         try:
             path.unlink()
         except OSError as error:

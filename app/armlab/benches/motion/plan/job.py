@@ -20,8 +20,8 @@ from armlab.session.state import State
 MOTION = "motion"
 """Name by which lessons request the planned motion."""
 
-PANELS = "motion"
-"""Prefix of the keys of panels that show the planned motion."""
+PANELS = frozenset({"motion", "motion_files", "motion_pick", "motion_plots", "motion_steps"})
+"""The pages that show the planned motion."""
 
 
 class Asked(NamedTuple):
@@ -50,7 +50,7 @@ def asked(state: State) -> Asked:
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
     """Return the plans whose motions are missing while they are seen, played, or requested by a lesson."""
-    seen = any(key.startswith(PANELS) for key in panels)
+    seen = not panels.isdisjoint(PANELS)
     if not (seen or state[Timeline].clip == CLIP_KEY or MOTION in state[LessonPart].asked):
         return None
     missing = state.derived(asked)

@@ -159,7 +159,7 @@ def tool_markup(state: State) -> Markup:
         (("ω = J", tag("sub", "A"), f" q̇, {units.angle_unit}/s"), _three(found.omega, units)),
     ]
     wide = found.J.shape[1] > WIDE
-    shown = tag("div.scroll.ve-wide" if wide else "div.scroll", matrix(found.J, 2 if wide else 3))
+    shown = tag("div.scroll.tu-wide" if wide else "div.scroll", matrix(found.J, 2 if wide else 3))
     return fold(head, shown, pairs(rows), tag("p.dim", "With the joint speeds of “Jacobian”. ", RATES))
 
 
