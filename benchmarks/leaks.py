@@ -1,11 +1,12 @@
 """What students who have gone leave behind in the memory of the lab."""
 
 import asyncio
+import os
 import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 
 import numpy as np
 
@@ -24,6 +25,13 @@ GONE = sized(3.0, 0.1)
 
 EACH = 5
 """Pages of one browser that are open at a time."""
+
+ALLOCATORS = {"malloc": "C's", "pymalloc": "Python's own"}
+"""Values of PYTHONMALLOC, and the allocator of memory that each stands for.
+
+Python's own gives back whole megabytes only, in which nothing is left; C's gives back each free page of 4 kB, and so
+shows what is held.
+"""
 
 LAB = """
 import ctypes, gc, sys
@@ -55,10 +63,14 @@ class Lab:
 
 
 @contextmanager
-def lab() -> Iterator[Lab]:
+def lab(allocator: str) -> Iterator[Lab]:
     paths = [str(servers.HERE.parent / "app"), str(servers.HERE.parent / "tests")]
     process = subprocess.Popen(
-        [sys.executable, "-c", LAB.format(paths=paths)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", LAB.format(paths=paths)],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONMALLOC": allocator},
     )
     try:
         yield Lab(process)
@@ -67,24 +79,29 @@ def lab() -> Iterator[Lab]:
 
 
 def measure() -> Iterator[str]:
-    yield "| what has happened | memory | ÷ before |"
-    yield "| --- | --- | --- |"
+    yield "Once garbage is collected and free memory given back; in brackets what it is of that before."
+    yield ""
+    yield "| what has happened | " + " | ".join(f"memory, {name} allocator" for name in ALLOCATORS.values()) + " |"
+    yield "| --- |" + " --- |" * len(ALLOCATORS)
     points, _ = drag.script()
-    with lab() as opened:
-        cookies = [cookie_of(opened.url) for _ in range(STUDENTS)]
-        asyncio.run(come(opened.url, cookies, WARM, points))
-        base = opened.megabytes()
-        yield f"| {WARM} students have come, dragged and gone | {base:.0f} MB | 1.00 |"
+    with ExitStack() as opened:
+        labs = [opened.enter_context(lab(allocator)) for allocator in ALLOCATORS]
+        cookies = [[cookie_of(each.url) for _ in range(STUDENTS)] for each in labs]
+        bases: list[float] = []
         for said, story in (
-            (f"{COMINGS} more", lambda: come(opened.url, cookies, COMINGS, points)),
-            (f"{RETURNS} times a page was loaded again", lambda: come(opened.url, cookies, RETURNS, points[:0])),
-            (f"{IDLE} pages of {-(-IDLE // EACH)} new students were open together", lambda: idle(opened.url)),
-            (f"{IDLE} pages of others after them", lambda: idle(opened.url)),
+            (f"{WARM} students have come, dragged and gone", lambda url, known: come(url, known, WARM, points)),
+            (f"{COMINGS} more", lambda url, known: come(url, known, COMINGS, points)),
+            (f"{RETURNS} times a page was loaded again", lambda url, known: come(url, known, RETURNS, points[:0])),
+            (f"{IDLE} pages of {-(-IDLE // EACH)} new students were open together", lambda url, _: idle(url)),
+            (f"{IDLE} pages of others after them", lambda url, _: idle(url)),
         ):
-            asyncio.run(story())
+            for each, known in zip(labs, cookies, strict=True):
+                asyncio.run(story(each.url, known))
             time.sleep(GONE)
-            found = opened.megabytes()
-            yield f"| {said} | {found:.0f} MB | {found / base:.2f} |"
+            found = [each.megabytes() for each in labs]
+            bases = bases or found
+            shown = (f"{now:.0f} MB ({now / base:.2f})" for now, base in zip(found, bases, strict=True))
+            yield f"| {said} | {' | '.join(shown)} |"
 
 
 async def come(url: str, cookies: list[str], count: int, points: np.ndarray) -> None:

@@ -121,12 +121,12 @@ def _look(running: Running, ended: Ended) -> None:
 
     All of them are imported and read for this, which takes longer than the start. So it comes after the first page.
     """
-    from armlab.content.lessons import lessons
+    from armlab.content.lessons import lessons, read_unhurried
     from armlab.content.robots import catalogue
 
     running.wait_for_page(UNVISITED)
     gc.enable()
-    if running.stopping:
+    if running.stopping.is_set():
         return
     if running.lab is not None:
         from armlab.ui.plugin import panels  # the front of a class does without; its labs look themselves
@@ -138,7 +138,9 @@ def _look(running: Running, ended: Ended) -> None:
             return
         from armlab.ui.search.finds import prepare
 
-        prepare()
+        prepare(running.stopping)
+    if not read_unhurried(running.stopping):
+        return
     for problem in (*catalogue().problems, *lessons().problems):
         print(f"armlab: {problem}", file=sys.stderr)
 

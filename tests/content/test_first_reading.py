@@ -9,7 +9,7 @@ import pytest
 
 from armlab.content import lessons as module
 from armlab.content.lesson_reading import Readings
-from armlab.content.lessons import Library, lesson, lessons
+from armlab.content.lessons import lesson, lessons
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError
 from armlab.session.lesson_commands import OpenLesson
@@ -38,37 +38,66 @@ def lab(tmp_path):
     return write(folder, first=lesson_text(title="First"))
 
 
-def test_the_first_reading_pauses_after_each_lesson_and_later_ones_do_not(lab):
-    write(lab, second=lesson_text(title="Second"))
-    pauses = []
-    found = Library([lab], pause=pauses.append)
-    assert len(pauses) == 2
-    assert min(pauses) > 0.0
-    write(lab, third=lesson_text(title="Third"))
-    assert found.changed() == {"third"}
-    assert len(pauses) == 2
-
-
-def test_who_needs_the_lessons_ends_the_pauses(lab, monkeypatch):
-    needed, reading = threading.Event(), threading.Event()
-    monkeypatch.setattr(module, "_NEEDED", needed)
-    monkeypatch.setattr(module, "folders_of_the_lab", lambda: reading.set() or [lab])
-    monkeypatch.setattr(module, "GIVING_WAY", 1e6)
-    monkeypatch.setattr(module, "_library", cache(module._library.__wrapped__))
-    slowly = threading.Thread(target=module.read_unhurried)
-    slowly.start()
-    assert reading.wait(10.0)
-    assert module.lessons_read() is None
-    assert "first" in lessons().lessons
-    slowly.join()
-
-
 @pytest.fixture
 def unread(lab, monkeypatch):
     """Let nobody have needed the lessons of the lab yet, which are those of a test."""
     monkeypatch.setattr(module, "_READINGS", Readings())
     monkeypatch.setattr(module, "_library", cache(module._library.__wrapped__))
     monkeypatch.setattr(module, "folders_of_the_lab", lambda: [lab])
+
+
+class Pauses:
+    """Stands in for the event that ends the pauses; what is to be done in the first of them is done then."""
+
+    def __init__(self, meanwhile=lambda: None):
+        self.seconds, self._meanwhile = [], meanwhile
+
+    def wait(self, seconds):
+        self.seconds.append(seconds)
+        self._meanwhile()
+
+    def set(self):
+        """Let somebody need the lessons."""
+
+
+def test_the_first_reading_pauses_after_each_lesson_and_later_ones_do_not(lab, unread, monkeypatch):
+    write(lab, second=lesson_text(title="Second"))
+    pauses = Pauses()
+    monkeypatch.setattr(module, "_NEEDED", pauses)
+    assert module.read_unhurried(threading.Event())
+    assert len(pauses.seconds) == 2
+    assert min(pauses.seconds) > 0.0
+    write(lab, third=lesson_text(title="Third"))
+    assert module.changed() == {"third"}
+    assert module.read_unhurried(threading.Event())
+    assert len(pauses.seconds) == 2
+
+
+def test_a_reading_that_is_given_up_stops_after_a_lesson_and_who_needs_them_reads_the_rest(lab, unread, monkeypatch):
+    write(lab, second=lesson_text(title="Second"))
+    ended = threading.Event()
+    pauses = Pauses(ended.set)
+    monkeypatch.setattr(module, "_NEEDED", pauses)
+    assert not module.read_unhurried(ended)
+    assert len(pauses.seconds) == 1
+    assert module.lessons_read() is None
+    assert module._READINGS.known("first") is not None
+    assert module._READINGS.known("second") is None
+    monkeypatch.setattr(module, "_NEEDED", threading.Event())
+    assert set(lessons().lessons) == {"first", "second"}
+
+
+def test_who_needs_the_lessons_ends_the_pauses(lab, unread, monkeypatch):
+    reading = threading.Event()
+    monkeypatch.setattr(module, "_NEEDED", threading.Event())
+    monkeypatch.setattr(module, "folders_of_the_lab", lambda: reading.set() or [lab])
+    monkeypatch.setattr(module, "GIVING_WAY", 1e6)
+    slowly = threading.Thread(target=module.read_unhurried, args=(threading.Event(),))
+    slowly.start()
+    assert reading.wait(10.0)
+    assert module.lessons_read() is None
+    assert "first" in lessons().lessons
+    slowly.join()
 
 
 def test_who_opens_a_lesson_does_not_wait_for_all_others(lab, unread):
@@ -98,7 +127,7 @@ def test_two_who_ask_at_once_get_one_library(monkeypatch):
     made, begun = [], threading.Barrier(2)
 
     class Slow:
-        def __init__(self, folders, pause, readings):
+        def __init__(self, folders, readings):
             time.sleep(0.1)
             made.append(self)
 

@@ -2,12 +2,15 @@
 
 import asyncio
 import io
+import weakref
+from concurrent.futures import ThreadPoolExecutor
 
 import imageio.v3 as imageio
 import numpy as np
 import pytest
+import zstandard
 from viser import _messages, _scene_api
-from viser.infra import Message
+from viser.infra import Message, _infra
 from viser.infra._async_message_buffer import AsyncMessageBuffer
 
 from armlab.ui import adapter, quick
@@ -182,6 +185,44 @@ def test_what_is_said_from_another_thread_goes_too():
         return sent
 
     assert run(story()) == [[("a", 0.0)]]
+
+
+class Socket:
+    """Takes what is sent to a page, and keeps none of it."""
+
+    def __init__(self):
+        self.sizes = []
+
+    async def send(self, data):
+        self.sizes.append(len(data))
+
+
+def test_nothing_is_kept_of_what_has_been_sent_to_a_page_that_then_stays_idle():
+    async def story():
+        buffer = AsyncMessageBuffer(asyncio.get_running_loop(), persistent_messages=False)
+        quick.send_at_once(buffer)
+        socket, message = Socket(), turned("a")
+        there = weakref.ref(message)
+        buffer.push(message)
+        del message
+        producing = asyncio.create_task(_infra._message_producer(socket, buffer, 0))
+        await some_turns()
+        gone, idle = there() is None, not producing.done()
+        buffer.set_done()
+        await producing
+        return gone, idle, len(socket.sizes)
+
+    assert run(story()) == (True, True, 1)
+
+
+def test_pages_share_a_compressor_but_no_two_threads_do():
+    def compressor():
+        return _infra.zstandard.ZstdCompressor(level=1)
+
+    with ThreadPoolExecutor(1) as other:
+        assert other.submit(compressor).result() is not compressor()
+    assert compressor() is compressor()
+    assert zstandard.decompress(compressor().compress(b"said")) == b"said"
 
 
 def test_the_pose_of_a_handle_of_one_page_is_sent_to_nobody_else():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib.resources.abc import Traversable
@@ -160,10 +160,8 @@ class Library:
         self,
         folders: Iterable[Traversable],
         catalogue: Catalogue | None = None,
-        pause: Callable[[float], object] | None = None,
         readings: Readings | None = None,
     ) -> None:
-        self._pause = pause
         self._readings = Readings(catalogue) if readings is None else readings
         self._folders: list[tuple[Traversable, str]] = []
         self._lock = RLock()
@@ -172,10 +170,8 @@ class Library:
         self._courses, self._assignments = CourseFiles(), AssignmentFiles()
         self._said: list[str] = []  # problems of the folders themselves
         self._lessons = Lessons({}, ())
-        for i, folder in enumerate(folders):
-            self._folders.append((folder, f"{folder.name}/" if i else ""))
+        self._folders += _labelled(folders)
         self.changed()
-        self._pause = None
 
     @property
     def lessons(self) -> Lessons:
@@ -226,12 +222,9 @@ class Library:
             problems: list[ContentError] = []
             changed: set[str] = set()
             for source in self._sources(problems):
-                began = time.thread_time()
                 entry = self._readings.read(source)
                 if entry.good is not None:
                     self._good[source.key] = entry.good
-                if self._pause is not None:
-                    self._pause(time.thread_time() - began)
                 found[source.key] = entry
                 if entry.differs(self._entries.get(source.key)):
                     changed.add(source.key)
@@ -300,15 +293,31 @@ def hurry() -> None:
     _NEEDED.set()
 
 
-def read_unhurried() -> None:
-    """Read all lessons of the lab, if nobody has yet, with pauses in which arms move; none once somebody waits."""
+def read_unhurried(given_up: Event) -> bool:
+    """Read all lessons of the lab, if nobody has yet, with pauses in which arms move; none once somebody waits.
+
+    Returns False when it is given up meanwhile; whoever needs the lessons then reads the rest.
+    """
     with _READING:
+        if not _library.cache_info().currsize:
+            for source in (source for place in _labelled(folders_of_the_lab()) for source in sources_of(*place)[0]):
+                if given_up.is_set():
+                    return False
+                began = time.thread_time()
+                _READINGS.read(source)
+                _NEEDED.wait(GIVING_WAY * (time.thread_time() - began))
         _library()
+    return True
 
 
 @cache
 def _library() -> Library:
-    return Library(folders_of_the_lab(), pause=lambda took: _NEEDED.wait(GIVING_WAY * took), readings=_READINGS)
+    return Library(folders_of_the_lab(), readings=_READINGS)
+
+
+def _labelled(folders: Iterable[Traversable]) -> list[tuple[Traversable, str]]:
+    """Return each folder with what stands before its files in messages."""
+    return [(folder, f"{folder.name}/" if i else "") for i, folder in enumerate(folders)]
 
 
 def folders_of_the_lab() -> list[Traversable]:

@@ -44,8 +44,10 @@ def main() -> None:
         asyncio.run_coroutine_threadsafe(reception.open(), loop).result()
         print("open", flush=True)
         # Besides, since the front may end while lessons are still read: students' work is saved first, and at once.
-        threading.Thread(target=prepare, name="armlab-index").start()
+        ended = threading.Event()
+        threading.Thread(target=prepare, args=(ended,), name="armlab-index").start()
         sys.stdin.read()
+        ended.set()
         asyncio.run_coroutine_threadsafe(line.say_goodbye(), loop).result()
 
 

@@ -92,14 +92,14 @@ class Running:
     port : int
     lab : Lab or None
         The lab itself; None where the labs are processes of their own.
-    stopping : bool
+    stopping : threading.Event
     """
 
     def __init__(self, port: int, opened: ExitStack, lab: Lab | None = None) -> None:
         self.port, self.lab = port, lab
         self._opened = opened
         self._first = lab.first_page if lab is not None else threading.Event()
-        self.stopping = False
+        self.stopping = threading.Event()
 
     def wait_for_page(self, seconds: float) -> None:
         """Return when the first page is on a screen, the lab is to end, or the time is over.
@@ -110,7 +110,7 @@ class Running:
 
     def stop(self) -> None:
         """Close the connections of all pages, save, and end."""
-        self.stopping = True
+        self.stopping.set()
         self._first.set()
         self._opened.close()
 

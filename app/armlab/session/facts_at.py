@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterator
+from typing import Any, TypeVar
 
 from armlab.content.seen_fact import SeenFact
 from armlab.session.facts import seen_facts
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Part, State
+
+P = TypeVar("P", bound=Part)
 
 
 class FactsAt:
@@ -25,9 +28,9 @@ class FactsAt:
         self._begun = begun
         self._same: dict[str, SeenFact] = {}
         for word in words:
-            parts = _Watched(begun)
-            seen = seen_facts(State(parts, begun.at), (word,))
-            if not parts.joints_read:
+            watched = _Watched(begun)
+            seen = seen_facts(watched, (word,))
+            if not watched.joints_read:
                 self._same |= seen
         self._moving = tuple(word for word in words if word not in self._same)
 
@@ -39,25 +42,25 @@ class FactsAt:
         return self._same | seen_facts(state, self._moving)
 
 
-class _Watched(dict[type[Part], Part]):
-    """The parts of a state, which notes whether somebody looks at the joints, or at all of them."""
+class _Watched(State):
+    """A state that notes whether somebody looks at the joints, or takes all parts."""
 
     def __init__(self, state: State) -> None:
-        super().__init__({type(part): part for part in state})
+        super().__init__(state, state.at)
         self.joints_read = False
 
-    def __getitem__(self, kind: type[Part]) -> Part:
+    def __getitem__(self, kind: type[P]) -> P:
         self.joints_read |= kind is Joints
         return super().__getitem__(kind)
 
-    def __or__(self, other: Any) -> Any:
+    def __iter__(self) -> Iterator[Part]:
         self.joints_read = True
-        return super().__or__(other)
+        return super().__iter__()
 
-    def values(self) -> Any:
+    def replace(self, *parts: Part) -> State:
         self.joints_read = True
-        return super().values()
+        return super().replace(*parts)
 
-    def items(self) -> Any:
+    def dated(self, at: float) -> State:
         self.joints_read = True
-        return super().items()
+        return super().dated(at)

@@ -10,7 +10,7 @@ from armlab.session.state import Command, State
 from armlab.session.weight import forget_derived, weight
 
 DEPTH = 200
-"""Largest number of steps that are kept. States share unchanged parts, so that a step takes some hundred bytes."""
+"""Largest number of steps that are kept. States share unchanged parts, so that a step takes about a kilobyte."""
 
 HEAVIEST = 12 << 20
 """Largest size of all steps, bytes: recorded and planned motions are large. The oldest steps are dropped first."""

@@ -7,7 +7,7 @@ new part, in ``state.py`` of its folder, and touches no other.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, ClassVar, Self, TypeVar
@@ -113,45 +113,49 @@ class State:
         Time of the state, or of the command that is applied to it, in seconds of the session's clock; not saved.
     """
 
-    def __init__(self, parts: dict[type[Part], Part], at: float = 0.0) -> None:
-        self._parts, self.at = parts, at
+    def __init__(self, parts: Iterable[Part], at: float = 0.0, places: dict[type[Part], int] | None = None) -> None:
+        self._parts, self.at = tuple(parts), at
+        self._places = _places_of(tuple(map(type, self._parts))) if places is None else places
         self._derived: dict[Callable[[State], Any], Any] = {}
 
     @classmethod
     def initial(cls, robot: Robot) -> State:
         """Return the state in which an arm opens."""
-        return cls({kind: kind.initial(robot) for kind in part_types()})
+        return cls(kind.initial(robot) for kind in part_types())
 
     def __getitem__(self, kind: type[P]) -> P:
-        part: Any = self._parts[kind]
+        part: Any = self._parts[self._places[kind]]
         found: P = part
         return found
 
     def __iter__(self) -> Iterator[Part]:
-        return iter(self._parts.values())
+        return iter(self._parts)
 
     def holds_the_same(self, other: State) -> bool:
         """Return whether a file of another state would be a file of this one."""
-        mine, others = self._parts, other._parts
-        return mine.keys() == others.keys() and all(others[kind] is mine[kind] for kind in mine if kind.saved)
+        pairs = zip(self._parts, other._parts, strict=False)
+        return self._places is other._places and all(mine is its for mine, its in pairs if mine.saved)
 
     def replace(self, *parts: Part) -> State:
         """Return the state with these parts in place of the present ones of their types."""
-        return State(self._parts | {type(part): part for part in parts}, self.at)
+        changed = list(self._parts)
+        for part in parts:
+            changed[self._places[type(part)]] = part
+        return State(changed, self.at, self._places)
 
     def dated(self, at: float) -> State:
         """Return the same state with another time."""
-        state = State(self._parts, at)
+        state = State(self._parts, at, self._places)
         state._derived = self._derived
         return state
 
     def with_robot(self, robot: Robot) -> State:
         """Return the state with every part adapted to another arm."""
-        return State({kind: part.for_robot(robot) for kind, part in self._parts.items()}, self.at)
+        return State((part.for_robot(robot) for part in self), self.at)
 
     def with_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> State:
         """Return the state with every part adapted to an edited table of the same arm; see `Part.for_edited`."""
-        return State({kind: part.for_edited(robot, origin) for kind, part in self._parts.items()}, self.at)
+        return State((part.for_edited(robot, origin) for part in self), self.at)
 
     def derived(self, compute: Callable[[State], T]) -> T:
         """Return ``compute(state)``, computed at most once for this state."""
@@ -172,11 +176,16 @@ class State:
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> State:
         """Return a state from JSON; a missing part is as it opens with this arm."""
-        parts: dict[type[Part], Part] = {}
-        for kind in part_types():
-            there = kind.saved and kind.key in data
-            parts[kind] = kind.from_json(data[kind.key], robot) if there else kind.initial(robot)
-        return cls(parts)
+        return cls(
+            kind.from_json(data[kind.key], robot) if kind.saved and kind.key in data else kind.initial(robot)
+            for kind in part_types()
+        )
+
+
+@cache
+def _places_of(kinds: tuple[type[Part], ...]) -> dict[type[Part], int]:
+    """Return where in a state the part of each kind stands, kept once for all states: each step of undo is one."""
+    return {kind: place for place, kind in enumerate(kinds)}
 
 
 class Command:

@@ -15,7 +15,7 @@ from pathlib import Path
 import viser
 
 from armlab.content.languages import keys
-from armlab.content.lessons import add_folder, changed, hurry, lessons, lessons_read, read_unhurried
+from armlab.content.lessons import add_folder, changed, lessons, lessons_read, read_unhurried
 from armlab.content.robots import Robot
 from armlab.kin.ik import methods
 from armlab.session.job import jobs
@@ -140,7 +140,6 @@ class Lab:
         adapter.stop_server(self.server)
         self.gallery.painter.shutdown(wait=False, cancel_futures=True)
         # A thread cut off in the middle of NumPy at the interpreter's end would abort the process.
-        hurry()
         self._figure.join()
         self._looking.join()
         self.runner.join(PIECE_PATIENCE)
@@ -294,7 +293,8 @@ class Lab:
         if self._stopped.is_set():
             return
         if known is None:
-            read_unhurried()
+            if not read_unhurried(self._stopped):
+                return
             known = lessons()
             self._tell(frozenset())
         said = ""

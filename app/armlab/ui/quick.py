@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import asyncio
 import threading
-from collections.abc import AsyncGenerator, Callable
+from collections.abc import AsyncGenerator, Awaitable, Callable, Sequence
 from functools import cache, partial
+from types import SimpleNamespace
 from typing import Any, get_type_hints
 from zipfile import ZipFile
 
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 from viser import _gui_api, _gui_handles, _messages, _scene_api
 from viser._assignable_props_api import AssignablePropsBase
 from viser._icons import ICONS_DIR
-from viser.infra import Message
+from viser.infra import Message, _infra
 from viser.infra._async_message_buffer import AsyncMessageBuffer
 
 from armlab.ui.png import rgba_png
@@ -116,6 +117,7 @@ def send_at_once(buffer: AsyncMessageBuffer) -> None:
             if window:
                 yield window
             else:
+                message = None  # a page that stays idle keeps nothing of what it was sent
                 await buffer.message_event.wait()
                 buffer.message_event.clear()
 
@@ -133,6 +135,48 @@ def _is_news(message: Message, controls: set[str]) -> bool:
             return False
         controls.remove(message.uuid)
     return True
+
+
+class _Window:
+    """A buffer of messages that holds those of one window, and ends."""
+
+    done = False
+
+    def __init__(self, window: Sequence[Message]) -> None:
+        self._window = window
+
+    async def window_generator(self, *_: object, **__: object) -> AsyncGenerator[Sequence[Message], None]:
+        yield self._window
+
+
+async def _produce(
+    send: Callable[..., Awaitable[None]],
+    socket: object,
+    buffer: AsyncMessageBuffer,
+    client_id: int,
+    backlog_done_message: Message | None = None,
+) -> None:
+    """Send what comes to a page, and keep nothing of what has been sent.
+
+    viser keeps the last window, packed and unpacked, until there is another: half of the memory of an idle page.
+    """
+    windows = buffer.window_generator(client_id, backlog_done_message=backlog_done_message)
+    try:
+        async for window in windows:
+            await send(socket, _Window(window), client_id)
+            del window
+    finally:
+        await windows.aclose()
+
+
+class _Compressors(threading.local):
+    """A compressor for each thread, where viser has one for each page and keeps a megabyte with it."""
+
+    def __init__(self, general: Callable[..., Any]) -> None:
+        self._of_level = cache(general)
+
+    def __call__(self, *, level: int) -> Any:
+        return self._of_level(level=level)
 
 
 class _SameLoop:
@@ -168,6 +212,9 @@ def _put_in_place() -> None:
     changed._from_serializable_dict = partial(_read_pose, changed._from_serializable_dict)
     changed = _scene_api
     changed._encode_image_binary = partial(_encoded, changed._encode_image_binary)
+    changed = _infra
+    changed._message_producer = partial(_produce, changed._message_producer)
+    changed.zstandard = SimpleNamespace(ZstdCompressor=_Compressors(changed.zstandard.ZstdCompressor))
 
 
 _put_in_place()

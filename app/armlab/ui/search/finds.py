@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from threading import Event
+
 from armlab.content.index import Entry, search, taught_in
 from armlab.content.languages import ENGLISH
 from armlab.content.lessons import lessons, lessons_read, read_unhurried
@@ -25,7 +27,11 @@ def find(query: str, state: State, language: str = ENGLISH) -> list[Entry]:
     return search(query, MOST, things=things(), taught=taught, hidden=hidden(state), language=language)
 
 
-def prepare() -> None:
-    """Make the index of the lab, so that nobody waits for it: reads all lessons and imports all of kin."""
-    read_unhurried()
+def prepare(given_up: Event) -> None:
+    """Make the index of the lab, so that nobody waits for it, unless it is given up.
+
+    It reads all lessons and imports all of kin.
+    """
+    if not read_unhurried(given_up):
+        return
     search("index", things=things(), taught=taught_in(lessons()))
