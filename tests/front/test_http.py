@@ -2,13 +2,17 @@
 
 import asyncio
 import socket
+import time
+from collections import Counter
 
 import pytest
 
 from armlab.front.addresses import addresses
+from armlab.front.direct import Direct
+from armlab.front.limits import Limits
 from armlab.front.lock import FolderInUse
 from armlab.front.start import Settings, StartError, start
-from support.fake_browser import FakeBrowser, cookie_of
+from support.fake_browser import CAMERA, FakeBrowser, cookie_of
 from support.lab import open_lab, running_lab
 from support.student import run
 from support.web import get, opened
@@ -199,22 +203,30 @@ def test_what_is_no_message_closes_only_that_socket_of_a_class_too():
             assert run(end_of(url, data)) in codes
 
 
-def test_a_flood_of_one_leaves_others_in_peace(url):
-    """One browser sends as fast as it can for two seconds; another's slider goes on working meanwhile."""
+def test_of_a_flood_of_one_no_more_is_read_than_the_limits_allow_and_others_go_on(url, monkeypatch):
+    """One browser sends as fast as it can; another's slider goes on working meanwhile."""
+    taken, receive = Counter(), Direct.recv
+
+    async def counted(connection):
+        data = await receive(connection)
+        taken[connection._meter] += 1
+        return data
+
+    monkeypatch.setattr(Direct, "recv", counted)
 
     async def main():
+        began = time.monotonic()
         flooder, other = FakeBrowser(url, cookie_of(url)), FakeBrowser(url, cookie_of(url))
         await flooder.connect()
         await other.connect()
         await other.until(lambda: "/target" in other.nodes)
-        from support.fake_browser import CAMERA
 
         async def flood():
             while True:
                 await flooder.send(CAMERA)
 
         flooding = asyncio.create_task(flood())
-        await asyncio.sleep(0.5)
+        await asyncio.sleep(2.0)
         before = other.counts["SetOrientationMessage"]
         await other.set_value(other.slider(1), 30.0)
         await other.until(lambda: other.counts["SetOrientationMessage"] > before)
@@ -222,8 +234,10 @@ def test_a_flood_of_one_leaves_others_in_peace(url):
         await asyncio.gather(flooding, return_exceptions=True)
         await other.close()
         await flooder.close()
+        return time.monotonic() - began
 
-    run(main())
+    seconds, limits = run(main()), Limits()
+    assert 0 < max(taken.values()) <= limits.burst + limits.rate * seconds + 1
 
 
 @pytest.fixture

@@ -5,6 +5,7 @@ import gc
 import itertools
 import threading
 import time
+import weakref
 
 from armlab.ui.pace import BUILDING
 from armlab.ui.view import View
@@ -112,6 +113,31 @@ def test_a_page_that_goes_while_it_is_built_is_not_shown_anything(url, monkeypat
         await other.close()
 
     run(main())
+
+
+def test_of_a_page_that_has_gone_nothing_is_left(url, monkeypatch):
+    there, build = [], View.build
+
+    def noted(view):
+        there.extend(map(weakref.ref, (view, view.client)))
+        return build(view)
+
+    monkeypatch.setattr(View, "build", noted)
+
+    async def main():
+        for _ in range(3):
+            browser = await student(url)
+            await browser.open("workspace")
+            await browser.set_value(browser.slider(1), 12.0)
+            await browser.close()
+
+    run(main())
+    patience = Patience()
+    while [one for ref in there if (one := ref()) is not None] and patience.left():
+        gc.collect()
+        time.sleep(0.05)
+    assert len(there) == 6
+    assert [one for ref in there if (one := ref()) is not None] == []
 
 
 def test_what_is_there_from_the_start_is_not_looked_at_by_the_collector_of_garbage(url):
