@@ -133,11 +133,11 @@ def test_of_a_page_that_has_gone_nothing_is_left(url, monkeypatch):
 
     run(main())
     patience = Patience()
-    while [one for ref in there if (one := ref()) is not None] and patience.left():
+    while any(ref() is not None for ref in there) and patience.left():
         gc.collect()
         time.sleep(0.05)
     assert len(there) == 6
-    assert [one for ref in there if (one := ref()) is not None] == []
+    assert all(ref() is None for ref in there)
 
 
 def test_what_is_there_from_the_start_is_not_looked_at_by_the_collector_of_garbage(url):
