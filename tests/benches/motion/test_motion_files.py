@@ -1,5 +1,6 @@
 """The page of the files of a motion as a browser gets it, and recordings."""
 
+import asyncio
 import base64
 import csv
 import io
@@ -15,19 +16,22 @@ import pytest
 import zstandard
 
 from armlab.benches.motion.files.read import column_names, motion_csv, plan_json
-from armlab.benches.motion.files.ui.page import size_text
+from armlab.benches.motion.files.ui.page import MotionFiles, size_text
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.points import SelectWaypoint
 from armlab.benches.motion.plan.state import planned_now
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import Trajectory, law_type, path_type
+from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.joints import Joints, LockJoint
 from armlab.session.parts.timeline import OpenClip
 from armlab.session.state import State, apply
 from armlab.ui.figure.anatomy import anatomy_of
 from armlab.ui.plugin import layers, panel
 from armlab.ui.recording import LONGEST, POSES_PER_SECOND, Scenario, maker, record
+from support.bare_gui import BareGui
+from support.patience import Patience
 from support.student import run, student
 
 
@@ -253,3 +257,18 @@ def test_a_plan_of_another_arm_brings_its_arm_along(url):
         await browser.close()
 
     run(main())
+
+
+def test_an_arm_that_the_lesson_keeps_is_told_at_the_field():
+    async def main():
+        posted = []
+        page = MotionFiles(BareGui(), apply(opened(), OpenLesson("how_many_numbers")), posted.append)
+        page.read(plan_json(opened("ur10e")))
+        patience = Patience()
+        while page._shown.busy and patience.left():
+            await asyncio.sleep(0.01)
+        return page._shown.refused_at, page._shown.refused, posted
+
+    where, said, posted = run(main())
+    assert (where, posted) == ("import", [])
+    assert said.startswith("This lesson keeps the ")

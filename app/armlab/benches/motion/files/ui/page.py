@@ -19,7 +19,7 @@ from armlab.benches.motion.plan.ui.around import way_around, while_on
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import Command, Post, State
+from armlab.session.state import Command, Post, State, guard
 from armlab.ui import recording
 from armlab.ui.file_names import file_name
 from armlab.ui.format import number
@@ -114,14 +114,14 @@ class MotionFiles:
         self._shown = self._shown.but(saved=f"{name}, {size_text(size)}")
 
     def read(self, text: str) -> None:
-        """Read a file; an error in it is shown here, and the plan stays."""
+        """Read a file; an error in it, or why an open lesson refuses it, is shown here, and the plan stays."""
         self._clear()
         if self._shown.busy:
             self._waiting = text
             return
         state, command = self._state, reading(text)
         self._shown = self._shown.but(busy="read")
-        self._begin(lambda: command.apply(state), lambda _: self._post(command), "import")
+        self._begin(lambda: guard(state, command.apply(state)), lambda _: self._post(command), "import")
 
     def _begin(self, make: Callable[[], Any], done: Callable[[Any], None], where: str) -> None:
         """Start making a file beside the lab's own work, and continue with the result."""
