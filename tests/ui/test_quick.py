@@ -222,6 +222,7 @@ def test_pages_share_a_compressor_but_no_two_threads_do():
     with ThreadPoolExecutor(1) as other:
         assert other.submit(compressor).result() is not compressor()
     assert compressor() is compressor()
+    assert _infra.zstandard.ZstdCompressor(level=1, threads=-1) is not compressor(), "a recording has one of its own"
     assert zstandard.decompress(compressor().compress(b"said")) == b"said"
 
 

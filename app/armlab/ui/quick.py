@@ -173,10 +173,11 @@ class _Compressors(threading.local):
     """A compressor for each thread, where viser has one for each page and keeps a megabyte with it."""
 
     def __init__(self, general: Callable[..., Any]) -> None:
-        self._of_level = cache(general)
+        self._general, self._of_level = general, cache(general)
 
-    def __call__(self, *, level: int) -> Any:
-        return self._of_level(level=level)
+    def __call__(self, *, level: int, **more: Any) -> Any:
+        # A recording is compressed piece by piece and by several threads: it needs one of its own.
+        return self._general(level=level, **more) if more else self._of_level(level=level)
 
 
 class _SameLoop:
