@@ -8,6 +8,8 @@ that was shared.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from armlab.errors import InputError
 from armlab.session.assignment_commands import OpenAssignment
 from armlab.session.errata_links import LookUp
@@ -24,26 +26,25 @@ from armlab.session.state import Command, State
 def wished(state: State, wish: str) -> Command | None:
     """Return the command for a request, or None if it is met already, so that a reload resets nothing."""
     kind, _, what = wish.partition("/")
-    if kind == "robot" and what != state[RobotPart].robot.key:
-        return ChooseRobot(what)
-    if kind == "lesson":
-        return _lesson(state, *what.partition("/")[::2])
-    if kind == "page":
-        return OpenPanel(what)
-    if kind == "example":
-        return LookAt(what)
-    if kind == "assignment":
-        key, _, number = what.partition("/")
-        return OpenAssignment(key, int(number) if number else None)
-    if kind == "erratum":
-        return LookUp(what)
-    if kind == "state" and what not in (state[Shelf].shared, _shared(state)):
-        return OpenShared(what)
-    return None
+    return KINDS[kind](state, what) if kind in KINDS else None
 
 
-def _lesson(state: State, key: str, variant: str) -> Command | None:
+def _robot(state: State, what: str) -> Command | None:
+    return ChooseRobot(what) if what != state[RobotPart].robot.key else None
+
+
+def _assignment(state: State, what: str) -> Command:
+    key, _, number = what.partition("/")
+    return OpenAssignment(key, int(number) if number else None)
+
+
+def _state(state: State, what: str) -> Command | None:
+    return OpenShared(what) if what not in (state[Shelf].shared, _shared(state)) else None
+
+
+def _lesson(state: State, what: str) -> Command | None:
     """Return the command that opens a lesson: in the variant of the last work if none is named."""
+    key, _, variant = what.partition("/")
     place = f"{key}/{int(variant)}" if variant else ""
     if _is(state[LessonPart].open, key, place):
         return None
@@ -62,3 +63,15 @@ def _shared(state: State) -> str:
         return short(state)
     except InputError:
         return ""
+
+
+KINDS: dict[str, Callable[[State, str], Command | None]] = {
+    "robot": _robot,
+    "lesson": _lesson,
+    "page": lambda state, what: OpenPanel(what),
+    "example": lambda state, what: LookAt(what),
+    "assignment": _assignment,
+    "erratum": lambda state, what: LookUp(what),
+    "state": _state,
+}
+"""Commands of the kinds of requests."""
