@@ -32,7 +32,7 @@ NOT_QUICK = """
     architecture/test_benches architecture/test_growing benches/control/test_control
     benches/control/test_exponential benches/iterate/test_basins benches/motion/test_motion_steps_data
     benches/motion/test_plan_* benches/workspace/test_* benches/*/test_*_panel benchmarks browser
-    content/test_lesson_mistakes content/test_resources content/test_worksheet content/test_write_robot front
+    content/test_lesson_mistakes content/test_resources benches/view/test_worksheet content/test_write_robot front
     kin/control/test_plant kin/control/test_run kin/motion/test_time_optimal kin/test_all_solutions_special
     kin/test_assignment kin/test_basins kin/test_closed_forms kin/test_dimension kin/test_general_6r kin/test_ik
     kin/test_ik_reachable kin/test_ik_solve kin/test_peers kin/test_solve_all kin/test_structure

@@ -12,7 +12,7 @@ import pkgutil
 from collections.abc import Iterable, Iterator
 from functools import cache
 from types import ModuleType
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from armlab.errors import PluginError
 from armlab.registry import Keyed, Registry
@@ -114,6 +114,19 @@ def bench_pages() -> Iterator[str]:
                 yield f"{BENCHES}.{tab}.{page}"
 
 
+def modules_of_page(page: str) -> Iterator[ModuleType]:
+    """Import the modules in the folder of a page, by the name of its package, and yield them.
+
+    Raises
+    ------
+    PluginError
+        A module fails to import.
+    """
+    for name, is_package in _inside(page).items():
+        if not is_package:
+            yield _imported(f"{page}.{name}")
+
+
 def _public(package: ModuleType) -> Iterator[str]:
     for info in pkgutil.iter_modules(package.__path__):
         if not info.name.startswith("_"):
@@ -130,13 +143,16 @@ def _collected(names: Iterable[str], constant: str, kind: type[K], word: str = "
 
 def constant_of(module_name: str, constant: str, kind: type[T]) -> T:
     """Import a module and return its constant; `PluginError` when that fails or it is of another kind."""
-    try:
-        module: Any = importlib.import_module(module_name)
-    except Exception as error:
-        raise PluginError(f"{module_name}: cannot be imported: {error!r}") from error
-    plugin = getattr(module, constant, None)
+    plugin = getattr(_imported(module_name), constant, None)
     if plugin is None:
         raise PluginError(f"{module_name}: expected a constant {constant}, found none")
     if not isinstance(plugin, kind):
         raise PluginError(f"{module_name}: {constant} must be a {kind.__name__}, got {type(plugin).__name__}")
     return plugin
+
+
+def _imported(name: str) -> ModuleType:
+    try:
+        return importlib.import_module(name)
+    except Exception as error:
+        raise PluginError(f"{name}: cannot be imported: {error!r}") from error

@@ -1,4 +1,4 @@
-"""No module needs another that needs it, not even for its types: each can be read after those it names."""
+"""No module needs another that needs it, not even for types or later: each can be read after those it names."""
 
 import graphlib
 
@@ -8,7 +8,7 @@ from support.sources import PACKAGE, imports_of
 
 
 def needs(package):
-    """Return which modules each module of a package names at its top, for types or to run."""
+    """Return which modules each module of a package imports: to run, for types, or inside a function."""
     modules = {dotted(package, path): path for path in package.rglob("*.py")}
     found = {}
     for module, path in modules.items():
@@ -43,6 +43,8 @@ def test_there_is_no_circle():
         "from armlab.b import x",
         "import armlab.b",
         "from typing import TYPE_CHECKING\n\nif TYPE_CHECKING:\n    from armlab.b import x",
+        "def f():\n    from armlab.b import x",
+        "class C:\n    async def f(self):\n        import armlab.b",
     ],
 )
 def test_a_planted_circle_is_found(line, tmp_path):

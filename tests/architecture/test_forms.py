@@ -9,8 +9,11 @@ from armlab.session.fields import FieldPart
 from armlab.session.state import part_types
 from support.sources import PACKAGE, tree_of
 
-KIT = {"ui/fields.py", "ui/form.py", "ui/markup.py"}
+KIT = {"ui/fields.py", "ui/form.py", "ui/markup.py", "ui/widgets.py"}
 """Where the name of a cell means something: it tells the page's script which control is which."""
+
+MADE = {"Fields": 1, "fields": 0}
+"""What makes markup that hands on the name of a cell, and which argument it hands it to."""
 
 
 def around_forms(package):
@@ -20,7 +23,9 @@ def around_forms(package):
         file = path.relative_to(package).as_posix()
         if file in KIT:
             continue
-        for node in ast.walk(tree_of(path)):
+        tree = tree_of(path)
+        found += [f"{file}:{line} takes what controls send by itself" for line in takers(tree)]
+        for node in ast.walk(tree):
             if isinstance(node, ast.Constant) and isinstance(node.value, str) and "data-chan=" in node.value:
                 found.append(f"{file}:{node.lineno} writes where a control sends to")
             if isinstance(node, ast.Compare) and any(map(_is_cell, [node.left, *node.comparators])):
@@ -33,7 +38,28 @@ def around_forms(package):
 
 
 def _is_cell(node):
-    return isinstance(node, ast.Name) and node.id == "cell"
+    return "cell" in (getattr(node, "id", ""), getattr(node, "attr", ""))
+
+
+def takers(tree):
+    """Yield the lines where a function gets the names of cells, whatever it calls them.
+
+    Those are left out that only pass on what they are given, as a form does, and that look at nothing.
+    """
+    passing = {id(node.body) for node in ast.walk(tree) if isinstance(node, ast.Lambda) and len(node.args.args) == 1}
+    for node in ast.walk(tree):
+        name = getattr(node.func, "id", getattr(node.func, "attr", "")) if isinstance(node, ast.Call) else ""
+        if name not in MADE:
+            continue
+        given = [*node.args[MADE[name] :][:1], *(each.value for each in node.keywords if each.arg == "on_input")]
+        passes = id(node) in passing and all(isinstance(each, ast.Name) for each in given)
+        looks = [each for each in given if not isinstance(each, ast.Lambda) or not _is_blind(each)]
+        if looks and not passes:
+            yield node.lineno
+
+
+def _is_blind(function):
+    return all(argument.arg.startswith("_") for argument in function.args.args)
 
 
 def test_nothing_outside_the_kit_looks_at_the_name_of_a_cell():
@@ -48,6 +74,11 @@ def test_nothing_outside_the_kit_looks_at_the_name_of_a_cell():
         "def typed(cell, text):\n    match cell:\n        case 'go':\n            return 1",
         "def typed(cell, text):\n    return {'go': 1}[cell] if cell in ('go',) else None",
         'MADE = f\'<i data-chan="{1}" data-cell="go">\'',
+        "def build(gui, state, post):\n    gui.fields(lambda which, text: which == 'go')",
+        "def build(gui, state, post):\n    def typed(name, text):\n        pass\n    return gui.fields(typed)",
+        "class Page:\n    def __init__(self, gui):\n        self._fields = Fields(gui, self._typed)",
+        "def build(gui, on_input):\n    return Fields(gui, on_input=partial(read, 3))",
+        "def typed(mistake, text):\n    return 1 if mistake.cell == 'go' else 2",
     ],
 )
 def test_a_planted_way_round_is_found(line, tmp_path):
@@ -81,19 +112,27 @@ OWN_JSON = {
     "welcome": "its JSON is a word alone: whoever has a file has been here",
     "what_if": "a list of changes that are tried on the arm one after the other",
 }
-"""Parts that write their own JSON, and why."""
+"""Parts that write or read their own JSON, and why."""
 
 
 def own_json():
-    """Return the keys of parts that declare no fields, or write them in a form of their own."""
+    """Return the keys of parts that declare no fields, or write or read them in a form of their own."""
     saved = (kind for kind in part_types() if kind.saved)
-    return {kind.key for kind in saved if not issubclass(kind, FieldPart) or "to_json" in vars(kind)}
+    return {kind.key for kind in saved if not issubclass(kind, FieldPart) or not is_declared(kind)}
 
 
-def test_a_part_writes_its_own_json_only_for_a_reason():
+def is_declared(part):
+    """Return whether a part is written and read by its declared fields, and not by a method of its own."""
+    return part.to_json is FieldPart.to_json and part.from_json.__func__ is FieldPart.from_json.__func__
+
+
+def test_a_part_has_its_own_json_only_for_a_reason():
     assert own_json() == OWN_JSON.keys()
 
 
-def test_a_planted_json_is_found(monkeypatch):
-    monkeypatch.setattr(Loop, "to_json", lambda part: {}, raising=False)
+@pytest.mark.parametrize(
+    ("name", "method"), [("to_json", lambda part: {}), ("from_json", classmethod(lambda part, data, robot: part()))]
+)
+def test_a_planted_json_is_found(name, method, monkeypatch):
+    monkeypatch.setattr(Loop, name, method, raising=False)
     assert own_json() - OWN_JSON.keys() == {"loop"}

@@ -15,7 +15,7 @@ TAKEN_AS_IT_IS = {
     "ui/html.py": "makes elements of texts, which it escapes",
     "ui/format.py": "MathML that latex2mathml makes of a formula",
     "ui/paper.py": "texts of guides, lessons and formulas, whose readers let only known elements pass",
-    "ui/qr.py": "an SVG picture that segno makes of a link",
+    "benches/view/share/ui/qr.py": "an SVG picture that segno makes of a link",
     "ui/lesson/asking.py": "questions and verdicts of lessons, whose reader lets only known elements pass",
     "ui/lesson/errata.py": "the text of lessons, in which links become buttons",
     "ui/lesson/text.py": "the text of lessons, whose reader lets only known elements pass",

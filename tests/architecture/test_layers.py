@@ -1,6 +1,7 @@
 """The shape of the house: imports go down only, files stay small, private parts of viser in one place."""
 
 import ast
+import re
 
 import pytest
 
@@ -102,6 +103,63 @@ def test_a_planted_violation_is_found(file, line, tmp_path):
     with open(copy, "a", encoding="utf-8") as source:
         source.write(f"\n\n{line}\n")
     assert len(violations(tmp_path / "armlab")) >= 1
+
+
+BY_NAME = {"import_module", "__import__", "find_spec", "spec_from_file_location", "run_module", "run_path"}
+"""Functions that take the name of a module as a text."""
+
+FINDS = {
+    "plugins.py": "finds by folder what lies in benches",
+    "content/citations.py": "walks the modules of kin, whose docstrings it reads",
+}
+"""Modules up to the benches that import others by their names, and why."""
+
+
+def hidden_imports(package):
+    """Return every place up to the benches that could import a bench by its name, out of sight of the other rules."""
+    found = []
+    for path in sorted(package.rglob("*.py")):
+        file = path.relative_to(package).as_posix()
+        own = file.partition("/")[0].removesuffix(".py")
+        if LEVELS.get(own, LEVELS["front"]) == LEVELS["front"] or file in FINDS:
+            continue
+        for node in ast.walk(tree_of(path)):
+            if {getattr(node, "id", ""), getattr(node, "attr", ""), getattr(node, "name", "")} & BY_NAME:
+                found.append(f"{file}:{node.lineno} imports a module by its name")
+            if names_a_bench(node):
+                found.append(f"{file}:{node.lineno} names a bench")
+    return found
+
+
+def names_a_bench(node):
+    """Return whether a text is the name of a bench, also one that begins with the constant for all of them."""
+    if isinstance(node, ast.JoinedStr):
+        first, second = (*node.values, None, None)[:2]
+        of_all = isinstance(first, ast.FormattedValue) and getattr(first.value, "id", "") == "BENCHES"
+        return of_all and re.match(r"\.\w", str(getattr(second, "value", ""))) is not None
+    return isinstance(node, ast.Constant) and re.fullmatch(r"armlab\.benches(\.\w+)*", str(node.value)) is not None
+
+
+def test_benches_are_imported_by_name_in_one_place_only():
+    assert hidden_imports(PACKAGE) == []
+
+
+@pytest.mark.parametrize(
+    ("file", "line"),
+    [
+        ("session/state.py", "from importlib import import_module"),
+        ("ui/view.py", "import importlib\n\nPLAN = importlib.import_module('arm' + 'lab')"),
+        ("content/robots.py", "PLAN = __import__('armlab')"),
+        ("session/words.py", "PLAN = constant_of('armlab.benches.motion.plan.state', 'PART', PartType)"),
+        ("session/words.py", "PLAN = constant_of(f'{BENCHES}.motion.plan.state', 'PART', PartType)"),
+        ("benches/robot/table/state.py", "from importlib.util import find_spec"),
+    ],
+)
+def test_a_planted_import_by_name_is_found(file, line, tmp_path):
+    copy = tmp_path / "armlab" / file
+    copy.parent.mkdir(parents=True)
+    copy.write_text((PACKAGE / file).read_text(encoding="utf-8") + f"\n\n{line}\n", encoding="utf-8")
+    assert len(hidden_imports(tmp_path / "armlab")) >= 1
 
 
 def python_files():

@@ -1,14 +1,12 @@
-"""All errata on paper: what stands in it, in both formats, and where lessons name them."""
+"""All errata on paper: what stands in it, in both formats."""
 
 import re
 from html.parser import HTMLParser
 
 import pytest
 
-from armlab.content.errata import errata, erratum
-from armlab.content.errata_places import named_in, taught_in
+from armlab.content.errata import errata
 from armlab.content.errata_sheet import FORMATS, sheet
-from armlab.content.lessons import lessons
 from armlab.errors import UnknownName
 from armlab.kin.errata import run, trials
 from armlab.ui.paper import in_language
@@ -77,35 +75,3 @@ def test_a_form_without_a_value_and_what_cannot_be_run_are_said():
 def test_another_format_is_refused():
     with pytest.raises(UnknownName, match="format: unknown name 'pdf'"):
         sheet("pdf")
-
-
-# --- where in the course
-
-
-def test_lessons_that_name_an_erratum_are_found_with_the_step():
-    places = named_in(lessons())
-    (place,) = places["1.58"]
-    assert (place.lesson, lessons()["error_dynamics"].title) == ("error_dynamics", place.title)
-    assert "/erratum/1.58" in lessons()["error_dynamics"].steps[place.step].texts
-    assert places.keys() <= errata().keys()
-
-
-def test_every_erratum_is_named_by_a_lesson():
-    named = named_in(lessons())
-    assert [key for key in errata() if key not in named] == []
-
-
-def test_no_lesson_names_an_erratum_by_its_bare_mark():
-    assert not [each.key for each in lessons().lessons.values() if any("ERR-" in step.texts for step in each.steps)]
-
-
-def test_a_lesson_that_names_it_twice_is_listed_once():
-    assert [place.lesson for place in named_in(lessons())["6.145"]] == ["path_geometry"]
-
-
-def test_other_lessons_on_its_topic_are_listed_besides():
-    found = dict(taught_in(erratum("1.18"), lessons()))
-    named = {place.lesson for place in named_in(lessons())["1.18"]}
-    assert named
-    assert not named & found.keys()
-    assert all(set(lessons()[key].teaches) & set(erratum("1.18").rows) for key in found)

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from armlab.content.expressions import LONGEST
-from armlab.content.formula_latex import latex_of
 from armlab.content.identity import (
     DRAWN,
     POINTS,
@@ -174,27 +173,3 @@ def test_too_many_variables_and_unknown_kinds_are_refused():
         variables_of(read_formula("a+b+c+d"), read_formula("f+g+h"))
     with pytest.raises(InputError, match="imaginary"):
         compared("x", "x", {"x": "imaginary"})
-
-
-@pytest.mark.parametrize(
-    ("text", "latex"),
-    [
-        ("2 sin(x)^2/(1 - y)", r"\frac{2\,{\sin(x)}^{2}}{1-y}"),
-        ("-x^2", "-{x}^{2}"),
-        ("(a - b) - (c - d)", "a-b-(c-d)"),
-        ("a (-b)", r"a\,(-b)"),
-        ("(a + b) c", r"(a+b)\,c"),
-        ("(x^2)^3", "{({x}^{2})}^{3}"),
-        ("e^(i θ)", r"{e}^{i\,\theta}"),
-        ("e^ix", r"{e}^{i}\,x"),
-        ("2*3", r"2\cdot 3"),
-        ("sqrt(x_1)", r"\sqrt{x_{1}}"),
-        ("abs(z) conj(z)", r"\left|z\right|\,\overline{z}"),
-        ("atan2(y, x)", r"\mathrm{atan2}(y,x)"),
-        ("tan(x/2)", r"\tan\left(\frac{x}{2}\right)"),
-        ("sin(30°) + (x)°", r"\sin(30°)+(x)°"),
-        ("π + 1e-9", r"\pi+1\cdot 10^{-9}"),
-    ],
-)
-def test_a_formula_is_printed_as_it_was_read(text, latex):
-    assert latex_of(read_formula(text)) == latex

@@ -28,9 +28,9 @@ def statements(tree, skipped=lambda statement: False):
 
 @cache
 def imports_of(path, types=False):
-    """Return the dotted names a file imports, also inside functions; or only at its top, then also for types."""
+    """Return the dotted names a file imports, also inside functions; those it needs for types alone when asked."""
     found = []
-    for node in statements(tree_of(path), _is_function if types else _is_for_types):
+    for node in statements(tree_of(path), *(() if types else (_is_for_types,))):
         if isinstance(node, ast.Import):
             found += [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
@@ -39,10 +39,6 @@ def imports_of(path, types=False):
                 found.append(node.module)
             found += [f"{node.module}.{alias.name}" for alias in node.names]
     return tuple(found)
-
-
-def _is_function(statement):
-    return isinstance(statement, ast.FunctionDef)
 
 
 def _is_for_types(statement):

@@ -17,8 +17,6 @@ from armlab.ui.figure.marks import SYMBOL_STEP, symbol_height, symbols_of
 from armlab.ui.figure.mesh import Solid, placed
 from armlab.ui.figure.solids import CREASE, SIDES, along, band, block, drum, lathe, lid, torus
 from armlab.ui.figure.tubes import tube
-from armlab.ui.scene._voxels import CORNERS
-from armlab.ui.scene._voxels import SIDES as TRIANGLES
 from support.arms import random_arm, random_q
 
 H = np.pi / 2
@@ -230,12 +228,6 @@ def test_a_glb_file_tells_all_its_vertices_apart_and_keeps_its_material(count):
     # A half of full light is 188 of 255 on a screen; the reader keeps colours as whole numbers.
     np.testing.assert_allclose(material.baseColorFactor, (255, 0, 128, 255), rtol=0, atol=1)
     assert (material.roughnessFactor, material.metallicFactor) == (0.4, 0.25)
-
-
-def test_the_box_of_a_voxel_is_closed_and_turned_outwards():
-    box = trimesh.Trimesh(CORNERS, TRIANGLES, process=False)
-    assert box.is_watertight
-    assert box.volume == pytest.approx(1.0, abs=1e-12)
 
 
 def test_symbols_have_the_height_the_skeleton_counts_on(robot):

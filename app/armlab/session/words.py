@@ -8,9 +8,7 @@ of a drag, with an argument ``drag`` that says of which, has none. The fields th
 from __future__ import annotations
 
 import dataclasses
-import importlib
 import inspect
-import pkgutil
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -18,7 +16,7 @@ from functools import cache, partial
 
 from armlab.content.bench_words import BenchWord
 from armlab.errors import InputError, PluginError, UnknownName
-from armlab.plugins import BENCHES, bench_pages
+from armlab.plugins import BENCHES, bench_pages, modules_of_page
 from armlab.registry import known_name
 from armlab.session.arguments import TEXT, Argument, WrongArgument, arguments_of, read_arguments
 from armlab.session.field_words import SetFields, field_arguments
@@ -155,13 +153,7 @@ def snake_case(name: str) -> str:
 
 def _commands(package: str) -> Iterator[type[Command]]:
     """Yield the public commands that the modules of a page define."""
-    for info in pkgutil.iter_modules(importlib.import_module(package).__path__):
-        if info.ispkg:
-            continue
-        try:
-            module = importlib.import_module(f"{package}.{info.name}")
-        except Exception as error:
-            raise PluginError(f"{package}.{info.name}: cannot be imported: {error!r}") from error
+    for module in modules_of_page(package):
         for name, found in vars(module).items():
             if _is_command(found) and found.__module__ == module.__name__ and not name.startswith("_"):
                 yield found

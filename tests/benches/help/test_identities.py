@@ -8,6 +8,7 @@ import pytest
 
 from armlab.benches.help.identities.examples import EXAMPLES, RIGHT, WRONG, ChooseIdentity, example_of, groups
 from armlab.benches.help.identities.facts import FACTS
+from armlab.benches.help.identities.latex import latex_of
 from armlab.benches.help.identities.state import (
     Identities,
     OtherPoints,
@@ -20,6 +21,7 @@ from armlab.benches.help.identities.state import (
 from armlab.benches.help.identities.sweep import sweep_of
 from armlab.benches.help.identities.ui.verdict import value_text, verdict_markup
 from armlab.content.expressions import FUNCTIONS, MORE_FUNCTIONS, parse
+from armlab.content.identity import read_formula
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
@@ -165,3 +167,27 @@ def test_it_is_written_down_and_read_back():
 def test_what_cannot_be_is_refused_in_words_and_the_old_sides_stay(command, told):
     with pytest.raises(InputError, match=told):
         command.apply(opened())
+
+
+@pytest.mark.parametrize(
+    ("text", "latex"),
+    [
+        ("2 sin(x)^2/(1 - y)", r"\frac{2\,{\sin(x)}^{2}}{1-y}"),
+        ("-x^2", "-{x}^{2}"),
+        ("(a - b) - (c - d)", "a-b-(c-d)"),
+        ("a (-b)", r"a\,(-b)"),
+        ("(a + b) c", r"(a+b)\,c"),
+        ("(x^2)^3", "{({x}^{2})}^{3}"),
+        ("e^(i θ)", r"{e}^{i\,\theta}"),
+        ("e^ix", r"{e}^{i}\,x"),
+        ("2*3", r"2\cdot 3"),
+        ("sqrt(x_1)", r"\sqrt{x_{1}}"),
+        ("abs(z) conj(z)", r"\left|z\right|\,\overline{z}"),
+        ("atan2(y, x)", r"\mathrm{atan2}(y,x)"),
+        ("tan(x/2)", r"\tan\left(\frac{x}{2}\right)"),
+        ("sin(30°) + (x)°", r"\sin(30°)+(x)°"),
+        ("π + 1e-9", r"\pi+1\cdot 10^{-9}"),
+    ],
+)
+def test_a_formula_is_printed_as_it_was_read(text, latex):
+    assert latex_of(read_formula(text)) == latex

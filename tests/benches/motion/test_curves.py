@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import trapezoid
 from scipy.interpolate import CubicSpline
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.curves.examples import EXAMPLES, ChooseExample, differences
 from armlab.benches.motion.curves.knots import MOST_KNOTS
 from armlab.benches.motion.curves.made import Drawn, free_options, grid, kinds, made, why_not
@@ -17,7 +18,6 @@ from armlab.errors import InputError
 from armlab.kin.motion.law_types import free_law_types
 from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.peaks import peaks, violations
-from armlab.session.chosen import Chosen
 from armlab.session.fields import Set
 from armlab.session.state import State, apply
 

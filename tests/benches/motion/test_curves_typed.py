@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.curves.commands import (
     AddCurve,
     AddKnot,
@@ -28,7 +29,6 @@ from armlab.benches.motion.curves.state import MOST_CURVES, UNITS, Curves
 from armlab.benches.motion.curves.ui.listed import curves_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.session.chosen import Chosen
 from armlab.session.fields import Set
 from armlab.session.state import State, apply
 from support.forms import BareForm

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.laws.commands import (
     AsFastAsAllowed,
     ChooseLaw,
@@ -34,7 +35,6 @@ from armlab.errors import InputError
 from armlab.kin.motion import free_law_types
 from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.scaling import optimal_scaling
-from armlab.session.chosen import Chosen
 from armlab.session.fields import Set
 from armlab.session.state import apply
 from support.laws import after, bench, example

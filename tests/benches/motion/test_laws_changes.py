@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.laws.bounds import Bounded, joint_paths
 from armlab.benches.motion.laws.clip import CLIP, present_time
 from armlab.benches.motion.laws.commands import (
@@ -31,7 +32,6 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import free_law_types
 from armlab.kin.timing.table import PLUS_MINUS_ONE
-from armlab.session.chosen import Chosen
 from armlab.session.fields import Set
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.timeline import OpenClip, Seek, Step, Timeline, duration

@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.plan.figures import TOOL, Overrun
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import CompareMoves, LastFor
@@ -20,7 +21,6 @@ from armlab.benches.motion.plots.ui.curves import POINTS, Line, MotionPlot, Time
 from armlab.benches.motion.plots.ui.lines import lines_of, most_of, slots
 from armlab.benches.motion.plots.ui.words import comparison, legend, peaks_table, status
 from armlab.content.robots import catalogue
-from armlab.session.chosen import Chosen
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.colours import GREY, VERDICT, css, joint_colour

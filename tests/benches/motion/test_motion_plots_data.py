@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.plan.figures import TOOL, Binding
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import CompareMoves, LastFor, LimitTool
@@ -22,7 +23,6 @@ from armlab.benches.motion.plots.drawn import (
 from armlab.benches.motion.plots.state import FIRST, QUANTITIES, MotionPlots, ShowMotionPlot
 from armlab.content.robots import catalogue
 from armlab.errors import UnknownName
-from armlab.session.chosen import Chosen
 from armlab.session.state import State, apply
 
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.files.script import motion_script
 from armlab.benches.motion.plan.commands import SetMoveOption
 from armlab.benches.motion.plan.job import with_planned
@@ -15,7 +16,6 @@ from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import path_types
-from armlab.session.chosen import Chosen
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State, apply

@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.space_curve.commands import (
     AddPoint,
     ChooseCurve,
@@ -31,7 +32,6 @@ from armlab.benches.motion.space_curve.state import (
 )
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.session.chosen import Chosen
 from armlab.session.fields import Set
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.timeline import Seek, Step, Timeline

@@ -7,6 +7,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 
+from armlab.benches.workspace.cloud.ui.measured import with_error
 from armlab.benches.workspace.dexterous.job import studied
 from armlab.benches.workspace.dexterous.places import GoToRegion, StandStretched
 from armlab.benches.workspace.dexterous.state import COUNTS, Dexterous, study_of
@@ -35,7 +36,6 @@ from armlab.session.state import State, apply
 from armlab.ui.colours import GREEN, ORANGE, VERMILLION, viridis
 from armlab.ui.format import number
 from armlab.ui.html import joined
-from armlab.ui.measured import with_error
 from armlab.ui.units import units_of
 from support.forms import BareForm, asked
 from support.student import run, student

@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+from armlab.benches.workspace.cloud.ui.measured import with_error
 from armlab.benches.workspace.section.found import Question, finding
 from armlab.benches.workspace.section.job import found_section
 from armlab.benches.workspace.section.slice import hull, plane_drawn, slice_at, slice_range
@@ -23,7 +24,6 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
-from armlab.ui.measured import with_error
 from armlab.ui.units import units_of
 from support.forms import BareForm, asked
 from support.looking import degrees_off

@@ -2,11 +2,14 @@
 
 import numpy as np
 import pytest
+import trimesh
 
 from armlab.benches.workspace.cloud.job import sampled
 from armlab.benches.workspace.cloud.state import LookAtWorkspace, SampleWorkspace, Workspace
+from armlab.benches.workspace.cloud.ui.measured import DECADES
 from armlab.benches.workspace.cloud.ui.page import choices_markup
 from armlab.benches.workspace.cloud.ui.scene import outside, parts_of
+from armlab.benches.workspace.cloud.ui.voxels import CORNERS, SIDES
 from armlab.benches.workspace.cloud.ui.words import counted, scale
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -14,7 +17,6 @@ from armlab.kin.workspace.measures import MEASURES
 from armlab.session.state import State, apply
 from armlab.ui.colours import viridis
 from armlab.ui.html import joined
-from armlab.ui.measured import DECADES
 from armlab.ui.units import units_of
 from support.forms import asked
 from support.student import run, student
@@ -106,6 +108,12 @@ def test_only_voxels_that_can_be_seen_are_drawn(rng):
     assert not seen[2:5, 2:5, 2:5].any()
     everything = np.ones((4, 4, 4), dtype=bool)
     assert outside(everything).sum() == 4**3 - 2**3
+
+
+def test_the_box_of_a_voxel_is_closed_and_turned_outwards():
+    box = trimesh.Trimesh(CORNERS, SIDES, process=False)
+    assert box.is_watertight
+    assert box.volume == pytest.approx(1.0, abs=1e-12)
 
 
 @pytest.mark.parametrize(("cell", "text"), [("seed", "-1"), ("seed", "1.5"), ("offset", "much")])

@@ -1,6 +1,6 @@
 """The page Glossary of the lab."""
 
-from armlab.content.glossary import TERMS
+from armlab.benches.help.glossary.terms import TERMS
 from armlab.page import Page
 
 PAGE = Page(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Literal
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.curves.fastest import Asked
 from armlab.benches.motion.curves.knots import Knot, checked, inserted, without
 from armlab.benches.motion.curves.made import Drawn, fitted, free_options, in_knots, kinds, made, why_not
@@ -12,7 +13,6 @@ from armlab.benches.motion.curves.state import MOST_CURVES, Curves
 from armlab.errors import InputError, UnknownName
 from armlab.kin.motion.law_types import free_law_types
 from armlab.registry import known_name
-from armlab.session.chosen import Chosen
 from armlab.session.fields import setting
 from armlab.session.state import Command, State
 

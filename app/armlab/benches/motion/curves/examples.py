@@ -6,13 +6,13 @@ import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.curves.knots import Knot
 from armlab.benches.motion.curves.made import Drawn, Made, kinds
 from armlab.benches.motion.curves.state import Curves
 from armlab.kin.motion.law_types import free_law_types
 from armlab.registry import Registry
 from armlab.session.bench import Bench
-from armlab.session.chosen import Chosen
 from armlab.session.state import Command, State
 
 Given = tuple[str, dict[str, Any]]

@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.curves.knots import Knot
 from armlab.errors import InputError
 from armlab.kin.field import Field
@@ -19,7 +20,6 @@ from armlab.kin.motion.path_types import PathType, path_type, path_types
 from armlab.kin.motion.peaks import QUANTITIES, Violation
 from armlab.kin.motion.series import COUNT, Series, series_of
 from armlab.kin.motion.trajectory import Trajectory
-from armlab.session.chosen import Chosen
 
 Floats = NDArray[np.float64]
 

@@ -8,13 +8,13 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, ClassVar, Self
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.curves.fastest import Asked, Fastest
 from armlab.benches.motion.curves.knots import Knot, checked
 from armlab.benches.motion.curves.made import Drawn, Made, kinds, made
 from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.kin.motion.law_types import free_law_types
-from armlab.session.chosen import Chosen
 from armlab.session.fields import FieldPart, choice, own, text, whole
 from armlab.session.state import Json, PartType
 

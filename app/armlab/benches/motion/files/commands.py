@@ -9,6 +9,7 @@ from typing import ClassVar, Literal, NoReturn
 
 import numpy as np
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.files.read import FORMAT, VERSION
 from armlab.benches.motion.files.table import MOST_BYTES, read_table, refuse_unreadable
 from armlab.benches.motion.files.thin import evenly, farthest
@@ -17,7 +18,6 @@ from armlab.benches.motion.plan.moves import MOST_WAYPOINTS, Move, Waypoint, che
 from armlab.benches.motion.plan.read import too_many
 from armlab.benches.motion.plan.state import Plan
 from armlab.errors import InputError
-from armlab.session.chosen import Chosen
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart, robot_from_json
 from armlab.session.state import Command, Json, State

@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.laws.timing import LARGEST, SMALLEST
 from armlab.errors import InputError
 from armlab.kin.field import Field
 from armlab.kin.motion import LawBounds, Limits, PathType, law_bounds, path_types
-from armlab.session.chosen import Chosen
 from armlab.session.state import Json
 
 MOST_JOINTS, MOST_KNOTS = 3, 40

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.laws.bounds import joint_paths
 from armlab.benches.motion.laws.state import MOST_LAWS, Laws
 from armlab.benches.motion.laws.timing import AS_TYPED, Entry
@@ -15,7 +16,6 @@ from armlab.kin.motion.breaks import SMOOTH_ENOUGH
 from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.scaling import Scaling, optimal_scaling
 from armlab.registry import known_name
-from armlab.session.chosen import Chosen
 from armlab.session.fields import setting
 from armlab.session.state import Command, State
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.laws.bounds import Bounded
 from armlab.benches.motion.laws.state import CLIP_KEY, Laws
 from armlab.benches.motion.laws.timing import Entry, Timing
@@ -12,7 +13,6 @@ from armlab.kin.motion import free_law_types
 from armlab.kin.timing.table import BANG_COAST_BANG, PLUS_MINUS_ONE
 from armlab.registry import Registry
 from armlab.session.bench import Bench
-from armlab.session.chosen import Chosen
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, State
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.laws.signs import DURATION, Signs, read
 from armlab.benches.motion.laws.state import Laws
 from armlab.benches.motion.laws.timing import Entry, Timing
@@ -12,7 +13,6 @@ from armlab.errors import InputError
 from armlab.kin.motion import free_law_types
 from armlab.kin.motion.signs import ON_8, ON_8_PRINTED
 from armlab.registry import known_name
-from armlab.session.chosen import Chosen
 from armlab.session.fields import setting
 from armlab.session.state import Command, State
 

@@ -9,12 +9,12 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.laws.bounds import Bounded
 from armlab.benches.motion.laws.signs import Signs
 from armlab.benches.motion.laws.timing import AS_TYPED, QUANTITIES, Entry, Timing, law_of
 from armlab.errors import InputError
 from armlab.kin.motion import Law, free_law_types
-from armlab.session.chosen import Chosen
 from armlab.session.fields import FieldPart, declarations, flag, number, own, text, whole
 from armlab.session.state import Json, PartType
 

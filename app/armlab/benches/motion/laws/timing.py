@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.errors import InputError
 from armlab.kin.field import Field
 from armlab.kin.motion.breaks import SMOOTH_ENOUGH
@@ -20,7 +21,6 @@ from armlab.kin.motion.law_types import law_type
 from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.series import series_of
 from armlab.kin.timing.table import acceleration_law
-from armlab.session.chosen import Chosen
 
 SMALLEST, LARGEST = 1e-4, 1e6
 """Least and largest value of times, distances and limits, each in its unit, that can be drawn."""

@@ -7,6 +7,7 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
+from armlab.benches.motion.chosen import Chosen, Value
 from armlab.benches.motion.plan.moves import (
     Move,
     checked_space,
@@ -20,7 +21,6 @@ from armlab.benches.motion.plan.state import (
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.motion import law_types, path_type, path_types
-from armlab.session.chosen import Chosen, Value
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
 

@@ -7,6 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.plan.commands import refuse_pathless
 from armlab.benches.motion.plan.moves import Move, Waypoint, checked_q, flat_pose
 from armlab.benches.motion.plan.state import Plan
@@ -14,7 +15,6 @@ from armlab.content.robots import Robot, catalogue
 from armlab.kin import ik
 from armlab.registry import Registry
 from armlab.session.bench import Bench
-from armlab.session.chosen import Chosen
 from armlab.session.examples import on_arm, with_clip_closed
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State

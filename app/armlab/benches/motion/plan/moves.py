@@ -8,6 +8,7 @@ from typing import Any, Literal, Self, cast, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.field import Field
@@ -15,7 +16,6 @@ from armlab.kin.motion import law_types, path_types
 from armlab.kin.motion.path_types import PathType, Space
 from armlab.kin.transforms import as_pose
 from armlab.registry import known_name
-from armlab.session.chosen import Chosen
 from armlab.session.state import Json
 
 Floats = NDArray[np.float64]

@@ -8,6 +8,7 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.motion.chosen import Value
 from armlab.benches.motion.plan.commands import PlanCommand, checked_index, edited, refitted, with_plan
 from armlab.benches.motion.plan.moves import (
     AT_WAYPOINT,
@@ -25,7 +26,6 @@ from armlab.kin.arm import Arm
 from armlab.kin.ik.target import feasible
 from armlab.kin.transforms import as_pose
 from armlab.registry import known_name
-from armlab.session.chosen import Value
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import FARTHEST
 from armlab.session.state import Command, State

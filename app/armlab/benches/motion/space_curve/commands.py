@@ -7,6 +7,7 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.space_curve.laid import FORMULA, Point, kinds, made_curve
 from armlab.benches.motion.space_curve.state import (
     CLIP_KEY,
@@ -22,7 +23,6 @@ from armlab.kin.euler import SEQUENCES
 from armlab.kin.motion import free_law_types
 from armlab.kin.motion.trajectory import times_at
 from armlab.registry import known_name
-from armlab.session.chosen import Chosen
 from armlab.session.fields import setting
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import target_pose

@@ -6,13 +6,13 @@ import math
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.space_curve.laid import FORMULA, Point, kinds, made_curve
 from armlab.benches.motion.space_curve.state import CLIP_KEY, SpaceCurve
 from armlab.benches.motion.space_curve.turn import Triple
 from armlab.kin.motion import free_law_types
 from armlab.registry import Registry
 from armlab.session.bench import Bench
-from armlab.session.chosen import Chosen
 from armlab.session.parts.timeline import with_clip
 from armlab.session.state import Command, State
 

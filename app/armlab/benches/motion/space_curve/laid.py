@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.space_curve.formula import FARTHEST, formula_path
 from armlab.errors import InputError
 from armlab.kin.field import Field
@@ -26,7 +27,6 @@ from armlab.kin.motion import (
     path_types,
 )
 from armlab.kin.motion import standstills as standstills_of
-from armlab.session.chosen import Chosen
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float, float]

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import ClassVar, Literal, get_args
 
+from armlab.benches.motion.chosen import Chosen, Kind
 from armlab.benches.motion.space_curve.formula import FARTHEST
 from armlab.benches.motion.space_curve.laid import FORMULA, Laid, Moment, Point, Question, kinds, laid, moment
 from armlab.benches.motion.space_curve.turn import Triple, Turned, TurnQuestion, turned
@@ -15,7 +16,6 @@ from armlab.errors import InputError
 from armlab.kin.checks import finite_floats
 from armlab.kin.euler import SEQUENCES
 from armlab.kin.motion import free_law_types
-from armlab.session.chosen import Chosen, Kind
 from armlab.session.fields import FieldPart, choice, flag, number, own, text
 from armlab.session.parts.timeline import Timeline
 from armlab.session.sizes import MOST_TURNED

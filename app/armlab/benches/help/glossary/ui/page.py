@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from armlab.content.glossary import TERMS, Term
+from armlab.benches.help.glossary.terms import TERMS, Term
 from armlab.session.pages import pages, tabs
 from armlab.session.state import Post, State
 from armlab.ui.form import Form

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from armlab.benches.help.identities.examples import EXAMPLES, ChooseIdentity, example_of, groups
+from armlab.benches.help.identities.latex import latex_of
 from armlab.benches.help.identities.state import (
     SIDES,
     Identities,
@@ -17,7 +18,6 @@ from armlab.benches.help.identities.state import (
 )
 from armlab.benches.help.identities.sweep import sweep_of
 from armlab.benches.help.identities.ui.verdict import verdict_markup
-from armlab.content.formula_latex import latex_of
 from armlab.content.identity import KINDS, POINTS
 from armlab.session.fields import Set
 from armlab.session.state import Command, Post, State

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import partial
 
+from armlab.benches.lessons.author.write_lesson import NumberAsked
 from armlab.content.quantities import UNITS
-from armlab.content.write_lesson import NumberAsked
 from armlab.errors import InputError
 from armlab.ui.form import Form, Typed
 from armlab.ui.html import Markup, tag

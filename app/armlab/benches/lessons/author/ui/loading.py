@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import partial
 
+from armlab.benches.lessons.own_commands import ForgetFile, LoadFile
 from armlab.content.desk import desk
 from armlab.content.held import HeldLesson
 from armlab.content.lessons import lessons
 from armlab.content.upload import MOST_SENT, MOST_ZIP, Upload, read_upload
 from armlab.errors import ArmlabError, InputError
-from armlab.session.own_commands import ForgetFile, LoadFile
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.own_lessons import Held, OwnLessons, key_of
 from armlab.session.parts.teacher import LetIn, Teacher

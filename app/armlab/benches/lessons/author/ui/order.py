@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Self
 
+from armlab.benches.lessons.course_order import course_text, mistakes
+from armlab.benches.lessons.own_commands import ArrangeCourse, LeaveOut, MoveInCourse
 from armlab.content.course import Course, sound
-from armlab.content.course_order import course_text, mistakes
 from armlab.content.desk import desk
 from armlab.content.lesson_folder import COURSE
 from armlab.content.lessons import Lessons, lessons
 from armlab.content.upload import COURSE_KIND, Upload
 from armlab.errors import ArmlabError, InputError
-from armlab.session.own_commands import ArrangeCourse, LeaveOut, MoveInCourse
 from armlab.session.parts.own_lessons import OwnLessons
 from armlab.session.parts.teacher import Teacher
 from armlab.session.state import Post, State

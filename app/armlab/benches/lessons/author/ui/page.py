@@ -9,9 +9,9 @@ from armlab.benches.lessons.author.ui.asked import Questions
 from armlab.benches.lessons.author.ui.loading import Loading
 from armlab.benches.lessons.author.ui.order import Order
 from armlab.benches.lessons.author.ui.shell import commands_markup
+from armlab.benches.lessons.author.write_lesson import NumberAsked, lesson_text
 from armlab.content.course import Course
 from armlab.content.lessons import lessons, lessons_read
-from armlab.content.write_lesson import NumberAsked, lesson_text
 from armlab.errors import ArmlabError, InputError
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from functools import partial
 
+from armlab.benches.lessons.errata.places import named_in, taught_in
 from armlab.benches.lessons.errata.state import Errata, Found, RunAgain
 from armlab.benches.lessons.errata.ui.dots import dots
 from armlab.benches.lessons.errata.ui.texts import headline, residual, severity, written
 from armlab.content.errata import Erratum
-from armlab.content.errata_places import named_in, taught_in
 from armlab.content.lessons import lessons
 from armlab.kin.errata.trial import POINTS, Trial
 from armlab.session.fields import Set

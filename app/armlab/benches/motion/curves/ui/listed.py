@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from armlab.benches.motion.chosen import Chosen, Value
 from armlab.benches.motion.curves.commands import (
     AddCurve,
     AddKnot,
@@ -25,7 +26,6 @@ from armlab.benches.motion.curves.ui.words import COLOURS, figures, read_rows, t
 from armlab.errors import InputError
 from armlab.kin.field import Field, seen_fields
 from armlab.kin.motion.law_types import free_law_types
-from armlab.session.chosen import Chosen, Value
 from armlab.session.fields import Set
 from armlab.ui.colours import css
 from armlab.ui.form import Form

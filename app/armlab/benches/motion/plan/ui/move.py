@@ -5,12 +5,12 @@ from __future__ import annotations
 from functools import partial
 from typing import Literal, NamedTuple
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption
 from armlab.benches.motion.plan.moves import TURNINGS, Move, Stretch
 from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.kin.field import Field
 from armlab.kin.motion import law_types, path_types
-from armlab.session.chosen import Chosen
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.form import Form, Typed

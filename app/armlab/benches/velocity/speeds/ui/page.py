@@ -25,6 +25,7 @@ from armlab.benches.velocity.speeds.ui.numbers import (
     size_markup,
     sum_markup,
 )
+from armlab.benches.velocity.speeds.ui.scene_swept import SWITCH as SWEPT
 from armlab.benches.velocity.speeds.ui.sliders import SpeedSliders, dotted
 from armlab.benches.velocity.speeds.ui.words import in_words
 from armlab.session.fields import Set
@@ -41,7 +42,6 @@ from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.matrices import MatrixView
 from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Points, Show
-from armlab.ui.scene.swept import SWITCH as SWEPT
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 

@@ -7,7 +7,8 @@ from functools import partial
 from ipaddress import ip_address
 from urllib.parse import urlsplit
 
-from armlab.content.worksheet import worksheet
+from armlab.benches.view.share.ui.qr import qr_svg
+from armlab.benches.view.share.worksheet import worksheet
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import at_place
 from armlab.session.parts.robot import RobotPart
@@ -20,7 +21,6 @@ from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import verdict_box
 from armlab.ui.plugin import Panel, Show
-from armlab.ui.qr import qr_svg
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 

@@ -10,16 +10,16 @@ from numpy.typing import NDArray
 
 from armlab.benches.workspace.cloud.samples import Sampled
 from armlab.benches.workspace.cloud.state import GoToSample, Workspace
+from armlab.benches.workspace.cloud.ui import measured
+from armlab.benches.workspace.cloud.ui.clicks import SceneClicks
+from armlab.benches.workspace.cloud.ui.voxels import VoxelBody, outside
 from armlab.benches.workspace.cloud.view import boundary, drawing, kept, left_of, pointed_at
 from armlab.kin.workspace.surface import Surface
 from armlab.session.state import State
-from armlab.ui import measured
 from armlab.ui.colours import SKY, VERMILLION, viridis
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
-from armlab.ui.scene._clicks import SceneClicks
 from armlab.ui.scene._nodes import move, seen
-from armlab.ui.scene._voxels import VoxelBody, outside
 
 POINT = 0.0046
 """Diameter of a point, in sizes of the arm."""

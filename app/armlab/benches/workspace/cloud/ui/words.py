@@ -9,11 +9,11 @@ import numpy as np
 
 from armlab.benches.workspace.cloud.samples import Sampled
 from armlab.benches.workspace.cloud.state import GoToSample, Workspace
+from armlab.benches.workspace.cloud.ui import measured
 from armlab.benches.workspace.cloud.view import drawing, kept
 from armlab.kin.workspace.measures import measure_named
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
-from armlab.ui import measured
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, pairs
 from armlab.ui.html import Inside, Markup, tag

@@ -8,6 +8,8 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
+from armlab.benches.workspace.cloud.ui.clicks import SceneClicks
+from armlab.benches.workspace.cloud.ui.voxels import VoxelBody, outside
 from armlab.benches.workspace.dexterous.picture import Slice, body_shown, slice_shown
 from armlab.benches.workspace.dexterous.state import Dexterous, GoToSlice, method_of, rings_alone, study_of
 from armlab.benches.workspace.dexterous.ui.rings import Rings
@@ -19,9 +21,7 @@ from armlab.session.state import State
 from armlab.ui.colours import viridis
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
-from armlab.ui.scene._clicks import SceneClicks
 from armlab.ui.scene._nodes import put, seen
-from armlab.ui.scene._voxels import VoxelBody, outside
 
 ALPHA = 214
 """Opacity of a slice, of 255."""

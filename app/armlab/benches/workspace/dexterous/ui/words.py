@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from armlab.benches.workspace.cloud.ui import measured
 from armlab.benches.workspace.dexterous.picture import AtTool, at_tool
 from armlab.benches.workspace.dexterous.places import (
     GoToRegion,
@@ -20,7 +21,6 @@ from armlab.kin.workspace.planar_regions import Region, regions
 from armlab.kin.workspace.section_size import Size
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
-from armlab.ui import measured
 from armlab.ui.colours import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION, VIRIDIS_CSS, YELLOW, Rgb, css
 from armlab.ui.form import Form
 from armlab.ui.format import number, pairs

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.workspace.cloud.ui import measured
 from armlab.benches.workspace.section.found import Found
-from armlab.ui import measured
 from armlab.ui.colours import SKY, viridis
 
 

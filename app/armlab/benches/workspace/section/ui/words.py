@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.workspace.cloud.ui import measured
 from armlab.benches.workspace.section.found import REACH, Found
 from armlab.benches.workspace.section.marks import Measured, target_measured, tool_measured
 from armlab.benches.workspace.section.state import GoToPoint, found_of
@@ -12,7 +13,6 @@ from armlab.kin.workspace.crossings import fineness
 from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.section_size import dimension
 from armlab.session.state import State
-from armlab.ui import measured
 from armlab.ui.form import Form
 from armlab.ui.format import MINUS, number, pairs
 from armlab.ui.html import Inside, tag

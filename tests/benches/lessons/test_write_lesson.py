@@ -6,10 +6,10 @@ import re
 import numpy as np
 import pytest
 
+from armlab.benches.lessons.author.write_lesson import NumberAsked, lesson_text
 from armlab.content.lesson_file import parse_lesson
 from armlab.content.observation import Observation
 from armlab.content.robots import OWN, Camera, catalogue, own_robot
-from armlab.content.write_lesson import NumberAsked, lesson_text
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 

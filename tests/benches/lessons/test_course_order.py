@@ -2,8 +2,8 @@
 
 import pytest
 
+from armlab.benches.lessons.course_order import course_text, left_out, mistakes, moved, put_back
 from armlab.content.course import Chapter, Course, parse_course
-from armlab.content.course_order import course_text, left_out, mistakes, moved, put_back
 from armlab.content.lessons import lessons
 from armlab.errors import InputError
 

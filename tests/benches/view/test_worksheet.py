@@ -8,10 +8,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from armlab.benches.view.share.worksheet import FORMATS, task_jacobian, worksheet
+from armlab.benches.view.share.worksheet_formats import LONGEST_NAME, latex_text, markdown_text
 from armlab.content.markdown import to_html
 from armlab.content.robots import catalogue, own_robot
-from armlab.content.worksheet import FORMATS, task_jacobian, worksheet
-from armlab.content.worksheet_formats import LONGEST_NAME, latex_text, markdown_text
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.ellipsoid import velocity_ellipsoid

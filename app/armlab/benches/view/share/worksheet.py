@@ -7,8 +7,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from armlab.benches.view.share.worksheet_formats import Latex, Markdown, Text, Writer
 from armlab.content.robots import Robot
-from armlab.content.worksheet_formats import Latex, Markdown, Text, Writer
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row, link_transform

@@ -5,11 +5,11 @@ import json
 import numpy as np
 import pytest
 
+from armlab.benches.lessons.author.write_lesson import lesson_text
 from armlab.content.bench_words import BenchWord
 from armlab.content.lesson_file import parse_lesson
 from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
-from armlab.content.write_lesson import lesson_text
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.play import problems

@@ -5,6 +5,7 @@ import json
 
 import pytest
 
+from armlab.benches.lessons.own_commands import ArrangeCourse, ForgetFile, LeaveOut, LoadFile, MoveInCourse
 from armlab.content import held
 from armlab.content.robots import catalogue
 from armlab.content.upload import MOST_TEXT, Upload, read_upload
@@ -13,7 +14,6 @@ from armlab.errors import ArmlabError
 from armlab.session.assignment_commands import HandIn, OpenAssignment
 from armlab.session.hand_in import hand_in
 from armlab.session.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson, SignAs
-from armlab.session.own_commands import ArrangeCourse, ForgetFile, LeaveOut, LoadFile, MoveInCourse
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.own_lessons import MOST_FILES, OwnLessons, key_of

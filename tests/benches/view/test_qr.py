@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from armlab.ui.qr import MOST, QUIET, qr_svg
+from armlab.benches.view.share.ui.qr import MOST, QUIET, qr_svg
 
 LINK = "http://lab.example:8080/state/1"
 

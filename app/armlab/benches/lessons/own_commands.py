@@ -1,12 +1,15 @@
-"""Commands of the lessons that a person has loaded, and of the course that is put in order."""
+"""Commands of the lessons that a person has loaded, and of the course that is put in order.
+
+They lie beside the pages, since the commands in the folder of a page are words that lessons can use.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
+from armlab.benches.lessons.course_order import left_out, moved, put_back
 from armlab.content.course import Course
-from armlab.content.course_order import left_out, moved, put_back
 from armlab.content.lessons import lessons
 from armlab.content.upload import ASSIGNMENT, COURSE_KIND, LESSON_KIND, Upload
 from armlab.errors import InputError
