@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+from functools import cache
 
 import pytest
 
@@ -15,7 +16,7 @@ from armlab.session.pages import pages
 from armlab.session.parts.timeline import clips
 from armlab.ui.plugin import layers, panel
 from support.everything import everything
-from support.sources import PACKAGE, TOP, imports_of, tree_of
+from support.sources import PACKAGE, TOP, files_with, imports_of, tree_of
 
 DRAWING = ("armlab.ui", "viser", "trimesh", "latex2mathml")
 """What only the folders ``ui`` of benches may import."""
@@ -74,11 +75,15 @@ def classes(text):
 
 def words_with_prefix(files):
     """Return the words with a prefix in the texts of modules: classes of elements, and others."""
-    found = set()
-    for file in files:
-        texts = (node.value for node in ast.walk(tree_of(file)) if isinstance(node, ast.Constant))
-        found |= {word for text in texts if isinstance(text, str) for word in re.split(r"[^\w-]+", text) if "-" in word}
-    return found
+    return set().union(*map(_words_with_prefix, files))
+
+
+@cache
+def _words_with_prefix(file):
+    """Return those of one file, which both its page and its tab are asked for."""
+    texts = (node.value for node in ast.walk(tree_of(file)) if isinstance(node, ast.Constant))
+    written = [text for text in texts if isinstance(text, str) and "-" in text]
+    return {word for text in written for word in re.split(r"[^\w-]+", text) if "-" in word}
 
 
 COMMON = classes("".join(file.read_text() for file in (PACKAGE / "front" / "static").glob("*.css")))
@@ -140,7 +145,8 @@ OF_PAGES = {"PANEL", "PANELS", "PAGE", "PAGES"}
 def keys_written(package):
     """Return file and key of every page that a bench names by a text: in such a constant, or where panels are asked."""
     found = []
-    for file in sorted((package / "benches").glob("*/*/**/*.py")):
+    names = "|".join([*OF_PAGES, "panels"])
+    for file in files_with(sorted((package / "benches").glob("*/*/**/*.py")), rf"\b(?:{names})\b"):
         for node in ast.walk(tree_of(file)):
             if isinstance(node, ast.Assign) and OF_PAGES & {getattr(target, "id", "") for target in node.targets}:
                 if not (isinstance(node.value, ast.Call) and getattr(node.value.func, "id", "") in ("Page", "Panel")):
@@ -268,8 +274,8 @@ def test_a_lab_without_one_page_passes_the_tests_of_the_others_of_its_tab(withou
     for file in (TOP / "tests/conftest.py", *others):
         (copy / file.relative_to(TOP)).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(file, copy / file.relative_to(TOP))
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "tests/benches"]
-    done = subprocess.run(command, env=variables, capture_output=True, text=True, cwd=copy)
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--assert=plain"]
+    done = subprocess.run([*command, "tests/benches"], env=variables, capture_output=True, text=True, cwd=copy)
     assert done.returncode == 0, done.stdout
 
 
@@ -284,10 +290,16 @@ def nowhere(text):
     files, words = named_in(text)
     of_pages = {"/".join(path.relative_to(PACKAGE / "benches").parts[2:]) for path in (PACKAGE / "benches").rglob("*")}
     lost = [name for name in sorted(files) if not (TOP / name).exists() and name not in of_pages]
-    code = "".join(file.read_text(encoding="utf-8") for file in PACKAGE.rglob("*.py"))
-    every = set(re.findall(r"\w+", code))
+    every = words_of_the_code()
     names = {path.name for path in (PACKAGE / "benches").rglob("*")}
     return lost + [word for word in sorted(words) if word not in (names if "." in word else names | every)]
+
+
+@cache
+def words_of_the_code():
+    """Return every word that is written in the package."""
+    code = "".join(file.read_text(encoding="utf-8") for file in PACKAGE.rglob("*.py"))
+    return set(re.findall(r"\w+", code))
 
 
 def test_every_name_on_the_page_about_the_house_leads_somewhere():

@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from support.sources import PACKAGE, tree_of
+from support.sources import PACKAGE, files_with, tree_of
 
 LAYERS = ["kin", "content", "session", "ui", "benches", "front", "commands", ""]
 """The folders of the package; the last one is what lies in none of them."""
@@ -18,6 +18,10 @@ NO_NOUN = re.compile(
     r"Times|To|Under|What|When|Where|Which|Whose|With|Within)\b"
 )
 """First word of a constant's docstring that leaves a reader to guess which number it is."""
+
+
+MAY_OPEN_BADLY = r"(?:What|Of|Those that)\b|[\"'][\s\\]*" + NO_NOUN.pattern
+"""Pattern of the files that can break the rule."""
 
 
 def docstrings(tree):
@@ -42,9 +46,10 @@ def opens_badly(text, of_constant):
 
 
 def problems(folder):
+    whole = folder == PACKAGE
     return [
         f"{path.relative_to(PACKAGE)}:{line}: {bad}"
-        for path in sorted(folder.glob("*.py") if folder == PACKAGE else folder.rglob("*.py"))
+        for path in files_with(sorted(folder.glob("*.py") if whole else folder.rglob("*.py")), MAY_OPEN_BADLY)
         for line, text, under in docstrings(tree_of(path))
         if (bad := opens_badly(text, under)) is not None
     ]

@@ -7,7 +7,7 @@ import pytest
 from armlab.benches.control.loop.state import Loop
 from armlab.session.fields import FieldPart
 from armlab.session.state import part_types
-from support.sources import PACKAGE, tree_of
+from support.sources import PACKAGE, files_with, tree_of
 
 KIT = {"ui/fields.py", "ui/form.py", "ui/markup.py", "ui/widgets.py"}
 """Where the name of a cell means something: it tells the page's script which control is which."""
@@ -19,7 +19,8 @@ MADE = {"Fields": 1, "fields": 0}
 def around_forms(package):
     """Return every place outside the kit that looks at the name of a cell, or makes markup that sends by itself."""
     found = []
-    for path in sorted([*(package / "ui").rglob("*.py"), *(package / "benches").glob("*/*/ui/**/*.py")]):
+    paths = sorted([*(package / "ui").rglob("*.py"), *(package / "benches").glob("*/*/ui/**/*.py")])
+    for path in files_with(paths, r"\bcell\b|data-chan=|\\[xuN0-7]"):
         file = path.relative_to(package).as_posix()
         if file in KIT:
             continue

@@ -1,6 +1,7 @@
 """The files of the package, and what they import."""
 
 import ast
+import re
 from functools import cache
 from pathlib import Path
 
@@ -16,6 +17,12 @@ def tree_of(path):
     return ast.parse(path.read_text(encoding="utf-8"))
 
 
+def files_with(files, pattern):
+    """Yield the files in whose text a pattern is found: a rule about a word need not take the others apart."""
+    looks = re.compile(pattern).search
+    yield from (file for file in files if looks(file.read_text(encoding="utf-8")))
+
+
 def statements(tree, skipped=lambda statement: False):
     """Yield the statements of a tree and their clauses, at any depth, without what is skipped and all inside it."""
     waiting = [tree]
@@ -26,11 +33,21 @@ def statements(tree, skipped=lambda statement: False):
         yield from inside
 
 
-@cache
 def imports_of(path, types=False):
     """Return the dotted names a file imports, also inside functions; those it needs for types alone when asked."""
+    return _both_imports(path)[types]
+
+
+@cache
+def _both_imports(path):
+    """Return both answers of `imports_of`: a file is read and taken apart once, though several rules ask for it."""
+    tree = tree_of(path)
+    return _imported(path, statements(tree, _is_for_types)), _imported(path, statements(tree))
+
+
+def _imported(path, found_statements):
     found = []
-    for node in statements(tree_of(path), *(() if types else (_is_for_types,))):
+    for node in found_statements:
         if isinstance(node, ast.Import):
             found += [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
