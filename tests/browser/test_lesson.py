@@ -67,8 +67,8 @@ def cut(lab, selector):
 
 
 @pytest.mark.parametrize("key", PLAYED)
-def test_a_lesson_is_played_by_clicks_with_a_reload_in_the_middle(visit, key):
-    lab = visit(f"lesson/{key}", size=(1400, 850))
+def test_a_lesson_is_played_by_clicks_with_a_reload_in_the_middle(stay, key):
+    lab = stay(f"lesson/{key}", size=(1400, 850))
     found = library().lesson(key, int(lab.address().partition(key)[2].strip("/").partition("?")[0] or 0))
     player = LessonPlayer(lab, found)
     for i, step in enumerate(found.steps, start=1):
@@ -141,8 +141,8 @@ def test_a_lesson_from_its_link_to_its_end_with_a_reload(visit):
     assert lab.page.locator(".lesson-text").count() == 0
 
 
-def test_a_lesson_is_chosen_in_the_bench_and_its_dock_lets_a_typed_answer_be(visit):
-    lab = visit(size=(1400, 850))
+def test_a_lesson_is_chosen_in_the_bench_and_its_dock_lets_a_typed_answer_be(stay):
+    lab = stay(size=(1400, 850))
     lab.open_tab("Lessons")
     lab.press("lesson:first_arm")
     lab.ready()
@@ -248,8 +248,8 @@ def a_grid_is_filled(lab):
     assert [lab.page.locator(cell).input_value() for cell in cells] == ["0,5", "0", "0", "1/2"]
 
 
-def test_what_was_opened_and_read_stays_while_the_arm_moves(visit):
-    lab = visit("lesson/long", size=(1400, 850))
+def test_what_was_opened_and_read_stays_while_the_arm_moves(stay):
+    lab = stay("lesson/long", size=(1400, 850))
     lab.page.locator(".lesson-text summary").click()
     lab.page.locator(".lesson-more summary").click()
     top = "() => document.querySelector('.lesson-text').scrollTop"
@@ -267,8 +267,8 @@ def test_what_was_opened_and_read_stays_while_the_arm_moves(visit):
     assert lab.page.evaluate(top) == 0
 
 
-def test_with_the_fold_open_what_is_revealed_is_not_cut(visit):
-    lab = visit("lesson/revealed", size=(1280, 800))
+def test_with_the_fold_open_what_is_revealed_is_not_cut(stay):
+    lab = stay("lesson/revealed", size=(1280, 800))
     lab.press("lesson-choice-1")
     lab.until(lambda: lab.page.locator(".reveal").count() == 1)
     hidden = "text => text.scrollHeight - text.clientHeight"

@@ -72,7 +72,7 @@ def angle(lab, node):
 
 
 def test_without_a_graphics_card_pictures_are_plain_and_a_clip_moves_the_arm_by_a_true_clock(visit):
-    lab = visit("robot/elbow_3r", size=SIZE)
+    lab = visit("robot/elbow_3r", size=SIZE, painted=True)
     _edges_are_smooth_only_where_a_graphics_card_draws_them(lab)
     _a_picture_drawn_by_program_has_no_shadows_while_a_hand_drags(lab)
     node = lab.node("/arm/1/2")

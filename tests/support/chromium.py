@@ -8,6 +8,8 @@ from contextlib import contextmanager
 
 from playwright.sync_api import Browser, BrowserContext, Page, sync_playwright
 
+from support.blind import BLIND
+
 ARGUMENTS = (
     "--no-sandbox",
     "--use-angle=swiftshader",
@@ -23,13 +25,6 @@ ARGUMENTS = (
 )
 WITHOUT_A_CARD = "--disable-gpu-compositing"
 """Puts the page together without the software that plays graphics card, which takes it most of the time."""
-
-BLIND = """(() => {
-  const calls = ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced', 'drawRangeElements',
-    'clear', 'blitFramebuffer'];
-  for (const name of calls) WebGL2RenderingContext.prototype[name] = () => {};
-})()"""
-"""Lets a page do everything but paint its scene, which takes a software renderer most of the time."""
 
 COUNTED = """(() => {
   const passed = window.__passed = { up: 0, down: 0, timers: new Set() };

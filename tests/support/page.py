@@ -122,11 +122,12 @@ class LabPage:
     # -- the scene -----------------------------------------------------------------------------------------------
 
     def nodes(self) -> list[str]:
-        """Return the names of all nodes."""
+        """Return the names of all nodes that are in the scene; those of an arm that has gone keep their names."""
         names: list[str] = self.page.evaluate(
             """() => {
-              const nodes = Object.entries(window.__viserMutable.nodeRefFromName);
-              return nodes.filter(([, node]) => node?.parent).map(([name]) => name);
+              const { nodeRefFromName, scene } = window.__viserMutable;
+              const within = node => node && (node === scene || within(node.parent));
+              return Object.entries(nodeRefFromName).filter(([, node]) => within(node)).map(([name]) => name);
             }"""
         )
         return names
