@@ -10,6 +10,8 @@ from functools import cache
 
 import pytest
 
+from armlab.content.check import check_types
+from armlab.content.vocabulary import vocabularies
 from armlab.session.bench import benches
 from armlab.session.job import jobs
 from armlab.session.pages import pages
@@ -196,6 +198,9 @@ def test_what_lies_in_a_bench_is_found_and_nothing_twice():
     assert len(list((PACKAGE / "benches").glob("*/*/job*.py"))) == len(jobs())
     assert len(list((PACKAGE / "benches").glob("*/*/clip*.py"))) == len(clips())
     assert len(list((PACKAGE / "benches").glob("*/*/examples.py"))) == len(benches())
+    assert len(list((PACKAGE / "benches").glob("*/*/vocabulary.py"))) == len(vocabularies())
+    checks = [*(PACKAGE / "content/checks").glob("[a-z]*.py"), *(PACKAGE / "benches").glob("*/*/check*.py")]
+    assert len(checks) == len(check_types())
 
 
 GONE = ("workspace", "iterate/basins")

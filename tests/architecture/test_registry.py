@@ -8,6 +8,7 @@ from armlab.commands import command_types
 from armlab.content.check import check_types
 from armlab.content.question import question_types
 from armlab.content.robots import catalogue
+from armlab.content.vocabulary import vocabularies, with_added
 from armlab.errors import PluginError, UnknownName
 from armlab.kin.control.control_law import control_laws
 from armlab.kin.control.rate_inverse import rate_inverses
@@ -44,6 +45,7 @@ FOUND = {
     "question": question_types,
     "measure": lambda: MEASURES,
     "task": lambda: NAMED,
+    "vocabulary": vocabularies,
 }
 
 
@@ -80,6 +82,14 @@ def test_a_key_that_comes_twice_is_refused_with_both_places():
         Registry("law", things("one", "one"), ("a", "b"))
     with pytest.raises(PluginError, match=r"^example: the key 'one' is already used by example$"):
         Registry("example", things("one", "two", "one"))
+
+
+def test_a_word_of_lesson_files_that_comes_twice_is_refused():
+    assert with_added("live value", {"r": 1}, ({"s": 2}, {})) == {"r": 1, "s": 2}
+    with pytest.raises(PluginError, match="live value: 'r' comes twice"):
+        with_added("live value", {"r": 1}, ({"s": 2}, {"r": 3}))
+    with pytest.raises(PluginError, match="live value: 's' comes twice"):
+        with_added("live value", {"r": 1}, ({"s": 2}, {"s": 3}))
 
 
 def test_things_stay_in_their_order():

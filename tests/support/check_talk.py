@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
+from armlab.benches.motion.plan.seen_motion import SeenMotion, SeenMove
 from armlab.content.check import PLAIN, Words, read_check
 from armlab.content.checks.joints_found import JointsFound
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import catalogue
 from armlab.content.seen_fact import SeenFact, Value
-from armlab.content.seen_motion import SeenMotion, SeenMove
 from armlab.kin.convert import converted
 from armlab.kin.dh import Row
 from armlab.kin.rotations import rotation_from_sequence
@@ -165,7 +165,9 @@ def _judged() -> Iterator[tuple[Any, Observation]]:
     bare = Observation.of(two, [0.3, 0.6])
     for text in OF_MOTIONS:
         check = _check(text, "puma560")
-        yield from ((check, replace(bare, motion=motion)) for motion in (None, *MOTIONS))
+        yield from (
+            (check, replace(bare, benches=benches)) for benches in ({}, *({"motion": motion} for motion in MOTIONS))
+        )
     for text, value in FACTS:
         fact = SeenFact("the rank of the Jacobian", "", value)
         word = "velocity.statics.torques"

@@ -1,5 +1,7 @@
 """Made-up files, one of each kind the lab grows by, and a program that looks whether all are there."""
 
+from support.made_up_words import COUNTED, TAUGHT, VOCABULARY
+
 PANEL = '''
 """A made-up panel."""
 from armlab.session.fields import Set
@@ -178,6 +180,17 @@ value = 7
 command = "made_up.made_up.count_to"
 number = 7
 ```
+## Count in words of the bench
+It is {{counted}}.
+```check
+kind = "counted"
+to = 8
+```
+```solution
+[[do]]
+kind = "count"
+to = 8
+```
 """
 
 CLIP = '''
@@ -235,6 +248,7 @@ from armlab.content.lessons import lesson
 from armlab.session.facts import fact_of
 from armlab.session.parts.joints import Joints
 from armlab.session.play import Player, problems
+from armlab.session.seen_again import seen_again
 from armlab.session.state import part_types
 
 async def main(url):
@@ -270,6 +284,12 @@ assert problems("made_up") == [], problems("made_up")
 begun = Player(lesson("made_up")).session.state
 assert begun[Joints].q[0] == 1.0
 assert fact_of("made_up.made_up.value")[1].now(begun).value == 5.0
+player = Player(lesson("made_up"))
+player.go_to(2)
+assert [player.act(action) for action in player.lesson.steps[2].solution] == [""]
+(evidence,) = player.part.progress.evidence.values()
+assert seen_again({**evidence, "counting": {"value": 3}}, player.lesson.robot_used).benches["counting"].value == 8
+assert main_of(["lesson", "sheet", "lessons/made_up.md"]) == 0
 assert main_of(["made_up", "word"]) == 0
 from armlab.front.page import make_page
 assert b".b-made_up {" in make_page().html
@@ -300,6 +320,9 @@ FILES = {
     f"{BENCH_FOLDER}/facts.py": FACT,
     f"{BENCH_FOLDER}/job.py": JOB,
     f"{BENCH_FOLDER}/clip.py": CLIP,
+    f"{BENCH_FOLDER}/check_counted.py": COUNTED,
+    f"{BENCH_FOLDER}/vocabulary.py": VOCABULARY,
+    f"{BENCH_FOLDER}/lesson.py": TAUGHT,
     f"{BENCH_FOLDER}/examples.py": BENCH,
     "app/armlab/content/checks/made_up.py": CHECK,
     "app/armlab/content/questions/made_up.py": QUESTION,

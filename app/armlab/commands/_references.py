@@ -6,10 +6,9 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from armlab.benches.motion.api import TURNINGS
 from armlab.commands._links import leading_nowhere
 from armlab.content import rows
-from armlab.content.actions import Action, PlayFilm, SetSwitch
+from armlab.content.actions import Action, PlayFilm, SetSwitch, TakeExample
 from armlab.content.bench_words import BenchWord, is_word
 from armlab.content.check import Check
 from armlab.content.checks.all_of import AllOf
@@ -17,7 +16,6 @@ from armlab.content.checks.fact import FactIs
 from armlab.content.checks.looked_at import LookedAt
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lesson_lines import LessonError
-from armlab.content.motion_actions import SetMoveKind, TakeExample
 from armlab.errors import InputError, UnknownName, suggestion
 from armlab.session.bench import refuse_other_arm, robot_of, with_example
 from armlab.session.facts import fact_of, unfit
@@ -25,6 +23,7 @@ from armlab.session.pages import pages
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import clips
 from armlab.session.state import State
+from armlab.session.taught import taught
 from armlab.session.words import command_of
 
 
@@ -105,8 +104,9 @@ def _of_action(lesson: Lesson, action: Action) -> Iterator[str]:
         yield from _unknown("film", [action.name], clips())
     elif isinstance(action, TakeExample):
         yield from _of_example(lesson, action.name)
-    elif isinstance(action, SetMoveKind) and action.turning is not None:
-        yield from _unknown("turning", [action.turning], TURNINGS)
+    else:
+        for each in taught():
+            yield from each.mistakes(action)
 
 
 def _of_example(lesson: Lesson, name: str) -> Iterator[str]:

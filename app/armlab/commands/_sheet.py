@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.commands._sheet_bench import bench_words, facts_asked
-from armlab.commands._sheet_motion import motion_words
 from armlab.content import actions
 from armlab.content.bench_words import BenchWord
 from armlab.content.lesson import Lesson, Step
@@ -141,7 +140,9 @@ def _done(action: actions.Action, lesson: Lesson) -> str:
         return {"film": "play the film", "motion": "play the motion"}.get(action.name, f"play {action.name}")
     if isinstance(action, BenchWord):
         return bench_words(action)
-    return motion_words(action)
+    if isinstance(action, actions.TakeExample):
+        return f"example {action.name}"
+    return action.says()
 
 
 def _joint_values(q: NDArray[np.float64], lesson: Lesson) -> str:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,11 +12,10 @@ from numpy.typing import NDArray
 from armlab.content import robots
 from armlab.content.bench_words import BenchWord, read_word
 from armlab.content.check import JOINT_VALUES, configuration
-from armlab.content.lesson_fields import Fields
-from armlab.content.motion_actions import READERS as MOTION_READERS
-from armlab.content.motion_actions import MotionAction
+from armlab.content.lesson_fields import Fields, example_name
 from armlab.content.reader import Table, shown
 from armlab.content.robots import Catalogue, Robot, read_pose
+from armlab.content.vocabulary import BenchAction, vocabularies, with_added
 from armlab.errors import ContentError, UnknownName, suggestion
 
 MOST_ACTIONS = 100
@@ -71,6 +71,13 @@ class SetSwitch:
 
 
 @dataclass(frozen=True)
+class TakeExample:
+    """Put an example of a bench in place, such as ``"motion/corner_fly"``."""
+
+    name: str
+
+
+@dataclass(frozen=True)
 class PlayFilm:
     """Play a whole film or run of the timeline; without a name the film of the table."""
 
@@ -91,7 +98,19 @@ class TypeAnswer:
     text: str
 
 
-Action = Move | MoveTarget | SetCell | TakeRobot | SetSwitch | PlayFilm | Wait | TypeAnswer | MotionAction | BenchWord
+Action = (
+    Move
+    | MoveTarget
+    | SetCell
+    | TakeRobot
+    | SetSwitch
+    | TakeExample
+    | PlayFilm
+    | Wait
+    | TypeAnswer
+    | BenchWord
+    | BenchAction
+)
 
 
 def read_solution(table: Table, robot: Robot, catalogue: Catalogue | None = None) -> tuple[Action, ...]:
@@ -124,7 +143,7 @@ def read_solution(table: Table, robot: Robot, catalogue: Catalogue | None = None
         )
     found: list[Action] = []
     for entry in entries:
-        action = _action(Fields.of(entry), robot, catalogue or robots.catalogue(), (*_READERS, "robot"))
+        action = _action(Fields.of(entry), robot, catalogue or robots.catalogue(), (*_readers(), "robot"))
         if isinstance(action, TakeRobot):
             robot = (catalogue or robots.catalogue())[action.key]
         found.append(action)
@@ -132,7 +151,7 @@ def read_solution(table: Table, robot: Robot, catalogue: Catalogue | None = None
 
 
 def read_begin(table: Table, robot: Robot) -> tuple[Action, ...]:
-    """Take tables ``do`` of what is put in place at a start: of `AT_START`, or with a command of a bench; may be none.
+    """Take tables ``do`` of what is put in place at a start, each of a kind or with a command of a bench; may be none.
 
     Raises
     ------
@@ -141,7 +160,8 @@ def read_begin(table: Table, robot: Robot) -> tuple[Action, ...]:
     entries = table.tables("do")
     if len(entries) > MOST_ACTIONS:
         raise table.fail("do", f"expected at most {MOST_ACTIONS} tables [[do]], got {len(entries)}")
-    return tuple(_action(Fields.of(entry), robot, robots.catalogue(), AT_START) for entry in entries)
+    kinds = (*AT_START, *(kind for each in vocabularies().values() for kind in each.actions))
+    return tuple(_action(Fields.of(entry), robot, robots.catalogue(), kinds) for entry in entries)
 
 
 def _action(entry: Fields, robot: Robot, catalogue: Catalogue, kinds: Iterable[str]) -> Action:
@@ -150,7 +170,7 @@ def _action(entry: Fields, robot: Robot, catalogue: Catalogue, kinds: Iterable[s
     if not entry.has("kind"):
         raise entry.fail("kind", f"missing; expected one of {', '.join(kinds)}, or command, a word of a bench")
     kind = entry.choice("kind", kinds)
-    action = _take_robot(entry, catalogue) if kind == "robot" else _READERS[kind](entry, robot)
+    action = _take_robot(entry, catalogue) if kind == "robot" else _readers()[kind](entry, robot)
     entry.done()
     return action
 
@@ -195,6 +215,11 @@ def _set_switch(entry: Fields, robot: Robot) -> SetSwitch:
     return SetSwitch(entry.text("name"), entry.boolean("on", True))
 
 
+def _take_example(entry: Fields, robot: Robot) -> TakeExample:
+    del robot
+    return TakeExample(example_name(entry, "name"))
+
+
 def _play_film(entry: Fields, robot: Robot) -> PlayFilm:
     del robot
     return PlayFilm(entry.text("name", "film"))
@@ -227,9 +252,21 @@ _READERS: dict[str, Callable[[Fields, Robot], Action]] = {
     "film": _play_film,
     "wait": _wait,
     "answer": _type_answer,
-    "motion": lambda entry, robot: PlayFilm("motion"),
-    **MOTION_READERS,
+    "example": _take_example,
 }
 
-AT_START = ("move", "target", "switch", *MOTION_READERS)
-"""Kinds of actions allowed at a start: those that play, wait, answer or change the arm are for students only."""
+AT_START = ("move", "target", "switch", "example")
+"""Kinds of actions allowed at a start, besides those of benches: to play, wait, answer or change the arm is not."""
+
+
+@cache
+def _readers() -> Mapping[str, Callable[[Fields, Robot], Action]]:
+    """Return the readers of all kinds of actions."""
+    found = vocabularies().values()
+    plays = {key: partial(_play, key) for each in found for key in each.plays}
+    return with_added("kind of action", _READERS, (plays, *(each.actions for each in found)))
+
+
+def _play(key: str, entry: Fields, robot: Robot) -> PlayFilm:
+    del entry, robot
+    return PlayFilm(key)

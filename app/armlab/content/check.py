@@ -20,7 +20,7 @@ from armlab.content.joint_limits import outside
 from armlab.content.observation import Observation
 from armlab.content.reader import Table, joint_values
 from armlab.content.robots import Robot
-from armlab.plugins import discover
+from armlab.plugins import discover_in_benches
 
 LARGEST_PART = 0.2
 """Largest tolerance of a length, relative to the arm's reach: with a larger one a random pose would do."""
@@ -101,7 +101,7 @@ class Goal:
 
 @dataclass(frozen=True)
 class CheckType:
-    """One kind of check, the constant ``CHECK`` of a module in `armlab.content.checks`.
+    """One kind of check, the constant ``CHECK`` of a module in `armlab.content.checks`, or of ``check.py`` of a page.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ class CheckType:
 @cache
 def check_types() -> dict[str, CheckType]:
     """Return all kinds of checks by key."""
-    return discover(_folder, "CHECK", CheckType)
+    return discover_in_benches("check", "CHECK", CheckType, _folder)
 
 
 def read_check(table: Table, robot: Robot) -> Check:
@@ -173,9 +173,10 @@ class StateCheck:
         return bool(getattr(self.check, "of_table", False))
 
     @property
-    def of_motion(self) -> bool:
-        """Whether the check or a named mistake is about the planned motion, which then has to be computed."""
-        return any(getattr(check, "of_motion", False) for check in (self.check, *(each.check for each in self.wrong)))
+    def observes(self) -> tuple[str, ...]:
+        """Keys of benches, such as ``"motion"``, of which the check or a named mistake looks at what they tell."""
+        checks = (self.check, *(each.check for each in self.wrong))
+        return tuple(dict.fromkeys(key for check in checks for key in getattr(check, "observes", ())))
 
     @property
     def facts(self) -> tuple[str, ...]:

@@ -1,22 +1,19 @@
-"""Live values: quantities of the arm and of its planned motion for texts of lessons, as ``{{name}}``."""
+"""Live values: quantities of the arm for texts of lessons, as ``{{name}}``, and those that benches add."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.content.check import PLAIN, Words, signed
+from armlab.content.check import Words, signed
+from armlab.content.live_value import LiveValue, always
 from armlab.content.observation import Observation
+from armlab.content.vocabulary import vocabularies, with_added
 from armlab.kin.arm import Arm
 from armlab.kin.length_power import POWERS, length_power
 from armlab.kin.rotations import euler_zyx
-
-NONE = "–"
-"""Sign for a live value that the present arm does not have."""
 
 SINGULAR = 1e-9
 """Singular values, relative to the largest, up to this count as zero."""
@@ -24,26 +21,6 @@ SINGULAR = 1e-9
 _DECIMALS = 4
 _UPRIGHT = 1e-9
 """Largest deviation of the base's z axis from the world's, by component, with which the arm turns about z."""
-
-
-@dataclass(frozen=True)
-class LiveValue:
-    """One live value.
-
-    Parameters
-    ----------
-    missing : callable
-        ``missing(arm)``: why an arm does not have it; empty when it has.
-    text : callable
-        ``text(observation, words)``: the value with its unit; only asked where nothing is missing.
-    """
-
-    missing: Callable[[Arm], str]
-    text: Callable[[Observation, Words], str]
-
-    def __call__(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return the value with its unit as plain text, or `NONE`."""
-        return NONE if self.missing(observation.arm) else self.text(observation, words)
 
 
 def live_values(arm: Arm) -> dict[str, LiveValue]:
@@ -55,7 +32,8 @@ def all_live_values(n: int) -> dict[str, LiveValue]:
     """Return all live values for n joints, including those that only some arms have."""
     joints = {f"q{i + 1}": _joint(i) for i in range(n)}
     points = {f"p{letter}": _coordinate(k) for k, letter in enumerate("xyz")}
-    return {**joints, **points, **_OTHERS}
+    own = {**joints, **points, **_OTHERS}
+    return with_added("live value", own, (each.live for each in vocabularies().values()))
 
 
 def task_jacobian(observation: Observation) -> NDArray[np.float64]:
@@ -72,11 +50,6 @@ def task_jacobian(observation: Observation) -> NDArray[np.float64]:
     return np.vstack([linear[arm.task.coordinates], rotation[arm.task.rotation] @ angular])
 
 
-def _always(arm: Arm) -> str:
-    del arm
-    return ""
-
-
 def _joint(i: int) -> LiveValue:
     def missing(arm: Arm) -> str:
         return "" if i < arm.n else f"the arm has {arm.n} joints"
@@ -89,13 +62,13 @@ def _joint(i: int) -> LiveValue:
 
 
 def _coordinate(k: int) -> LiveValue:
-    return LiveValue(_always, lambda observation, words: words.length(float(observation.tool_pose[k, 3])))
+    return LiveValue(always, lambda observation, words: words.length(float(observation.tool_pose[k, 3])))
 
 
 def _angle(k: int) -> LiveValue:
     """Return yaw (0), pitch (1) or roll (2) of R = Rz(yaw) Ry(pitch) Rx(roll), notes 3.104-3.108."""
     return LiveValue(
-        _always, lambda observation, words: words.angle(float(euler_zyx(observation.tool_pose[:3, :3])[0][k]))
+        always, lambda observation, words: words.angle(float(euler_zyx(observation.tool_pose[:3, :3])[0][k]))
     )
 
 
@@ -168,35 +141,15 @@ def _rank(observation: Observation, words: Words) -> str:
     return str(int(np.sum(sigma > SINGULAR * max(float(sigma[0]), 1.0))))
 
 
-def _duration(observation: Observation, words: Words) -> str:
-    """Return the duration of the planned motion, if it can be run to its end."""
-    del words
-    motion = observation.motion
-    return f"{signed(motion.duration, 2)} s" if motion is not None and motion.whole else NONE
-
-
-def _fastest(observation: Observation, words: Words) -> str:
-    """Return the least duration of the planned motion within its limits."""
-    del words
-    motion = observation.motion
-    return f"{signed(motion.fastest, 2)} s" if motion is not None and motion.whole else NONE
-
-
-_MOTION = {"duration": LiveValue(_always, _duration), "fastest": LiveValue(_always, _fastest)}
-
-OF_MOTION = frozenset(_MOTION)
-"""Names of the live values that require the planned motion."""
-
 _OTHERS = {
     "phi": LiveValue(_not_planar, _phi),
     "roll": _angle(2),
     "pitch": _angle(1),
     "yaw": _angle(0),
-    "r": LiveValue(_always, _reach),
-    "w": LiveValue(_always, _manipulability),
+    "r": LiveValue(always, _reach),
+    "w": LiveValue(always, _manipulability),
     "det J": LiveValue(_not_square, _determinant),
     "sigma_min": LiveValue(_mixed, _smallest),
     "condition": LiveValue(_mixed, _condition),
-    "rank": LiveValue(_always, _rank),
-    **_MOTION,
+    "rank": LiveValue(always, _rank),
 }

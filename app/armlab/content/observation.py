@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,7 +14,6 @@ from armlab.content import evidence
 from armlab.content.joint_limits import outside
 from armlab.content.robots import Robot
 from armlab.content.seen_fact import SeenFact
-from armlab.content.seen_motion import SeenMotion
 from armlab.errors import InputError
 from armlab.kin.arm import MAX_JOINTS, Arm
 from armlab.kin.checks import wrong
@@ -28,6 +27,14 @@ SAME_TABLE = 1e-12
 """Largest difference, in m and rad, of tables that are the same: files contain angles in degrees."""
 
 _KEYS = ("q", "arm", "target", "seconds", "switches", "panel", "films")
+
+
+class Told(Protocol):
+    """A bench as it tells of itself, such as the planned motion."""
+
+    def to_json(self) -> dict[str, Any]:
+        """Return it as plain data."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,8 +58,8 @@ class Observation:
         The panel that is open; empty for none.
     films : frozenset of str
         Films that were played to their end.
-    motion : SeenMotion or None
-        The planned motion; None where nothing in the step asks for it, for planning takes time.
+    benches : mapping of str to Told
+        What benches tell of themselves, by keys such as ``"motion"``; only what the step asks for, since it takes time.
     facts : mapping of str to SeenFact
         Facts that benches publish, by words such as ``velocity.statics.torques``; only those the step asks for. They
         follow from the inputs of the benches, which are kept as evidence in their place.
@@ -66,7 +73,7 @@ class Observation:
     switches: frozenset[str] = frozenset()
     panel: str = ""
     films: frozenset[str] = frozenset()
-    motion: SeenMotion | None = None
+    benches: Mapping[str, Told] = field(default_factory=lambda: MappingProxyType({}))
     facts: Mapping[str, SeenFact] = field(default_factory=lambda: MappingProxyType({}))
 
     @classmethod
@@ -77,7 +84,6 @@ class Observation:
 
     def to_json(self) -> dict[str, Any]:
         """Return the observation as plain data. The tool pose is left out, as it follows from arm and joint values."""
-        motion = {} if self.motion is None else {"motion": self.motion.to_json()}
         return {
             "q": self.q.tolist(),
             "arm": _written(self.arm),
@@ -86,11 +92,13 @@ class Observation:
             "switches": sorted(self.switches),
             "panel": self.panel,
             "films": sorted(self.films),
-            **motion,
+            **{key: told.to_json() for key, told in self.benches.items()},
         }
 
     @classmethod
-    def from_json(cls, data: object, robot: Robot) -> Observation:
+    def from_json(
+        cls, data: object, robot: Robot, readers: Mapping[str, Callable[[object, str], Told]] = MappingProxyType({})
+    ) -> Observation:
         """Read evidence back. It comes from a file that anyone may have changed, so nothing in it is trusted.
 
         Parameters
@@ -100,6 +108,8 @@ class Observation:
         robot : Robot
             The robot of the lesson. Where the evidence has its table, ``arm`` is the very object ``robot.arm``, whose
             limits and task hold whatever the file says; else the student has edited the table.
+        readers : mapping of str to callable, optional
+            ``read(data, where)`` of what benches tell, by their keys.
 
         Raises
         ------
@@ -107,7 +117,7 @@ class Observation:
             A missing or unknown field, a wrong type or size, a number that is not finite, a joint value outside of
             its limits, a matrix that is no pose.
         """
-        fields = evidence.mapping(data, "observation", _KEYS, ("motion",))
+        fields = evidence.mapping(data, "observation", _KEYS, tuple(readers))
         arm = _arm(fields["arm"], robot)
         q = evidence.numbers(fields["q"], "observation.q", arm.n)
         beyond = outside(arm, q, BEYOND)
@@ -125,7 +135,7 @@ class Observation:
             switches=evidence.names(fields["switches"], "observation.switches"),
             panel=evidence.name(fields["panel"], "observation.panel"),
             films=evidence.names(fields["films"], "observation.films"),
-            motion=SeenMotion.from_json(fields["motion"], "observation.motion") if "motion" in fields else None,
+            benches={key: read(fields[key], f"observation.{key}") for key, read in readers.items() if key in fields},
         )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from armlab.content import actions, motion_actions
+from armlab.content import actions
 from armlab.content.bench_words import BenchWord
 from armlab.session import edits
 from armlab.session.bench import PutInPlace
@@ -38,7 +38,7 @@ def commands_of(action: actions.Action, state: State) -> Iterator[Command]:
         yield ChooseRobot(action.key)
     elif isinstance(action, actions.SetSwitch):
         yield Show(action.name, action.on)
-    elif isinstance(action, motion_actions.TakeExample):
+    elif isinstance(action, actions.TakeExample):
         yield PutInPlace(action.name)
     else:
         for each in taught():

@@ -128,7 +128,7 @@ def _fresh(state: State, lesson: Lesson) -> State:
 
 
 def _parts_of(lesson: Lesson) -> Iterator[type[Part]]:
-    yield from (each.part for each in taught() if any(map(each.checked, lesson.steps)))
+    yield from (each.part for each in taught() if any(map(each.is_checked, lesson.steps)))
     facts = [word for step in lesson.steps if step.check is not None for word in step.check.facts]
     # The joints, which facts may follow from, too, stand where the lesson has put them.
     yield from (part for found in benches_of(facts) for part in found.parts if part is not Joints)

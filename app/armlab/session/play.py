@@ -255,7 +255,7 @@ def _of_configuration(check: Check) -> bool:
     """Return whether joint values alone can meet a check."""
     if isinstance(check, AllOf):
         return all(_of_configuration(each) for each in check.checks)
-    of_more = any(getattr(check, name, False) for name in ("of_table", "of_motion", "facts"))
+    of_more = any(getattr(check, name, False) for name in ("of_table", "observes", "facts"))
     return not of_more and not isinstance(check, TargetAt | LookedAt)
 
 

@@ -36,13 +36,11 @@ def seen_again(data: Json, robot: Robot, plans: bool = True, facts: tuple[str, .
     """
     work = {each.part.key for each in taught()} | {FACTS}
     kept = {key: value for key, value in data.items() if key not in work} if isinstance(data, dict) else data
-    seen = Observation.from_json(kept, robot)
+    seen = Observation.from_json(kept, robot, {each.key: each.read for each in taught()})
     if facts:
         seen = replace(seen, facts=facts_again(data.get(FACTS), facts, seen, robot, plans))
     if not plans:
         return seen
-    told = [(each, getattr(seen, each.key)) for each in taught()]
-    return replace(
-        seen,
-        **{each.key: each.again(data.get(each.part.key), facts, robot) for each, facts in told if facts is not None},
-    )
+    told = {each.key: each for each in taught() if each.key in seen.benches}
+    again = {key: each.again(data.get(each.part.key), seen.benches[key], robot) for key, each in told.items()}
+    return replace(seen, benches=again)

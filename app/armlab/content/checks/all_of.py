@@ -22,9 +22,9 @@ class AllOf:
         return any(getattr(check, "of_table", False) for check in self.checks)
 
     @property
-    def of_motion(self) -> bool:
-        """Whether one of the checks is about the planned motion."""
-        return any(getattr(check, "of_motion", False) for check in self.checks)
+    def observes(self) -> tuple[str, ...]:
+        """Keys of benches of which the checks look at what they tell."""
+        return tuple(key for check in self.checks for key in getattr(check, "observes", ()))
 
     @property
     def facts(self) -> tuple[str, ...]:

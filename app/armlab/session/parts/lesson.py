@@ -156,11 +156,11 @@ class LessonPart(Part):
 
     @property
     def asked(self) -> frozenset[str]:
-        """Keys of observations of benches, such as ``"motion"``, that the shown step needs."""
+        """Keys of the benches, such as ``"motion"``, of which the shown step needs what they tell."""
         found, step = self.lesson, self.step
         if found is None or step is None:
             return frozenset()
-        return frozenset(each.key for each in taught() if each.asked(found, step, self._settled))
+        return frozenset(each.key for each in taught() if each.is_asked(found, step, self._settled))
 
     @property
     def facts(self) -> tuple[str, ...]:
@@ -344,7 +344,7 @@ def observed(state: State) -> Observation:
         panel=_panel_seen(state),
         films=progress.films,
         facts=seen_facts(state, part.facts),
-        **{each.key: each.seen(state, each.clip in progress.films) for each in taught() if each.key in asked},
+        benches={each.key: each.seen(state, each.clip in progress.films) for each in taught() if each.key in asked},
     )
 
 
@@ -378,7 +378,7 @@ def _judged(progress: Progress, name: str, step: Step, now: State) -> Progress:
         left = {key: each for key, each in progress.evidence.items() if key != name}
         return replace(progress, met=progress.met - {name}, evidence=MappingProxyType(left))
     # Results of the work on a bench are judged again from that work.
-    work = {each.part.key: now[each.part].to_json() for each in taught() if getattr(seen, each.key) is not None}
+    work = {each.part.key: now[each.part].to_json() for each in taught() if each.key in seen.benches}
     facts = {"facts": evidence_of(now, step.check.facts)} if step.check.facts else {}
     evidence = MappingProxyType({**progress.evidence, name: {**seen.to_json(), **work, **facts}})
     return replace(progress, met=progress.met | {name}, evidence=evidence)

@@ -9,7 +9,8 @@ from functools import cache
 from armlab.content.check import Words, metres, spaced
 from armlab.content.fact_words import said
 from armlab.content.lesson import Lesson
-from armlab.content.live import NONE, all_live_values
+from armlab.content.live import all_live_values
+from armlab.content.live_value import NONE
 from armlab.content.markdown import IN_METRES
 from armlab.session.pages import pages, place_of
 from armlab.session.parts.lesson import LessonPart, observed

@@ -6,15 +6,16 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from armlab.benches.motion.plan import commands, limits, points
+from armlab.benches.motion.plan.actions import EditWaypoint, SetDuration, SetLimits, SetMoveKind
 from armlab.benches.motion.plan.job import JOB, with_planned
-from armlab.benches.motion.plan.seen import asks_for_motion, checks_motion, motion_changed, seen_motion
+from armlab.benches.motion.plan.moves import TURNINGS
+from armlab.benches.motion.plan.seen import motion_changed, seen_motion
+from armlab.benches.motion.plan.seen_motion import KEY, SeenMotion
 from armlab.benches.motion.plan.state import CLIP_KEY, Plan, planned_now
 from armlab.content import evidence
 from armlab.content.actions import Action
-from armlab.content.motion_actions import EditWaypoint, SetDuration, SetLimits, SetMoveKind
 from armlab.content.robots import Robot
-from armlab.content.seen_motion import SeenMotion
-from armlab.errors import InputError
+from armlab.errors import InputError, suggestion
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, Json, State
 from armlab.session.taught import Taught
@@ -66,16 +67,22 @@ def motion_commands(action: Action, state: State) -> Iterator[Command]:
             yield limits.LimitJerk(action.jerk_time)
 
 
+def mistakes(action: Action) -> Iterator[str]:
+    """Yield what is wrong with an action: a turning that there is not."""
+    if isinstance(action, SetMoveKind) and action.turning not in (None, *TURNINGS):
+        yield f"unknown turning {action.turning!r}{suggestion(str(action.turning), list(TURNINGS))}"
+
+
 TAUGHT = Taught(
-    "motion",
+    KEY,
     Plan,
     CLIP_KEY,
     JOB,
-    asks_for_motion,
-    checks_motion,
     motion_changed,
     ended,
     seen_motion,
+    SeenMotion.from_json,
     again,
     motion_commands,
+    mistakes,
 )

@@ -9,10 +9,8 @@ from functools import lru_cache
 import numpy as np
 
 from armlab.benches.motion.plan.question import Planned
+from armlab.benches.motion.plan.seen_motion import SeenMotion, SeenMove
 from armlab.benches.motion.plan.state import CLIP_KEY, Plan, default_limits, planned_now, question
-from armlab.content.lesson import Lesson, Step
-from armlab.content.live import OF_MOTION
-from armlab.content.seen_motion import SeenMotion, SeenMove
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
@@ -22,16 +20,6 @@ KEPT = 64
 
 ROUNDING = 1e-9
 """Relative difference of two equal limits: one typed in degrees is rounded a few times."""
-
-
-def asks_for_motion(lesson: Lesson, step: Step, met: bool) -> bool:
-    """Return whether a step uses the planned motion, in a text, or in its check until that is met."""
-    return (checks_motion(step) and not met) or not OF_MOTION.isdisjoint((*step.live, *lesson.live))
-
-
-def checks_motion(step: Step) -> bool:
-    """Return whether the check of a step uses the planned motion."""
-    return step.check is not None and step.check.of_motion
 
 
 def motion_changed(before: State, now: State) -> bool:

@@ -8,15 +8,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from armlab.content.actions import Move, PlayFilm
+from armlab.benches.motion.plan.actions import EditWaypoint, SetDuration, SetLimits, SetMoveKind
+from armlab.benches.motion.plan.seen_motion import SeenMotion, SeenMove, motion_in
+from armlab.content.actions import Move, PlayFilm, TakeExample
 from armlab.content.check import Words, read_check, read_state_check
 from armlab.content.lesson_file import parse_lesson
 from armlab.content.lesson_lines import LessonError
-from armlab.content.motion_actions import EditWaypoint, SetDuration, SetLimits, SetMoveKind, TakeExample
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import catalogue
-from armlab.content.seen_motion import SeenMotion, SeenMove
 from armlab.errors import ContentError, InputError
 from support.motion_lesson import MOTION
 
@@ -48,7 +48,12 @@ def check(text, robot="planar_2r"):
 
 
 def seen(motion=RUNS, **changes):
-    return Observation.of(ROBOT.arm, [0.1, 0.2], motion=None if motion is None else replace(motion, **changes))
+    benches = {} if motion is None else {"motion": replace(motion, **changes)}
+    return Observation.of(ROBOT.arm, [0.1, 0.2], benches=benches)
+
+
+def read_again(data):
+    return motion_in(Observation.from_json(data, ROBOT, {"motion": SeenMotion.from_json}))
 
 
 # --- The file
@@ -63,7 +68,7 @@ def test_an_example_at_the_top_and_in_steps(lesson):
         ("laws/triangle", "laws"),
         ("motion/spline", "motion"),
     ]
-    assert [step.check is not None and step.check.of_motion for step in lesson.steps] == [0, 1, 1, 0, 1]
+    assert [step.check is not None and step.check.observes == ("motion",) for step in lesson.steps] == [0, 1, 1, 0, 1]
     assert lesson.steps[1].live == ("duration",)
     assert "start" not in lesson.steps[3].html
 
@@ -261,9 +266,9 @@ def test_a_check_is_of_the_motion_also_for_its_mistakes():
         return read_state_check(Table.parse("f.md", text), ROBOT, lambda says, where: says)
 
     joint = 'kind = "joint_at"\njoint = 1\nvalue_deg = 90\ntolerance_deg = 1\n'
-    assert not state_check(joint).of_motion
+    assert state_check(joint).observes == ()
     wrong = state_check(joint + '[[wrong]]\nkind = "move_is"\nspace = "joint"\nsays = "Joint."\n')
-    assert wrong.of_motion
+    assert wrong.observes == ("motion",)
     assert wrong.judge(seen(moves=(JOINT,))) == (False, "Joint.")
 
 
@@ -272,12 +277,10 @@ def test_a_check_is_of_the_motion_also_for_its_mistakes():
 
 def test_evidence_of_a_motion_comes_back_the_same():
     for motion in (RUNS, SeenMotion(), replace(RUNS, played=True, time=1.32)):
-        back = Observation.from_json(json.loads(json.dumps(seen(motion).to_json())), ROBOT)
-        assert back.motion == motion
+        assert read_again(json.loads(json.dumps(seen(motion).to_json()))) == motion
     assert "motion" not in seen(None).to_json()
-    assert Observation.from_json(seen(None).to_json(), ROBOT).motion is None
-    told = Observation.from_json(seen(whole=False, trouble="why").to_json(), ROBOT)
-    assert told.motion.trouble == ""
+    assert read_again(seen(None).to_json()) is None
+    assert read_again(seen(whole=False, trouble="why").to_json()).trouble == ""
 
 
 JUNK = [None, True, -1, 7, 1e300, math.nan, 10**400, "x", "y" * 100, [], [[]], {}, [["a", "b"]], {"a": 1}, 2.5]
@@ -291,7 +294,7 @@ def test_forged_motions_raise_a_sentence_and_nothing_else():
             data = copy.deepcopy(good)
             data["motion"][key] = junk
             try:
-                found = Observation.from_json(data, ROBOT).motion
+                found = read_again(data)
             except InputError as error:
                 told.append((key, str(error)))
             else:
@@ -303,6 +306,6 @@ def test_forged_motions_raise_a_sentence_and_nothing_else():
     assert all(f"observation.motion.{key}" in says and len(says) < 300 for key, says in told)
     for junk in (None, 3, [], {}, {**good["motion"], "more": 1}):
         with pytest.raises(InputError, match=r"observation\.motion: expected exactly the fields"):
-            Observation.from_json({**good, "motion": junk}, ROBOT)
+            read_again({**good, "motion": junk})
     with pytest.raises(InputError, match="at most 100 moves"):
-        Observation.from_json({**good, "motion": {**good["motion"], "moves": [["a", "b", "c"]] * 101}}, ROBOT)
+        read_again({**good, "motion": {**good["motion"], "moves": [["a", "b", "c"]] * 101}})

@@ -1,4 +1,4 @@
-"""Actions of solutions on benches and on the plan of a motion, as they are written in lesson files."""
+"""Actions of starts and solutions on the plan of a motion, as they are written in lesson files."""
 
 from __future__ import annotations
 
@@ -6,18 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import get_args
 
-from armlab.content.lesson_fields import Fields, example_name
+from armlab.benches.motion.plan.seen_motion import MOST_WAYPOINTS
+from armlab.content.lesson_fields import Fields
+from armlab.content.lesson_values import written
 from armlab.content.robots import Robot
-from armlab.content.seen_motion import MOST_WAYPOINTS
+from armlab.content.vocabulary import BenchAction
 from armlab.kin.motion import law_types, path_types
 from armlab.kin.motion.path_types import Space
-
-
-@dataclass(frozen=True)
-class TakeExample:
-    """Put an example of a bench in place, such as ``"motion/corner_fly"``."""
-
-    name: str
 
 
 @dataclass(frozen=True)
@@ -34,6 +29,19 @@ class EditWaypoint:
 
     how: str
     k: int | None
+
+    def says(self) -> str:
+        """Return the action in words.
+
+        >>> EditWaypoint("set", 1).says()
+        'waypoint 2 goes to where the arm is'
+        """
+        if self.how == "remove":
+            return f"remove waypoint {(self.k or 0) + 1}"
+        if self.how == "set":
+            return f"waypoint {(self.k or 0) + 1} goes to where the arm is"
+        behind = "" if self.k is None else f" behind waypoint {self.k + 1}"
+        return f"add the configuration of the arm as a waypoint{behind}"
 
 
 @dataclass(frozen=True)
@@ -57,12 +65,25 @@ class SetMoveKind:
     turning: str | None = None
     stop: bool | None = None
 
+    def says(self) -> str:
+        """Return the action in words."""
+        which = "all moves" if self.to is None else f"move to waypoint {self.to + 1}"
+        kinds = {"space": self.space, "path": self.path, "law": self.law, "turning": self.turning}
+        words = [f"{name} {value}" for name, value in kinds.items() if value is not None]
+        if self.stop is not None:
+            words.append("stop there" if self.stop else "do not stop there")
+        return f"{which}: {', '.join(words)}"
+
 
 @dataclass(frozen=True)
 class SetDuration:
     """Set the duration of the motion in seconds; None for as fast as allowed."""
 
     seconds: float | None
+
+    def says(self) -> str:
+        """Return the action in words."""
+        return "as fast as allowed" if self.seconds is None else f"duration {written(self.seconds)} s"
 
 
 @dataclass(frozen=True)
@@ -84,13 +105,18 @@ class SetLimits:
     tool_speed: float | None = None
     jerk_time: float | None = None
 
-
-MotionAction = TakeExample | EditWaypoint | SetMoveKind | SetDuration | SetLimits
-
-
-def _take_example(entry: Fields, robot: Robot) -> TakeExample:
-    del robot
-    return TakeExample(example_name(entry, "name"))
+    def says(self) -> str:
+        """Return the action in words."""
+        words = [
+            f"{name} {written(100.0 * share)} %"
+            for name, share in (("velocity", self.velocity), ("acceleration", self.acceleration))
+            if share is not None
+        ]
+        if self.tool_speed is not None:
+            words.append(f"tool speed {written(self.tool_speed)} m/s")
+        if self.jerk_time is not None:
+            words.append(f"jerk time {written(self.jerk_time)} s")
+        return f"limits: {', '.join(words)}"
 
 
 def _edit_waypoint(entry: Fields, robot: Robot) -> EditWaypoint:
@@ -152,8 +178,7 @@ def _positive(entry: Fields, key: str) -> float | None:
     return value
 
 
-READERS: dict[str, Callable[[Fields, Robot], MotionAction]] = {
-    "example": _take_example,
+READERS: dict[str, Callable[[Fields, Robot], BenchAction]] = {
     "waypoint": _edit_waypoint,
     "move_kind": _set_move_kind,
     "duration": _set_duration,

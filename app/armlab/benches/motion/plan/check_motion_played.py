@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from armlab.benches.motion.plan.seen_motion import KEY, NOT_PLANNED, motion_in, seconds
 from armlab.content.check import PLAIN, CheckType, Words
-from armlab.content.checks._motion import NOT_PLANNED, seconds
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import Robot
@@ -16,17 +16,17 @@ from armlab.content.robots import Robot
 class MotionPlayed:
     """Playback of the motion as planned at present: a change of the plan requires another playback."""
 
-    of_motion: ClassVar[bool] = True
+    observes: ClassVar[tuple[str, ...]] = (KEY,)
     noted: ClassVar[tuple[str, ...]] = ("that the motion was played",)
 
     def is_met(self, observation: Observation) -> bool:
         """Return whether the motion can be run to its end and was played to it."""
-        motion = observation.motion
+        motion = motion_in(observation)
         return motion is not None and motion.planned and motion.whole and motion.played
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return a sentence on how far it was played."""
-        motion = observation.motion
+        motion = motion_in(observation)
         if motion is None or not motion.planned:
             return NOT_PLANNED
         if not motion.whole:

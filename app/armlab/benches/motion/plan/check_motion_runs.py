@@ -5,13 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from armlab.benches.motion.plan.seen_motion import (
+    KEY,
+    MOST_WAYPOINTS,
+    NOT_PLANNED,
+    SeenMotion,
+    motion_in,
+    percent,
+    seconds,
+)
 from armlab.content.check import PLAIN, CheckType, Words, tolerance
-from armlab.content.checks._motion import NOT_PLANNED, percent, seconds
 from armlab.content.lesson_fields import Fields
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import Robot
-from armlab.content.seen_motion import MOST_WAYPOINTS, SeenMotion
 
 ROUNDING_S = 5e-3
 """Difference from the required time, seconds, that is rounding: two decimals are shown."""
@@ -24,7 +31,7 @@ ROUNDING = 5e-4
 class MotionRuns:
     """Conditions besides running to the end: ``most`` and ``least`` in s, ``deviation`` in m, fractions; None: any."""
 
-    of_motion: ClassVar[bool] = True
+    observes: ClassVar[tuple[str, ...]] = (KEY,)
 
     most: float | None = None
     least: float | None = None
@@ -35,15 +42,16 @@ class MotionRuns:
 
     def is_met(self, observation: Observation) -> bool:
         """Return whether all conditions are met."""
-        motion = observation.motion
+        motion = motion_in(observation)
         return motion is not None and not self._missing(motion)
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return a sentence on the first condition that is not met."""
-        if observation.motion is None:
+        motion = motion_in(observation)
+        if motion is None:
             return NOT_PLANNED
-        return self._missing(observation.motion, words) or (
-            f"The motion runs to its end in {seconds(observation.motion.duration)}, within all limits."
+        return self._missing(motion, words) or (
+            f"The motion runs to its end in {seconds(motion.duration)}, within all limits."
         )
 
     def _missing(self, motion: SeenMotion, words: Words = PLAIN) -> str:

@@ -6,13 +6,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar, get_args
 
+from armlab.benches.motion.plan.seen_motion import KEY, MOST_WAYPOINTS, NOT_PLANNED, SeenMotion, SeenMove, motion_in
 from armlab.content.check import PLAIN, CheckType, Words
-from armlab.content.checks._motion import NOT_PLANNED
 from armlab.content.lesson_fields import Fields
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import Robot
-from armlab.content.seen_motion import MOST_WAYPOINTS, SeenMotion, SeenMove
 from armlab.kin.motion import law_types, path_types
 from armlab.kin.motion.path_types import Space
 
@@ -21,7 +20,7 @@ from armlab.kin.motion.path_types import Space
 class MoveIs:
     """Properties of the move to waypoint ``to`` (from 2), or of all moves for 0; empty ones do not count."""
 
-    of_motion: ClassVar[bool] = True
+    observes: ClassVar[tuple[str, ...]] = (KEY,)
 
     to: int = 0
     space: str = ""
@@ -30,12 +29,12 @@ class MoveIs:
 
     def is_met(self, observation: Observation) -> bool:
         """Return whether there is such a move and it, or every move, has the properties."""
-        motion = observation.motion
+        motion = motion_in(observation)
         return motion is not None and bool(self._asked(motion)) and not any(self._mistakes(motion))
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return a sentence on the first move that differs."""
-        motion = observation.motion
+        motion = motion_in(observation)
         if motion is None:
             return NOT_PLANNED
         if not self._asked(motion):

@@ -1,4 +1,4 @@
-"""The planned motion as checks of lessons see it, and its form as evidence."""
+"""The planned motion as checks of lessons see it, its form as evidence, and common words of the checks."""
 
 from __future__ import annotations
 
@@ -6,8 +6,16 @@ from dataclasses import asdict, dataclass
 from typing import Any, Self
 
 from armlab.content import evidence
+from armlab.content.check import signed
+from armlab.content.observation import Observation
 from armlab.errors import InputError
 from armlab.kin.checks import wrong
+
+KEY = "motion"
+"""The key of the planned motion in observations."""
+
+NOT_PLANNED = "The motion has not been planned yet."
+"""Sentence for a motion that is not planned yet, or is being planned."""
 
 MOST_WAYPOINTS = 100
 """Largest number of waypoints of a motion in lessons."""
@@ -117,6 +125,22 @@ class SeenMotion:
             time=None if time is None else _positive(time, f"{where}.time"),
             **given,
         )
+
+
+def motion_in(observation: Observation) -> SeenMotion | None:
+    """Return the planned motion of an observation; None where nothing has asked for it."""
+    found = observation.benches.get(KEY)
+    return found if isinstance(found, SeenMotion) else None
+
+
+def seconds(value: float) -> str:
+    """Return a time with two decimals and its unit."""
+    return f"{signed(value, 2)} s"
+
+
+def percent(share: float) -> str:
+    """Return a fraction as a percentage."""
+    return f"{100.0 * share:.0f} %"
 
 
 def _positive(value: object, where: str) -> float:

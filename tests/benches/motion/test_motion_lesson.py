@@ -16,6 +16,7 @@ from armlab.benches.motion.plan.limits import LastFor, LimitJoint, UseShare
 from armlab.benches.motion.plan.measured import measuring
 from armlab.benches.motion.plan.planning import making
 from armlab.benches.motion.plan.points import AddWaypoint
+from armlab.benches.motion.plan.seen_motion import motion_in
 from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
@@ -175,7 +176,7 @@ def test_planning_runs_only_while_a_step_asks_for_it(corners):
     assert JOB.wanted(asked, nothing) is not None
     assert JOB.wanted(worked(asked), nothing) is None
     assert JOB.wanted(after(asked, GoToStep(3)), nothing) is None
-    assert observed(after(asked, GoToStep(3))).motion is None
+    assert motion_in(observed(after(asked, GoToStep(3)))) is None
 
 
 def test_planning_goes_on_after_the_check_only_for_a_text(own):
@@ -200,7 +201,7 @@ def test_the_check_looks_again_when_the_plan_is_delivered(corners):
 
 def test_what_is_seen_of_a_plan(corners):
     state = worked(after(corners, GoToStep(1), *FLY, UseShare(0.5, 0.25)))
-    found, planned = observed(state).motion, planned_now(state)
+    found, planned = motion_in(observed(state)), planned_now(state)
     assert (found.waypoints, found.planned, found.whole, found.within, found.played) == (5, True, True, True, False)
     assert {(move.space, move.path, move.law) for move in found.moves} == {("cartesian", "overfly", "trapezoidal")}
     assert (found.duration, found.fastest) == (planned.duration, planned.fastest)
@@ -208,7 +209,7 @@ def test_what_is_seen_of_a_plan(corners):
     assert 0.2 < found.acceleration <= 0.25 + 1e-6
     assert found.deviation == planned.legs[0].deviation > 0.0
     assert found.time is None
-    short = observed(worked(after(state, LastFor(1.0)))).motion
+    short = motion_in(observed(worked(after(state, LastFor(1.0)))))
     assert (short.whole, short.within) == (True, False)
     assert short.acceleration > 1.0
 
@@ -217,7 +218,7 @@ def test_a_motion_that_cannot_be_run_says_why(own):
     text = MOTION.replace("puma560", "planar_2r_unequal").replace("motion/corner_stop", "motion/out_of_reach", 1)
     own(c=text.partition("## Laws")[0])
     state = worked(after(State.initial(PUMA), OpenLesson("c"), GoToStep(2)))
-    found = observed(state).motion
+    found = motion_in(observed(state))
     assert (found.planned, found.whole, found.within, found.fastest, found.time) == (True, False, False, 0.0, None)
     assert found.trouble == planned_now(state).trouble
     assert check_line(state)[1].startswith("The motion cannot be run to its end: move 1 → 2: ")
@@ -225,14 +226,14 @@ def test_a_motion_that_cannot_be_run_says_why(own):
 
 def test_a_motion_counts_as_played_only_as_it_is_planned(corners):
     played = to_its_end(worked(after(corners, GoToStep(1), UseShare(0.5, 0.5))))
-    assert observed(played).motion.played
-    assert observed(played).motion.time == duration(played)
+    assert motion_in(observed(played)).played
+    assert motion_in(observed(played)).time == duration(played)
     changed = after(played, *FLY, UseShare(1.0, 1.0))
-    assert not observed(changed).motion.played
+    assert not motion_in(observed(changed)).played
     # The new plan is shorter: its end comes to where the playback stands, and nobody has seen it.
     delivered = worked(changed)
     assert delivered[Timeline].time == duration(delivered) < duration(played)
-    assert not observed(delivered).motion.played
+    assert not motion_in(observed(delivered)).played
     assert "Play the motion to its end" in check_line(delivered)[1]
     again = to_its_end(after(delivered, Seek(0.0)))
     assert check_line(again)[0]
@@ -244,14 +245,14 @@ def test_the_end_of_an_old_motion_is_not_that_of_the_new_one(corners):
     early = after(playing, Seek(duration(playing)))
     assert early[Timeline].time < 30.0
     assert "motion" not in early[LessonPart].progress.films
-    assert not observed(worked(early)).motion.played
+    assert not motion_in(observed(worked(early))).played
 
 
 def test_going_to_another_step_forgets_what_was_played(corners):
     state = worked(after(corners, GoToStep(1)))
     played = to_its_end(state)
-    assert observed(played).motion.played
-    assert not observed(after(played, GoToStep(2))).motion.played
+    assert motion_in(observed(played)).played
+    assert not motion_in(observed(after(played, GoToStep(2)))).played
 
 
 # --- Played by its solution, and handed in
@@ -322,7 +323,7 @@ def test_a_limit_that_was_raised_counts_neither_on_screen_nor_in_the_file(corner
     limits = corners[Plan].velocity
     state = worked(after(corners, GoToStep(2), LimitJoint(0, "velocity", 2.0 * limits[0])))
     assert "joint 1 was raised" in check_line(state)[1]
-    assert not observed(state).motion.runs
+    assert not motion_in(observed(state)).runs
     state = worked(after(state, LimitJoint(0, "velocity", limits[0])))
     assert "was raised" not in check_line(state)[1]
 
@@ -338,5 +339,5 @@ def test_a_player_who_does_not_plan_is_told_so(own):
 def test_a_plan_of_another_state_is_not_seen(corners):
     state = worked(after(corners, GoToStep(2)))
     stale = state.replace(replace(state[Plan], duration=5.0))
-    assert not observed(stale).motion.planned
-    assert observed(stale).motion.waypoints == 5
+    assert not motion_in(observed(stale)).planned
+    assert motion_in(observed(stale)).waypoints == 5
