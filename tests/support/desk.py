@@ -2,7 +2,7 @@
 
 A page that has shown the lab before shows it again in half the time, since the browser has compiled its scripts.
 It keeps them only while it stays with the lab: for a page from elsewhere, even an empty one, it begins a new process.
-In a fifth of the time the lab wipes a page, instead of the page being loaded again; see `support.wiped`.
+In a quarter of the time the lab wipes a page, instead of the page being loaded again; see `support.wiped`.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Desk:
             What stands after it in the address.
         size : tuple of int
         """
-        if self._left is not None and self._left.url.startswith(url) and self._marks:
+        if self._left is not None and self._left.url.startswith(url) and self._left.tab("Joints").is_visible():
             lab, self._left = self._left, None
             wipe(lab, wish)
             lab.resize(size)

@@ -20,8 +20,12 @@ MARKS = """() => JSON.stringify([
   document.querySelectorAll('[data-floating-window], dialog[open], [role=dialog]').length,
   document.querySelector('[data-dock-region=right]')?.offsetWidth,
   { ...localStorage }, { ...sessionStorage },
+  Object.keys(window).filter(name => isNaN(name)).sort(), ...[requestAnimationFrame, setTimeout].map(String),
 ])"""
-"""What a page keeps for itself, unknown to the lab: how it is laid out, what covers it, what it has stored."""
+"""What a page keeps for itself, unknown to the lab: how it is laid out, what covers it, what it has stored.
+
+Also what a test has put into it.
+"""
 
 BLURRED = "() => document.activeElement?.blur()"
 
