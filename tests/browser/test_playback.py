@@ -72,7 +72,7 @@ def angle(lab, node):
 
 
 def test_without_a_graphics_card_pictures_are_plain_and_a_clip_moves_the_arm_by_a_true_clock(visit):
-    lab = visit("robot/elbow_3r", size=SIZE, painted=True)
+    lab = visit("robot/elbow_3r", size=SIZE)
     _edges_are_smooth_only_where_a_graphics_card_draws_them(lab)
     _a_picture_drawn_by_program_has_no_shadows_while_a_hand_drags(lab)
     node = lab.node("/arm/1/2")
@@ -89,7 +89,7 @@ def test_without_a_graphics_card_pictures_are_plain_and_a_clip_moves_the_arm_by_
 
 
 def _edges_are_smooth_only_where_a_graphics_card_draws_them(lab):
-    """The browser of the tests has none; another is claimed to be there."""
+    """A page that is not painted has none, which `test_using` tells of one that is; another is claimed to be there."""
     smooth = "canvas => canvas.getContext('webgl2', {antialias: true}).getContextAttributes().antialias"
     assert not lab.page.evaluate(f"() => ({smooth})(window.__viserMutable.canvas)")
     another = f"""card => {{

@@ -60,9 +60,14 @@ class Desk:
         """
         if self._left is not None and self._left.url.startswith(url) and self._left.tab("Joints").is_visible():
             lab, self._left = self._left, None
-            wipe(lab, wish)
-            lab.resize(size)
-            if lab.page.evaluate(MARKS) == self._marks:
+            try:
+                wipe(lab, wish)
+                lab.resize(size)
+                found = lab.page.evaluate(MARKS)
+            except BaseException:
+                self.take_away(lab)
+                raise
+            if found == self._marks:
                 return lab
             self.get_up(lab, False)
         lab = self.sit_down(f"{url}{wish}?{COARSE}", size)
