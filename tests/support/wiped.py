@@ -18,7 +18,7 @@ from support.patience import WAIT, Patience
 MARKS = """() => JSON.stringify([
   [...document.documentElement.attributes].map(each => [each.name, each.value]).filter(([name]) => name !== 'style'),
   document.querySelectorAll('[data-floating-window], dialog[open], [role=dialog]').length,
-  document.querySelector('[data-dock-region=right]')?.offsetWidth,
+  document.querySelectorAll('[data-dock-region=right] [data-dock-strip]').length,
   { ...localStorage }, { ...sessionStorage },
   Object.keys(window).filter(name => isNaN(name)).sort(), ...[requestAnimationFrame, setTimeout].map(String),
 ])"""
