@@ -276,7 +276,7 @@ def test_a_lab_without_one_page_passes_the_tests_of_the_others_of_its_tab(withou
     assert 1 < len(others) < len(list(tab.glob("test_*.py")))
     shutil.copytree(TOP / "tests/support", copy / "tests/support")
     shutil.copytree(TOP / "tests/data", copy / "tests/data")
-    for file in (TOP / "tests/conftest.py", *others):
+    for file in (TOP / "tests/conftest.py", TOP / "tests/benches/conftest.py", *others):
         (copy / file.relative_to(TOP)).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(file, copy / file.relative_to(TOP))
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--assert=plain"]

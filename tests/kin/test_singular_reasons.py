@@ -20,7 +20,7 @@ LATTICE = [0.0, RIGHT, -RIGHT, math.pi, 0.4, 1.1]
 def test_as_many_reasons_are_named_as_ranks_are_lost(key, rng):
     arm = ROBOTS[key].arm
     low, high = arm.limits.T
-    for _ in range(30):
+    for _ in range(60):
         q = np.where(arm.revolute, rng.choice(LATTICE, arm.n), rng.uniform(low, high))
         lost = usual_rank(arm) - task_subspaces(arm, q).rank
         found = singularities(arm, q)

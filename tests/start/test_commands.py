@@ -94,17 +94,23 @@ def test_what_goes_wrong_in_a_command_is_one_line(capsys, error, status, says):
     assert capsys.readouterr() == ("", says)
 
 
-def test_commands_load_no_viser_and_the_lab_no_commands(work):
-    path = work("a.json")
-    loaded = (
-        "print(*(name for name in sys.modules if name.split('.')[0] == 'viser' or name.startswith('armlab.commands')))"
-    )
-    code = f"from armlab.cli import main; main(sys.argv[1:]); {loaded}"
-    out, err = command("check", "mine/v.md", "--state", path, code=code).communicate(timeout=WAIT)
-    assert err == ""
+LOADED = "print(*(name for name in sys.modules if name.split('.')[0] == 'viser' or name.startswith('armlab.commands')))"
+
+
+def test_commands_load_no_viser_and_need_no_letters_of_the_terminal(work):
+    path = work("a.json", student="王")
+    code = f"from armlab.cli import main; status = main(sys.argv[1:]); {LOADED}; sys.exit(status)"
+    ascii_only = {**os.environ, "PYTHONIOENCODING": "ascii"}
+    running = command("check", "mine/v.md", "--state", path, code=code, env=ascii_only)
+    out, err = running.communicate(timeout=WAIT)
+    assert (running.returncode, err) == (0, "")
+    assert out.splitlines()[1].split()[:2] == ["?", "3"]
     assert "viser" not in out.splitlines()[-1].split()
     assert "armlab.commands.check" in out
-    out, err = command(code=f"import armlab.cli, armlab.front.start; {loaded}").communicate(timeout=WAIT)
+
+
+def test_the_lab_loads_no_commands():
+    out, err = command(code=f"import armlab.cli, armlab.front.start; {LOADED}").communicate(timeout=WAIT)
     assert (out.split(), err) == ([], "")
 
 
@@ -130,11 +136,3 @@ def test_a_reader_that_has_had_enough_is_no_error(place):
     running.stderr.close()
     running.wait(timeout=WAIT)
     assert err == ""
-
-
-def test_a_terminal_without_the_letters_is_no_error(work):
-    path = work("a.json", student="王")
-    running = command("check", "mine/v.md", "--state", path, env={**os.environ, "PYTHONIOENCODING": "ascii"})
-    out, err = running.communicate(timeout=WAIT)
-    assert (running.returncode, err) == (0, "")
-    assert out.splitlines()[1].split()[:2] == ["?", "3"]

@@ -7,6 +7,20 @@ import numpy as np
 from armlab.kin.arm import Arm
 from armlab.kin.dh import link_transform
 
+KINDS = (
+    "planar_3r",
+    "scara",
+    "puma560",
+    "ur10e",
+    "panda",
+    "stanford",
+    "cartesian_3p",
+    "scorbot",
+    "manseur_doty",
+)
+"""Robots of each structure: planar, SCARA, spherical wrist, three parallel axes, seven joints in the modified
+convention, a slide before a wrist, only slides, fewer joints than a pose has numbers, and nothing special."""
+
 QUARTERS = (0.0, np.pi / 2, -np.pi / 2, np.pi)
 
 

@@ -37,6 +37,7 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.session import Session, Undo
 from armlab.session.state import State, apply
 from armlab.session.store import state_from_text
+from support.arms import KINDS
 
 NOBODY = frozenset()
 
@@ -218,7 +219,7 @@ def test_undo_leaves_the_map_and_takes_the_start_back():
     assert session.state[Basins].map is found
 
 
-@pytest.mark.parametrize("key", list(catalogue().robots))
+@pytest.mark.parametrize("key", KINDS)
 def test_every_arm_opens_and_what_is_chosen_is_read_back(key):
     state = opened(
         key, MapMethod("dls_constant", "lambda", 0.2), SetFields.of(Basins, points=64, most=50, limits="clamp")

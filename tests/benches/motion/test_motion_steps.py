@@ -24,6 +24,7 @@ from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.format import mathml
 from armlab.ui.units import Units, units_of
+from support.arms import KINDS
 from support.student import run, student
 
 UNITS = Units(Notation())
@@ -129,7 +130,7 @@ def test_a_path_that_cannot_be_followed_says_where_and_why():
     assert "out of reach" in joints
 
 
-@pytest.mark.parametrize("key", sorted(catalogue().robots))
+@pytest.mark.parametrize("key", KINDS)
 def test_every_arm_has_words_for_every_step(key):
     state = State.initial(catalogue()[key])
     for space in ("joint", "cartesian"):

@@ -25,9 +25,10 @@ from armlab.kin.transforms import inverse
 from armlab.session.parts.joints import Joints, RandomPose, TakePose
 from armlab.session.parts.timeline import OpenClip, Seek, Step, Timeline, duration
 from armlab.session.state import State, apply
+from support.arms import KINDS
 
 PUMA = catalogue()["puma560"].arm
-ROBOTS = sorted(catalogue().robots)
+ROBOTS = sorted(KINDS)
 
 
 def opened(key, draws=1):

@@ -30,6 +30,7 @@ from armlab.ui.colours import BLUE, GREEN
 from armlab.ui.format import mathml
 from armlab.ui.html import joined
 from armlab.ui.units import Units, units_of
+from support.arms import KINDS
 from support.forms import asked
 from support.student import arm_nodes, run, settled, student
 
@@ -153,7 +154,7 @@ def test_of_a_scaled_matrix_the_formula_is_said_of_that_matrix():
     assert "J̄ is J with" in said
 
 
-@pytest.mark.parametrize("key", list(catalogue().robots))
+@pytest.mark.parametrize("key", KINDS)
 def test_every_arm_has_its_page_also_where_it_is_singular(key):
     robot = catalogue()[key]
     state = State.initial(robot)
