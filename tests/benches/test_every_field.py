@@ -9,7 +9,6 @@ looked for one press away.
 import dataclasses
 import logging
 import re
-import zlib
 from html import unescape
 
 import numpy as np
@@ -54,9 +53,6 @@ PERHAPS = {
     "equal rows": "0 0\n0 0",
 }
 """What some fields take: then as numbers that can be worked with."""
-
-ALWAYS = {"letters", "not a number", "infinite", "zero", "huge", "huge and negative", "tiny"}
-"""What is typed into every field; of all else a third, another one into the next field."""
 
 TEXTS = {
     "author title",
@@ -175,17 +171,10 @@ def _values(inside):
     return re.findall(r'<option value="([^"]*)"', inside)
 
 
-def typed_into(field):
-    """Return what is typed into a field, by what it is: some hundred fields have each of them."""
-    turn = zlib.crc32(field.encode())
-    every = {**NEVER, **PERHAPS}
-    return {of: every[of] for k, of in enumerate(every) if of in ALWAYS or (k + turn) % 3 == 0}
-
-
 def faults_of(page, key, kind, faults, untold):
     """Return what is wrong with the answers of a field."""
     before, found = page.session.state, []
-    for of, text in typed_into(f"{key} {kind}").items():
+    for of, text in {**NEVER, **PERHAPS}.items():
         fields, cell = fields_of(page)[kind]
         page.session.notice = None
         page.send(fields, cell, text)

@@ -49,7 +49,7 @@ def is_true(arm, q, found, T):
 @pytest.mark.parametrize("key", ["puma560", "tx60", "manseur_doty", "ur5e", "irb120", "kr6r900"])
 def test_quarter_turns_everywhere(key):
     arm, rng = catalogue()[key].arm, np.random.default_rng(90)
-    for _ in range(6):
+    for _ in range(12):
         q = rng.integers(-2, 3, 6) * H
         T = np.asarray(arm.fk(q))
         is_true(arm, q, solve_all(arm, T), T)
@@ -78,7 +78,7 @@ def test_the_arm_of_sixteen_with_its_first_joint_at_zero():
 def test_two_neighbouring_axes_nearly_one_line(size):
     """What moves the tool by less than what counts as reached is a family; nothing of it is unreachable."""
     rng = np.random.default_rng(int(-math.log10(size)))
-    for _ in range(3):
+    for _ in range(5):
         rows = [
             ["R", *rng.uniform(-1.0, 1.0, 1), rng.uniform(-3.0, 3.0), rng.uniform(-1.0, 1.0), 0.0] for _ in range(6)
         ]
@@ -94,7 +94,7 @@ def test_two_neighbouring_axes_nearly_one_line(size):
 @pytest.mark.parametrize("size", [1e-2, 1e-4, 1e-6, 1e-7, 1e-8])
 def test_arms_that_are_nearly_special(size):
     rng = np.random.default_rng(int(-math.log10(size)))
-    for lattice in (False, True, False):
+    for lattice in (False, False, False, True, True):
         arm = moved(structured(rng), size, rng)
         q = rng.integers(-2, 3, 6) * H if lattice else rng.uniform(-3.0, 3.0, 6)
         T = np.asarray(arm.fk(q))
@@ -126,7 +126,7 @@ def test_two_solutions_near_each_other_are_two(key, gap):
     far = np.linalg.norm(frames[:, 4, :3, 3] - frames[:, 1, :3, 3], axis=1)
     # The cosine law: the square of the distance is a constant plus a multiple of cos(q3 - straight).
     c, s = np.cos(angles) @ far**2, np.sin(angles) @ far**2
-    for _ in range(2):
+    for _ in range(3):
         q = rng.uniform(-1.5, 1.5, 6)
         q[4] = 0.7
         q[2] = math.atan2(s, c) + gap / 2.0
@@ -191,7 +191,7 @@ def test_where_two_solutions_merge_one_is_listed():
 @pytest.mark.parametrize("key", ["planar_2r", "planar_2r_unequal", "elbow_3r"])
 def test_a_pose_typed_with_eight_decimals_for_a_stretched_arm_is_reached_by_both(key):
     arm, rng = catalogue()[key].arm, np.random.default_rng(8)
-    for _ in range(8):
+    for _ in range(20):
         q = rng.uniform(-1.2, 1.2, arm.n)
         q[-1] = 0.0
         T = np.round(np.asarray(arm.fk(q)), 8)

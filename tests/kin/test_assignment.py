@@ -82,7 +82,7 @@ def assert_same_motion(arm, choices, q, rng):
 @pytest.mark.parametrize("key", TEXTBOOK)
 def test_any_legal_choice_gives_a_table_of_the_same_arm(key, rng):
     arm = catalogue()[key].arm
-    for _ in range(6):
+    for _ in range(12):
         q = random_q(arm, rng)
         assert_same_motion(arm, legal_choices(arm, q, rng), q, rng)
 
@@ -96,7 +96,7 @@ def test_every_robot_has_a_table_for_random_legal_choices(robot, rng):
 @pytest.mark.parametrize("special", [False, True])
 def test_random_arms_have_tables_too(convention, special, rng):
     for n in (1, 2, 3, 5):
-        for _ in range(3):
+        for _ in range(6):
             arm = random_arm(rng, n, convention=convention, special=special)
             q = random_q(arm, rng)
             assert_same_motion(arm, legal_choices(arm, q, rng), q, rng)

@@ -47,7 +47,7 @@ COVERED = {
 FINITE = [key for key, kind in COVERED.items() if kind != "turning_plane"]
 FREE = [key for key, kind in COVERED.items() if kind == "turning_plane"]
 
-POSES = 6
+POSES = 12
 """Number of random poses of each arm."""
 
 

@@ -206,7 +206,7 @@ def test_other_zeros_base_tool_and_convention(name, rng):
 def test_any_three_joints_place_the_tool(kinds, rng):
     """Random axes, and special ones: right angles and lengths of zero."""
     solved = 0
-    for k in range(8):
+    for k in range(12):
         special = k % 2 == 1
         rows = []
         for kind in kinds:
@@ -223,7 +223,7 @@ def test_any_three_joints_place_the_tool(kinds, rng):
         assert worst_error(arm, found.q, T) < EXACT
         assert no_duplicates(arm, found.q)
         solved += 1
-    assert solved >= 4
+    assert solved >= 6
 
 
 @pytest.mark.parametrize("kinds", ["RRR", "RRP", "PRR", "RPR"])
@@ -264,7 +264,7 @@ def test_the_first_three_axes_may_be_the_wrist(rng):
 
 @pytest.mark.parametrize("first", [2, 3])
 def test_three_parallel_axes_of_any_arm(first, rng):
-    for _ in range(5):
+    for _ in range(10):
         links = [(0.0, float(rng.uniform(0.5, 2.5))) for _ in range(5)]
         links[first - 1], links[first] = (0.5, 0.0), (-0.4, math.pi)
         if first == 2:

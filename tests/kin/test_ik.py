@@ -37,7 +37,7 @@ def controlled_difference(arm, T, q):
 
 
 def test_every_robot_solves_its_own_poses(robot, rng):
-    for k in range(12):
+    for k in range(40):
         T = robot.arm.fk(random_q(robot.arm, rng))
         result = ik.solve(robot.arm, T, seed=k)
         assert result.success, (robot.key, result.reason)
@@ -67,7 +67,7 @@ def test_every_method_solves_near_the_start(method, robot, rng):
 @pytest.mark.parametrize("n", [2, 3, 4, 5, 6, 7, 9])
 def test_random_arms_solve_their_own_poses(n, rng):
     solved = 0
-    for k in range(8):
+    for k in range(12):
         arm = random_arm(rng, n, special=bool(k % 2))
         T = arm.fk(random_q(arm, rng))
         result = ik.solve(arm, T, seed=k)
@@ -76,7 +76,7 @@ def test_random_arms_solve_their_own_poses(n, rng):
             position, rotation = controlled_difference(arm, T, result.q)
             assert position < 1e-6
             assert rotation < 3e-6
-    assert solved >= 8
+    assert solved >= 11
 
 
 def test_the_same_call_gives_the_same_answer():
@@ -303,7 +303,7 @@ def test_no_drag_makes_an_arm_jump_or_leave_its_limits(robot, rng):
     """Wild targets, far outside and through singular poses: every step is bounded, finite and inside."""
     arm = robot.arm
     start = np.array(arm.fk(robot.home))
-    t = np.arange(0, 60, 3)[:, None]
+    t = np.arange(0, 120, 3)[:, None]
     course = start[:3, 3] + arm.reach * np.sin(t * [0.11, 0.07, 0.05] + [0.0, 1.0, 2.0]) - arm.reach * np.sin([0, 1, 2])
     targets = []
     for k, p in enumerate(course):
@@ -323,7 +323,7 @@ def test_a_resting_hand_out_of_reach_leaves_the_arm_at_rest(robot):
     arm = robot.arm
     T = np.array(arm.fk(robot.home))
     T[:3, 3] += arm.reach * np.array([0.7, -0.5, 0.6])
-    path = follow(arm, robot.home, [T] * 40)
+    path = follow(arm, robot.home, [T] * 60)
     tool = arm.position(path[-20:])
     assert np.max(np.ptp(tool, axis=0)) < 1e-4 * arm.reach
 

@@ -17,7 +17,7 @@ def test_random_arms_with_limits_reach_what_is_inside_them(n, seed):
     """Descents that know no limits end inside them once in a hundred times here."""
     rng = np.random.default_rng([n, seed])
     arm = limited_arm(rng, n)
-    for _ in range(2):
+    for _ in range(3):
         T = arm.fk(random_q(arm, rng))
         found = ik.solve(arm, T)
         assert found.success
@@ -36,7 +36,7 @@ def test_a_long_arm_is_led_along_its_limits(seed):
 
 
 def test_every_robot_reaches_its_poses(robot, rng):
-    for k in range(5):
+    for k in range(10):
         T = robot.arm.fk(random_q(robot.arm, rng))
         found = ik.solve(robot.arm, T, seed=k)
         assert found.success

@@ -16,9 +16,6 @@ from support.arms import random_q
 TWO_R = Arm.from_dh([("R", 1, 0, 0, 0)] * 2)
 THREE_R = Arm.from_dh([("R", 1, 0, 0, 0)] * 3)
 METHODS = list(ik.iteration_methods())
-
-IN_TURNS = [(m, key) for k, key in enumerate(catalogue().robots) for i, m in enumerate(METHODS) if (i + k) % 3 == 0]
-"""A method and a robot: each method meets every third robot, and each robot every third method."""
 NUMBERS = (
     "q",
     "components",
@@ -37,7 +34,7 @@ def at(*position):
     return transform(position=[*position, 0.0])
 
 
-@pytest.mark.parametrize(("method", "robot"), IN_TURNS, indirect=["robot"])
+@pytest.mark.parametrize("method", METHODS)
 def test_every_method_on_every_robot_gives_numbers_and_a_reason(method, robot, rng):
     arm = robot.arm
     q = random_q(arm, rng)

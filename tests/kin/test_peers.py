@@ -27,7 +27,7 @@ def peer_of(arm):
 def test_the_robotics_toolbox_agrees(key, rng):
     arm = catalogue()[key].arm
     peer = peer_of(arm)
-    for q in random_q(arm, rng, 4):
+    for q in random_q(arm, rng, 10):
         np.testing.assert_allclose(arm.fk(q), peer.fkine(q).A, rtol=0, atol=1e-9)
         np.testing.assert_allclose(arm.jacobian(q), peer.jacob0(q), rtol=0, atol=1e-9)
 

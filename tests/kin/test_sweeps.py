@@ -26,7 +26,7 @@ def check(arm, q):
     np.testing.assert_allclose(found.at(q), np.tile(tool_by_products(arm, q)[:3, 3], (arm.n, 1)), atol=EXACT)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(30))
 @pytest.mark.parametrize("special", [False, True])
 def test_curves_of_random_arms(seed, special):
     rng = np.random.default_rng(seed)

@@ -76,7 +76,7 @@ def test_formulas_with_offsets_evaluate_to_forward_kinematics(offset, rng):
 
 
 def test_terms_are_counted_as_they_are_printed(robot, rng):
-    arms = [robot.arm] + [random_arm(rng, int(rng.integers(1, 6)), special=bool(i % 2)) for i in range(2)]
+    arms = [robot.arm] + [random_arm(rng, int(rng.integers(1, 6)), special=bool(i % 2)) for i in range(6)]
     for arm in arms:
         terms = PoseFormulas(arm).terms
         for name, formula in pose_formulas(arm, "latex").items():

@@ -196,7 +196,7 @@ def test_the_table_turns_and_shifts_with_joint_1(first):
             [*rows, ("R", 0.5, 0.7, 0.1, 0.0), ("R", 0.4, 0.0, 0.1, 0.0)], limits=[first, [-2, 2], [-2, 2]]
         )
         *_, table = sampling(arm)
-        p = arm.position(random_q(arm, rng, 1000))
+        p = arm.position(random_q(arm, rng, 3000))
         assert table.holds(p).mean() > 0.98
         assert np.linalg.norm(p - table.centre, axis=1).max() <= table.radius
         beyond = arm.position(np.column_stack([np.full(500, first[1] + 1.2), *rng.uniform(-2, 2, (2, 500))]))
@@ -233,7 +233,7 @@ def test_coverage_is_what_thousands_of_directions_say(case):
     name, limits = LIMITED[case]
     arm = arm_of(name) if limits is None else with_wrist(name, limits)
     found, rng = coverage(arm), np.random.default_rng(7)
-    p = arm.position(random_q(arm, rng, 30))
+    p = arm.position(random_q(arm, rng, 60))
     off = found.at(p) - np.array([coverage_at(found, point, 1024) for point in p])
     # 512 directions: a few of them lie at an edge; and some change suddenly between two nodes.
     assert np.abs(off).max() < 0.12
@@ -287,7 +287,7 @@ def test_a_direction_in_which_the_arm_was_met_counts_as_possible(name):
     local = np.einsum("kij,ki->kj", turned @ home.T, d)
     assert turns.allows(local).all()
     assert turns.looked_up(local.T).mean() > 0.97  # but for those within two degrees of an edge
-    assert (coverage(arm, 32).at(T[:, :3, 3]) > 0.0).mean() > 0.98
+    assert (coverage(arm, 48).at(T[:, :3, 3]) > 0.0).mean() > 0.98
 
 
 def test_a_tool_beside_axis_6_turns_with_joint_6():
@@ -309,12 +309,12 @@ def test_a_tool_beside_axis_6_turns_with_joint_6():
 def test_a_limited_wrist_of_the_stanford_arm_has_its_share_and_not_all_of_the_sphere():
     """The elbow slides: there is no closed form of the forearm. Against inverse kinematics with all limits."""
     arm = arm_of("stanford")
-    found, rng, d = coverage(arm, 64), np.random.default_rng(11), spread(24)
+    found, rng, d = coverage(arm, 64), np.random.default_rng(11), spread(40)
     assert 0.3 < found.fraction.max() < 0.55
     assert found.volume == 0.0
     p = arm.position(random_q(arm, rng, 6))
     wanted = [np.mean([possible(arm, point, direction) for direction in d]) for point in p]
-    # 24 directions: one standard deviation is up to 0.1 at a point, 0.04 of six.
+    # 40 directions: one standard deviation is up to 0.08 at a point, 0.03 of six.
     assert abs(np.mean(found.at(p) - wanted)) < 0.06
 
 

@@ -63,7 +63,7 @@ def test_the_first_piece_is_small_and_no_piece_is_larger_than_asked_for() -> Non
 
 def test_limits_that_are_no_single_precision_numbers_are_kept() -> None:
     rng = np.random.default_rng(5)
-    for _ in range(20):
+    for _ in range(50):
         arm = random_arm(rng, 4)
         middle = rng.uniform(-1, 1, 4)
         width = 10.0 ** rng.uniform(-6, 0, 4)
@@ -181,7 +181,7 @@ def test_points_outside_the_grid_are_refused_and_nothing_is_counted(point: list[
 
 def test_all_that_random_arms_reach_is_in_their_box_of_voxels() -> None:
     rng = np.random.default_rng(9)
-    for k in range(40):
+    for k in range(120):
         arm = random_arm(rng, int(rng.integers(1, 8)), special=k % 2 == 0)
         grid = voxels_for(arm, int(rng.integers(2, 40)))
         for piece in samples(arm, 400):

@@ -347,7 +347,7 @@ def test_a_damaged_saved_point_is_not_read(data):
 def test_random_edits_are_undone_redone_and_written_down(key, seed):
     rng, session = np.random.default_rng(seed), Session("token", PUMA, State.initial(catalogue()[key]))
     visited = [session.state]
-    for _ in range(30):
+    for _ in range(60):
         before, told = session.state, session.notice
         command = random_command(rng, before)
         session.apply(command, 0.0)

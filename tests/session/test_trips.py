@@ -80,7 +80,7 @@ def arm_and_pose(state):
     return str(state[RobotPart].to_json()), state[Joints].q.tobytes()
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(10))
 def test_places_are_bit_identical_on_return_and_undo_stays_in_its_place(seed):
     rng = np.random.default_rng(seed)
     session = applied(Session.fresh("token", PUMA), OpenLesson("first_arm"))

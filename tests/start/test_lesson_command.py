@@ -9,7 +9,6 @@ from armlab.commands._found import Place
 from armlab.commands._lesson_check import problems_of
 from armlab.content.new_lesson import new_lesson
 from armlab.content.robots import catalogue
-from support.arms import KINDS
 from support.small_lessons import TWO_STEPS, VARIED
 
 
@@ -20,7 +19,7 @@ def one_line(err):
 # --- armlab lesson new
 
 
-@pytest.mark.parametrize("key", KINDS)
+@pytest.mark.parametrize("key", list(catalogue().robots))
 def test_the_template_works_for_every_robot(place, key):
     (place / "mine" / "template.md").write_text(new_lesson(catalogue()[key]), encoding="utf-8")
     (found,) = Place().some("mine/template.md")
@@ -68,7 +67,7 @@ def test_what_cannot_be_a_new_lesson_is_one_line(typed, place, arguments, says):
 
 @pytest.mark.parametrize("found", Place().all(), ids=lambda found: found.key)
 def test_the_lessons_of_the_lab_have_no_problems(found):
-    assert list(problems_of(found, 2)) == []
+    assert list(problems_of(found)) == []
 
 
 def test_all_lessons_are_checked_when_none_is_named(typed):

@@ -147,7 +147,7 @@ def test_the_page_of_the_exponential(url):
 
 def test_random_and_degenerate_systems_are_drawn_of_numbers(rng):
     matrices = [((0.0, 0.0), (0.0, 0.0)), ((1.0, 0.0), (0.0, 1.0)), ((0.0, 1.0), (0.0, 0.0)), ((1e-9, 0.0), (0.0, 0.0))]
-    matrices += [tuple(map(tuple, rng.normal(size=(2, 2)) * 10.0 ** rng.uniform(-3, 0.5))) for _ in range(6)]
+    matrices += [tuple(map(tuple, rng.normal(size=(2, 2)) * 10.0 ** rng.uniform(-3, 0.5))) for _ in range(20)]
     for A in matrices:
         for x0 in ((0.0, 0.0), (1.0, -2.0), (1e-6, 0.0)):
             part = replace(Exponential(), A=A, x0=x0, t=float(rng.choice([0.0, 1.0, 3.0])), terms=3)
