@@ -365,7 +365,7 @@ def test_random_edits_are_undone_redone_and_written_down(key, seed):
         assert np.all(np.isfinite(world_point(state)))
         assert max(abs(row.a) for row in arm.rows) <= LONGEST
         assert_read_back(read_back(state), state)
-    assert len(visited) > 12
+    assert len(visited) > 24
     steps = len(session.history.past)
     for state in reversed(visited[-steps - 1 : -1]):
         session.apply(Undo(), 0.0)
