@@ -82,7 +82,7 @@ def visit(request: pytest.FixtureRequest, browser: Browser, desk: Desk, url: str
 def stay(request: pytest.FixtureRequest, desk: Desk, url: str) -> Iterator[Callable[..., LabPage]]:
     """Use the lab as a new student, once in a test, where it does not matter whether the page has been loaded for it.
 
-    Tests of how a page comes, of what it keeps for itself, and of the camera ask for `visit`.
+    Tests of how a page comes, of what it keeps for itself, such as open folds, and of the camera ask for `visit`.
     """
     used: list[tuple[LabPage, bool]] = []
 

@@ -248,8 +248,8 @@ def a_grid_is_filled(lab):
     assert [lab.page.locator(cell).input_value() for cell in cells] == ["0,5", "0", "0", "1/2"]
 
 
-def test_what_was_opened_and_read_stays_while_the_arm_moves(stay):
-    lab = stay("lesson/long", size=(1400, 850))
+def test_what_was_opened_and_read_stays_while_the_arm_moves(visit):
+    lab = visit("lesson/long", size=(1400, 850))
     lab.page.locator(".lesson-text summary").click()
     lab.page.locator(".lesson-more summary").click()
     top = "() => document.querySelector('.lesson-text').scrollTop"
@@ -267,8 +267,8 @@ def test_what_was_opened_and_read_stays_while_the_arm_moves(stay):
     assert lab.page.evaluate(top) == 0
 
 
-def test_with_the_fold_open_what_is_revealed_is_not_cut(stay):
-    lab = stay("lesson/revealed", size=(1280, 800))
+def test_with_the_fold_open_what_is_revealed_is_not_cut(visit):
+    lab = visit("lesson/revealed", size=(1280, 800))
     lab.press("lesson-choice-1")
     lab.until(lambda: lab.page.locator(".reveal").count() == 1)
     hidden = "text => text.scrollHeight - text.clientHeight"
