@@ -16,7 +16,7 @@ from rounds import sized
 from support.fake_browser import FakeBrowser, cookie_of
 
 TITLE = "Memory of the lab after students have come and gone"
-WARM, COMINGS, RETURNS, IDLE = sized((60, 300, 2_000, 200), (2, 3, 3, 3))
+WARM, COMINGS, RETURNS, IDLE = sized((300, 300, 2_000, 200), (2, 3, 3, 3))
 STUDENTS = sized(10, 2)
 """Browsers that come again and again: what is kept of 200 students who have gone is no leak."""
 
@@ -79,7 +79,7 @@ def lab(allocator: str) -> Iterator[Lab]:
 
 
 def measure() -> Iterator[str]:
-    yield "Once garbage is collected and free memory given back; in brackets what it is of that before."
+    yield f"Once garbage is collected and free memory given back; in brackets its part of that after the first {WARM}."
     yield ""
     yield "| what has happened | " + " | ".join(f"memory, {name} allocator" for name in ALLOCATORS.values()) + " |"
     yield "| --- |" + " --- |" * len(ALLOCATORS)
@@ -87,6 +87,7 @@ def measure() -> Iterator[str]:
     with ExitStack() as opened:
         labs = [opened.enter_context(lab(allocator)) for allocator in ALLOCATORS]
         cookies = [[cookie_of(each.url) for _ in range(STUDENTS)] for each in labs]
+        yield f"| nobody has come yet | {' | '.join(f'{each.megabytes():.0f} MB' for each in labs)} |"
         bases: list[float] = []
         for said, story in (
             (f"{WARM} students have come, dragged and gone", lambda url, known: come(url, known, WARM, points)),
