@@ -11,7 +11,6 @@ from support.lab import running_lab
 from support.page import COARSE, SMALL, LabPage
 
 FAILED = pytest.StashKey[bool]()
-NEXT = pytest.StashKey[pytest.Item | None]()
 
 
 @pytest.fixture(scope="session")
@@ -22,9 +21,8 @@ def browser() -> Iterator[Browser]:
 
 
 @pytest.fixture(scope="session")
-def url(desk: Desk, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+def url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     with running_lab(tmp_path_factory.mktemp("state")) as address:
-        desk.lasting.add(address)
         yield address
 
 
@@ -42,12 +40,6 @@ def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestR
     return report
 
 
-@pytest.hookimpl(tryfirst=True)
-def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> None:
-    """Note what comes next: only to another test with a page a page is left."""
-    item.stash[NEXT] = nextitem
-
-
 @pytest.fixture
 def visit(request: pytest.FixtureRequest, browser: Browser, desk: Desk, url: str) -> Iterator[Callable[..., LabPage]]:
     """Open the lab as a new student; every page is checked for complaints at the end.
@@ -63,8 +55,6 @@ def visit(request: pytest.FixtureRequest, browser: Browser, desk: Desk, url: str
     ) -> LabPage:
         address, hash_sign, fragment = (url + path).partition("#")
         address += ("&" if "?" in address else "?") + COARSE + hash_sign + fragment
-        if own or options or painted:
-            desk.clear()
         if own or options:
             alone.append(LabPage(new_page(browser.new_context(**options), painted), address, size))
             return alone[-1]
@@ -72,44 +62,13 @@ def visit(request: pytest.FixtureRequest, browser: Browser, desk: Desk, url: str
         return shared[-1][0]
 
     yield open_page
+    errors = [error for lab in [*alone, *(each for each, _ in shared)] for error in lab.errors]
+    failed = bool(errors) or request.node.stash.get(FAILED, False)
     for lab in alone:
         desk.take_away(lab)
-    _end(request, desk, url, shared)
-    assert [error for lab in alone for error in lab.errors] == []
-
-
-@pytest.fixture
-def stay(request: pytest.FixtureRequest, desk: Desk, url: str) -> Iterator[Callable[..., LabPage]]:
-    """Use the lab as a new student, once in a test, where it does not matter whether the page has been loaded for it.
-
-    Tests of how a page comes, of what it keeps for itself, such as open folds, and of the camera ask for `visit`.
-    """
-    used: list[tuple[LabPage, bool]] = []
-
-    def take_over(path: str = "", size: tuple[int, int] = SMALL) -> LabPage:
-        used.append((desk.take_over(url, path, size), False))
-        return used[-1][0]
-
-    yield take_over
-    _end(request, desk, url, used)
-
-
-def _end(request: pytest.FixtureRequest, desk: Desk, url: str, used: list[tuple[LabPage, bool]]) -> None:
-    """Leave the pages of a test to the next one; those of a test that fails, or with complaints, are closed."""
-    errors = [error for lab, _ in used for error in lab.errors]
-    failed = bool(errors) or request.node.stash.get(FAILED, False)
-    for lab, painted in used:
+    for lab, painted in shared:
         if failed:
             desk.take_away(lab)
-        elif painted or not _goes_on(request.node, url in desk.lasting):
-            desk.get_up(lab, painted)
         else:
-            desk.leave(lab)
+            desk.get_up(lab, painted)
     assert errors == []
-
-
-def _goes_on(item: pytest.Item, lasting: bool) -> bool:
-    """Return whether the next test has a page, and the lab of this one's is still there."""
-    following = item.stash[NEXT]
-    has_page = {"visit", "stay"} & set(getattr(following, "fixturenames", ()))
-    return bool(has_page) and (lasting or getattr(following, "path", None) == item.path)

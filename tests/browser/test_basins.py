@@ -29,8 +29,8 @@ def drawn_rows(lab):
     return side, int(np.sum(pixels.reshape(side, side, 4)[:, 0, 3] > 0))
 
 
-def test_a_map_draws_in_pieces_is_cancelled_and_a_click_starts_the_film_at_that_configuration(stay):
-    lab = stay("robot/planar_2r", size=(1100, 900))
+def test_a_map_draws_in_pieces_is_cancelled_and_a_click_starts_the_film_at_that_configuration(visit):
+    lab = visit("robot/planar_2r", size=(1100, 900))
     lab.open_tab("Iterate")
     lab.rest()
     lab.press("basins")

@@ -20,8 +20,8 @@ def matrix(lab):
     return numbers(lab, [f"R {i}{j}" for i in range(3) for j in range(3)]).reshape(3, 3)
 
 
-def test_a_dragged_ring_turns_the_body_an_undo_brings_it_back_and_every_form_follows_what_is_typed(stay):
-    lab = stay(size=(1100, 800))
+def test_a_dragged_ring_turns_the_body_an_undo_brings_it_back_and_every_form_follows_what_is_typed(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("body")
     lab.until(lambda: any(name.endswith("/body/handle") for name in lab.nodes()))
     lab.press("place none")
@@ -63,8 +63,8 @@ def _follows_in_every_form_what_is_typed(lab):
     lab.waits_for("q w: expected a number")
 
 
-def test_two_bodies_turn_about_moving_and_fixed_axes_and_end_alike(stay):
-    lab = stay(size=(1100, 800))
+def test_two_bodies_turn_about_moving_and_fixed_axes_and_end_alike(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("sequence")
     lab.waits_for("The bodies end alike")
     lab.press("made 1")
@@ -79,8 +79,8 @@ def test_two_bodies_turn_about_moving_and_fixed_axes_and_end_alike(stay):
     lab.waits_for("ψ: expected a number in degrees")
 
 
-def test_axis_and_angle_lead_to_a_matrix_in_three_steps_and_back(stay):
-    lab = stay(size=(1100, 800))
+def test_axis_and_angle_lead_to_a_matrix_in_three_steps_and_back(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("axis")
     lab.press("made 1")
     lab.waits_for("after step 1")
@@ -96,8 +96,8 @@ def test_axis_and_angle_lead_to_a_matrix_in_three_steps_and_back(stay):
     lab.waits_for("zero has no direction")
 
 
-def test_a_matrix_tells_where_axes_lie_and_turns_a_vector(stay):
-    lab = stay(size=(1100, 800))
+def test_a_matrix_tells_where_axes_lie_and_turns_a_vector(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("meanings")
     lab.waits_for("Angles between the axes")
     lab.press("shown operator")
@@ -113,8 +113,8 @@ def test_a_matrix_tells_where_axes_lie_and_turns_a_vector(stay):
     assert numbers(lab, ["p 2"])[0] == 0.25
 
 
-def test_a_quaternion_is_back_after_two_whole_turns(stay):
-    lab = stay(size=(1100, 800))
+def test_a_quaternion_is_back_after_two_whole_turns(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("quaternion")
     lab.type_into("time", "4")
     lab.waits_for("The body is back, q is not")
@@ -132,8 +132,8 @@ def test_a_quaternion_is_back_after_two_whole_turns(stay):
     lab.until(lambda: any(name.endswith("/way/traces/strokes") for name in lab.nodes()))
 
 
-def test_rotations_in_both_orders_their_sizes_and_the_integral_of_omega(stay):
-    lab = stay(size=(1100, 800))
+def test_rotations_in_both_orders_their_sizes_and_the_integral_of_omega(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("order")
     lab.waits_for("120.0°")
     lab.press("size down")
@@ -148,8 +148,8 @@ def test_rotations_in_both_orders_their_sizes_and_the_integral_of_omega(stay):
     lab.waits_for("law 1, piece 1, duration: expected seconds")
 
 
-def test_a_point_is_dragged_around_the_origin_and_formulas_are_compared(stay):
-    lab = stay(size=(1100, 800))
+def test_a_point_is_dragged_around_the_origin_and_formulas_are_compared(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("atan2")
     box = lab.page.locator("svg.at-plane").first.bounding_box()
 

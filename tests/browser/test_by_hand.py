@@ -27,8 +27,8 @@ OVERLAPS = """() => {
 }"""
 
 
-def by_hand(stay, robot):
-    lab = stay(f"robot/{robot}")
+def by_hand(visit, robot):
+    lab = visit(f"robot/{robot}")
     lab.open_tab("Target")
     lab.page.locator('button.page[data-cell="by_hand"]').click()
     lab.until(lambda: lab.page.locator(".bh-step").count() > 0)
@@ -37,8 +37,8 @@ def by_hand(stay, robot):
 
 
 @pytest.mark.parametrize("robot", ["puma560", "youbot"])
-def test_no_equation_lies_on_another(stay, robot):
-    _lies_apart(by_hand(stay, robot))
+def test_no_equation_lies_on_another(visit, robot):
+    _lies_apart(by_hand(visit, robot))
 
 
 def _lies_apart(lab):
@@ -47,8 +47,8 @@ def _lies_apart(lab):
     assert lab.page.evaluate(OVERLAPS) == []
 
 
-def test_a_step_lies_apart_is_chosen_and_drawn_and_its_branch_brings_the_arm_there(stay):
-    lab = by_hand(stay, "ur5e")
+def test_a_step_lies_apart_is_chosen_and_drawn_and_its_branch_brings_the_arm_there(visit):
+    lab = by_hand(visit, "ur5e")
     assert not any(name.endswith("by_hand/faces") for name in lab.nodes())
     _lies_apart(lab)
     lab.press("step8")

@@ -33,8 +33,8 @@ def bodies(lab):
     return [2.0 * math.degrees(math.atan2(wxyz[3], wxyz[0])) for wxyz in found]
 
 
-def test_the_presets_of_the_notes_are_read_and_played_and_a_push_is_made_good(stay):
-    lab = stay()
+def test_the_presets_of_the_notes_are_read_and_played_and_a_push_is_made_good(visit):
+    lab = visit()
     lab.open_tab("Control")
     choose(lab, "line_178")
     assert row(lab, "peak q̇1") == [518.6, 104.9]

@@ -5,8 +5,8 @@ import pytest
 pytestmark = pytest.mark.browser
 
 
-def test_curves_are_chosen_typed_and_measured(stay):
-    lab = stay()
+def test_curves_are_chosen_typed_and_measured(visit):
+    lab = visit()
     lab.open_tab("Motion")
     lab.press("curves")
     lab.page.locator('select[data-cell="example"]').select_option("one_to_four")

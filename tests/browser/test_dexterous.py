@@ -14,8 +14,8 @@ def row(lab, label):
     return found.inner_text()
 
 
-def test_the_tool_goes_into_a_region_and_stands_in_its_singularities(stay):
-    lab = stay("robot/planar_3r")
+def test_the_tool_goes_into_a_region_and_stands_in_its_singularities(visit):
+    lab = visit("robot/planar_3r")
     lab.open_tab("Dexterous")
     lab.page.locator(".dx-region[aria-pressed=true]", has_text="1000.0 – 3000.0").wait_for()
     assert row(lab, "WS₂") == "0.0 – 1000.0 mm"
@@ -35,8 +35,8 @@ def test_the_tool_goes_into_a_region_and_stands_in_its_singularities(stay):
     assert max(wide) <= 0
 
 
-def test_a_click_on_the_slice_brings_the_arm_there(stay):
-    lab = stay("robot/ur5e")
+def test_a_click_on_the_slice_brings_the_arm_there(visit):
+    lab = visit("robot/ur5e")
     lab.open_tab("Dexterous")
     lab.press("count 400000")
     lab.page.locator(".kv", has_text="400\u202f000").first.wait_for()
@@ -56,8 +56,8 @@ def test_a_click_on_the_slice_brings_the_arm_there(stay):
     assert np.linalg.norm(lab.on_screen("/target") - place) < 30
 
 
-def test_the_slice_stands_where_it_is_put_and_gives_way_to_the_body(stay):
-    lab = stay("robot/irb140")
+def test_the_slice_stands_where_it_is_put_and_gives_way_to_the_body(visit):
+    lab = visit("robot/irb140")
     lab.open_tab("Dexterous")
     lab.page.locator(".kv", has_text="96³").first.wait_for()
     frame = lab.node("/dexterous/slice")

@@ -12,8 +12,8 @@ SEEN_COILS = """() => {
 """Number of coils that are in the picture."""
 
 
-def test_power_is_typed_a_coil_turns_and_a_motor_runs(stay):
-    lab = stay(size=(1100, 800))
+def test_power_is_typed_a_coil_turns_and_a_motor_runs(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("drive")
     lab.waits_for("60.56 %")
     lab.type_into("eta_gear", "0.5")

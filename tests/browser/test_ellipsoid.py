@@ -21,8 +21,8 @@ def pose(lab, name):
     return np.array(found[0]), rotation_from_quaternion(found[1])
 
 
-def test_it_is_switched_on_follows_a_move_and_a_joint_is_swept(stay):
-    lab = stay("robot/elbow_3r", size=(1100, 900))
+def test_it_is_switched_on_follows_a_move_and_a_joint_is_swept(visit):
+    lab = visit("robot/elbow_3r", size=(1100, 900))
     _is_kept_on_other_tabs_by_its_switch(lab)
     lab.open_tab("Ellipsoid")
     _is_at_the_tool_and_follows_a_move(lab)

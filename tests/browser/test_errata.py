@@ -17,8 +17,8 @@ def residuals(lab):
     return lab.page.locator(".er-form .er-head span b").all_inner_texts()
 
 
-def test_an_erratum_is_looked_up_run_drawn_and_put_right(stay):
-    lab = stay("robot/planar_2r", size=(1024, 700))
+def test_an_erratum_is_looked_up_run_drawn_and_put_right(visit):
+    lab = visit("robot/planar_2r", size=(1024, 700))
     lab.open_tab("errata")
     lab.type_into("query", "5.58")
     lab.press("erratum 5.58")
@@ -28,8 +28,8 @@ def test_an_erratum_is_looked_up_run_drawn_and_put_right(stay):
     _spots_the_error_and_puts_it_right(lab)
 
 
-def test_a_lesson_opens_it_beside_itself(stay):
-    lab = stay("lesson/damped", size=(1024, 700))
+def test_a_lesson_opens_it_beside_itself(visit):
+    lab = visit("lesson/damped", size=(1024, 700))
     mark = lab.page.locator(".lesson-text button.erratum").first
     key = mark.get_attribute("data-cell").removeprefix("erratum ")
     mark.click()

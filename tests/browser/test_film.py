@@ -71,8 +71,8 @@ def visible(lab):
     return lab.page.evaluate("name => window.__viserMutable.nodeRefFromName[name].visible", lab.node("/film"))
 
 
-def test_the_film_is_scrubbed_played_stepped_repeated_and_put_away(stay):
-    lab = stay()
+def test_the_film_is_scrubbed_played_stepped_repeated_and_put_away(visit):
+    lab = visit()
     open_film(lab)
     assert visible(lab)
     _steps_by_keys_while_the_bar_changes(lab)

@@ -25,8 +25,8 @@ def choose(lab, cell, key):
     lab.page.locator(f'select[data-cell="{cell}"]').first.select_option(key)
 
 
-def test_a_chain_of_frames_is_dragged_and_typed_and_a_screw_is_played(stay):
-    lab = stay(size=(1100, 800))
+def test_a_chain_of_frames_is_dragged_and_typed_and_a_screw_is_played(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("frame_chain")
     a_frame_is_dragged_along_its_parent_and_an_undo_brings_it_back(lab)
     frames_are_added_named_hung_elsewhere_and_removed(lab)
@@ -96,8 +96,8 @@ def a_screw_is_typed_and_played(lab):
     lab.waits_for("zero has no direction")
 
 
-def test_an_arm_is_sent_above_a_table_and_two_robots_meet(stay):
-    lab = stay("robot/puma560", size=(1100, 800))
+def test_an_arm_is_sent_above_a_table_and_two_robots_meet(visit):
+    lab = visit("robot/puma560", size=(1100, 800))
     lab.open_tab("table_task")
     lab.waits_for("The tool is elsewhere")
     lab.press("go")

@@ -5,8 +5,8 @@ import pytest
 pytestmark = pytest.mark.browser
 
 
-def test_wheels_are_typed_and_turn_and_a_click_finds_the_best_ratio(stay):
-    lab = stay(size=(1100, 800))
+def test_wheels_are_typed_and_turn_and_a_click_finds_the_best_ratio(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("gears")
     lab.until(lambda: any(name.endswith("/wheel1/solid") for name in lab.nodes()))
     lab.type_into("teeth 1", "54")
@@ -32,8 +32,8 @@ def test_wheels_are_typed_and_turn_and_a_click_finds_the_best_ratio(stay):
     lab.until(lambda: lab.page.locator('[data-cell="ratio"]').first.input_value() == "20")
 
 
-def test_the_flexspline_falls_back_by_two_teeth_in_a_turn(stay):
-    lab = stay(size=(1100, 800))
+def test_the_flexspline_falls_back_by_two_teeth_in_a_turn(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("harmonic")
     lab.until(lambda: any(name.endswith("/teeth") for name in lab.nodes()))
     counted = lab.page.locator(".hd-counted")
@@ -51,8 +51,8 @@ def test_the_flexspline_falls_back_by_two_teeth_in_a_turn(stay):
     lab.waits_for("expected 2, 3 or 4 more than the 60 of the flexspline")
 
 
-def test_counts_of_the_joints_are_seen_at_the_tool(stay):
-    lab = stay(size=(1100, 800))
+def test_counts_of_the_joints_are_seen_at_the_tool(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("joint_drive")
     lab.until(lambda: any(name.endswith("/joint_drive/body") for name in lab.nodes()))
     assert lab.says("within 0.0279 mm and 0.0035°")

@@ -20,8 +20,8 @@ PAD = """() => {
 }"""
 
 
-def test_the_list_of_solutions(stay):
-    lab = stay("robot/ur10_notes")
+def test_the_list_of_solutions(visit):
+    lab = visit("robot/ur10_notes")
     lab.press("eight")
     lab.open_tab("Target")
     lab.press("solutions")
@@ -66,8 +66,8 @@ def jog(lab, mode):
     lab.until(lambda: lab.page.locator("[data-jogs]").is_visible())
 
 
-def test_joints_are_typed_and_jogged_and_space_plays(stay):
-    lab = stay(size=(1024, 700))
+def test_joints_are_typed_and_jogged_and_space_plays(visit):
+    lab = visit(size=(1024, 700))
     a_typed_joint_value_is_cut_at_its_limit_and_says_so_beside_the_slider(lab)
     lab.press("home")
     jog(lab, "joints")
@@ -151,8 +151,8 @@ def space_plays_what_the_open_page_shows(lab):
     lab.until(lambda: lab.page.locator('button[data-cell="play-tangents"]').count() == 1)
 
 
-def test_the_tool_is_jogged_by_keys_and_gamepad(stay):
-    lab = stay()
+def test_the_tool_is_jogged_by_keys_and_gamepad(visit):
+    lab = visit()
     jog(lab, "base")
     keys_jog_while_the_buttons_are_seen(lab)
     jog(lab, "base")

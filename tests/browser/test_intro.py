@@ -11,8 +11,8 @@ def arm_name(lab):
     return lab.page.locator(".al-top .arm-name b").inner_text()
 
 
-def test_history_opens_a_model_judges_answers_and_the_market_computes(stay):
-    lab = stay(size=(1024, 850))
+def test_history_opens_a_model_judges_answers_and_the_market_computes(visit):
+    lab = visit(size=(1024, 850))
     lab.open_tab("history")
     _a_point_leads_to_a_model_and_one_undo_brings_the_arm_back(lab)
     lab.press("shown things")
@@ -44,8 +44,8 @@ def _a_point_leads_to_a_model_and_one_undo_brings_the_arm_back(lab):
     lab.until(lambda: arm_name(lab) == "PUMA 560")
 
 
-def test_the_end_of_the_stick_is_dragged_off_its_circle_and_the_arm_goes_to_the_other_one(stay):
-    lab = stay(size=(1024, 850))
+def test_the_end_of_the_stick_is_dragged_off_its_circle_and_the_arm_goes_to_the_other_one(visit):
+    lab = visit(size=(1024, 850))
     lab.open_tab("spaces")
     lab.press("shown stick")
     chart = lab.page.locator("svg.sp-picture")
@@ -67,8 +67,8 @@ def test_the_end_of_the_stick_is_dragged_off_its_circle_and_the_arm_goes_to_the_
     lab.until(lambda: lab.page.locator("table.sp-arms").inner_text() != before)
 
 
-def test_an_arm_misses_a_computed_goal_and_hits_a_taught_one_and_a_hand_that_yields_finds_every_hole(stay):
-    lab = stay(size=(1024, 850))
+def test_an_arm_misses_a_computed_goal_and_hits_a_taught_one_and_a_hand_that_yields_finds_every_hole(visit):
+    lab = visit(size=(1024, 850))
     lab.open_tab("taught_goal")
     figures = lab.page.locator("table.ac-numbers")
     lab.waits_for("of 30 pegs")

@@ -30,8 +30,8 @@ def bodies(lab):
     return [2.0 * np.degrees(np.arctan2(wxyz[3], wxyz[0])) for wxyz in found]
 
 
-def test_an_example_plays_steps_rewinds_and_says_how_it_ended(stay):
-    lab = stay()
+def test_an_example_plays_steps_rewinds_and_says_how_it_ended(visit):
+    lab = visit()
     lab.open_tab("Iterate")
     lab.page.locator('select[data-cell="example"]').select_option("orders")
     lab.page.locator(".kit-look", has_text="Newton's curve bends down").wait_for()

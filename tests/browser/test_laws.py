@@ -5,16 +5,16 @@ import pytest
 pytestmark = pytest.mark.browser
 
 
-def at_laws(stay, **options):
-    lab = stay(**options)
+def at_laws(visit, **options):
+    lab = visit(**options)
     lab.open_tab("Motion")
     lab.page.locator('button.page[data-cell="laws"]').click()
     lab.page.locator(".law-race").wait_for()
     return lab
 
 
-def test_an_example_is_played_and_a_wrong_table_is_marked(stay):
-    lab = at_laws(stay)
+def test_an_example_is_played_and_a_wrong_table_is_marked(visit):
+    lab = at_laws(visit)
     lab.page.locator('select[data-cell="example"]').select_option("bang_coast_bang")
     lab.page.locator(".law p", has_text="T = (L A + V²)/(A V) = 3 s").wait_for()
     lab.type_into("time", "1.5")

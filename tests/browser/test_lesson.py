@@ -67,8 +67,8 @@ def cut(lab, selector):
 
 
 @pytest.mark.parametrize("key", PLAYED)
-def test_a_lesson_is_played_by_clicks_with_a_reload_in_the_middle(stay, key):
-    lab = stay(f"lesson/{key}", size=(1400, 850))
+def test_a_lesson_is_played_by_clicks_with_a_reload_in_the_middle(visit, key):
+    lab = visit(f"lesson/{key}", size=(1400, 850))
     found = library().lesson(key, int(lab.address().partition(key)[2].strip("/").partition("?")[0] or 0))
     player = LessonPlayer(lab, found)
     for i, step in enumerate(found.steps, start=1):
@@ -141,8 +141,8 @@ def test_a_lesson_from_its_link_to_its_end_with_a_reload(visit):
     assert lab.page.locator(".lesson-text").count() == 0
 
 
-def test_a_lesson_is_chosen_in_the_bench_and_its_dock_lets_a_typed_answer_be(stay):
-    lab = stay(size=(1400, 850))
+def test_a_lesson_is_chosen_in_the_bench_and_its_dock_lets_a_typed_answer_be(visit):
+    lab = visit(size=(1400, 850))
     lab.open_tab("Lessons")
     lab.press("lesson:first_arm")
     lab.ready()

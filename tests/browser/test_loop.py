@@ -5,8 +5,8 @@ import pytest
 pytestmark = pytest.mark.browser
 
 
-def test_the_loop_and_its_film_tell_the_error_and_the_exponential_refuses_in_words(stay):
-    lab = stay()
+def test_the_loop_and_its_film_tell_the_error_and_the_exponential_refuses_in_words(visit):
+    lab = visit()
     lab.open_tab("loop")
     lab.unfold("Frequency response")
     lab.page.locator(".loop-bode").wait_for()

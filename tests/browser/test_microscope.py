@@ -9,8 +9,8 @@ pytestmark = pytest.mark.browser
 POSE = "name => { const pose = window.__viserMutable.nodePoseData[name]; return [pose.position, pose.wxyz]; }"
 
 
-def test_the_stretched_2r(stay):
-    lab = stay("robot/planar_2r")
+def test_the_stretched_2r(visit):
+    lab = visit("robot/planar_2r")
     lab.open_tab("Velocity")
     lab.page.locator('button.page[data-cell="microscope"]').click()
     lab.page.locator(".ms-bars").wait_for()

@@ -26,15 +26,15 @@ def off(lab, q):
     return np.abs((turned(lab) - q + np.pi) % (2.0 * np.pi) - np.pi).max()
 
 
-def at_plan(stay, robot):
-    lab = stay(f"robot/{robot}")
+def at_plan(visit, robot):
+    lab = visit(f"robot/{robot}")
     lab.open_tab("Motion")
     lab.page.locator(VERDICT, has_text="within all limits").wait_for()
     return lab
 
 
-def test_a_waypoint_is_added_where_the_arm_stands_and_dragged(stay):
-    lab = at_plan(stay, "ur10e")
+def test_a_waypoint_is_added_where_the_arm_stands_and_dragged(visit):
+    lab = at_plan(visit, "ur10e")
     assert lab.page.locator(PLACES).count() == 2
     lab.page.locator('.al button[data-cell="add"]').click()
     lab.until(lambda: lab.page.locator(PLACES).count() == 3)
@@ -56,9 +56,9 @@ def test_a_waypoint_is_added_where_the_arm_stands_and_dragged(stay):
     assert lab.errors == []
 
 
-def test_a_motion_is_played_and_scrubbed_and_one_out_of_reach_is_marked_in_words_before_it_is_run(stay):
+def test_a_motion_is_played_and_scrubbed_and_one_out_of_reach_is_marked_in_words_before_it_is_run(visit):
     planned = planned_now(with_planned(State.initial(catalogue()["planar_2r"])))
-    lab = at_plan(stay, "planar_2r")
+    lab = at_plan(visit, "planar_2r")
     stood = turned(lab)
     lab.page.locator('.al button[data-cell="play-motion"]').click()
     lab.page.locator(".al-time").wait_for()

@@ -18,8 +18,8 @@ RED = """() => [...document.querySelectorAll('.uplot canvas')].filter(each => ea
 WIDE = """() => [...document.querySelectorAll('.al')].filter(each => each.scrollWidth > each.clientWidth + 1).length"""
 
 
-def test_plots_are_chosen_played_through_and_red_where_a_limit_is_exceeded(stay):
-    lab = stay()
+def test_plots_are_chosen_played_through_and_red_where_a_limit_is_exceeded(visit):
+    lab = visit()
     lab.open_tab("Motion")
     lab.press("motion_plots")
     lab.until(lambda: lab.page.evaluate(PLOTS) == 3)

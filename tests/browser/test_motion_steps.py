@@ -24,8 +24,8 @@ def shown(lab):
     return {name.rsplit("/", 1)[1] for name in seen}
 
 
-def test_the_steps_are_drawn_one_on_the_other_and_few_samples_show_how_far_the_tool_is_apart(stay):
-    lab = stay()
+def test_the_steps_are_drawn_one_on_the_other_and_few_samples_show_how_far_the_tool_is_apart(visit):
+    lab = visit()
     lab.open_tab("Motion")
     lab.press("space-cartesian")
     lab.press("motion_steps")

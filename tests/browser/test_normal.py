@@ -40,8 +40,8 @@ def measured(lab):
     return tuple(float(value) for value in re.findall(r"(-?[\d.]+)(?: mm\n|°)", text)[:2])
 
 
-def test_a_line_is_dragged_and_brought_back_and_cases_and_axes_of_the_arm_take_its_place(stay):
-    lab = stay(size=(1100, 800))
+def test_a_line_is_dragged_and_brought_back_and_cases_and_axes_of_the_arm_take_its_place(visit):
+    lab = visit(size=(1100, 800))
     open_page(lab)
     before = measured(lab)
     drag(lab, "/handle2_move", (0.75 * HANDLE * SIZE, 0.0, 0.0), (-60.0, -10.0))

@@ -19,8 +19,8 @@ CUT = """() => [...document.querySelectorAll('.switch')].filter(b => {
 }).map(b => b.textContent)"""
 
 
-def test_overlays_fit_into_the_panel_come_by_key_and_go_by_switch(stay):
-    lab = stay(size=(1400, 850))
+def test_overlays_fit_into_the_panel_come_by_key_and_go_by_switch(visit):
+    lab = visit(size=(1400, 850))
     lab.open_tab("View")
     for size in ((1400, 850), (1024, 700)):
         lab.resize(size)

@@ -31,10 +31,10 @@ def saved(lab, cell):
     return found.value.path().read_text(encoding="utf-8").splitlines()
 
 
-def test_pick_and_place_with_plots_and_csv_takes_few_clicks_from_a_fresh_start(stay):
+def test_pick_and_place_with_plots_and_csv_takes_few_clicks_from_a_fresh_start(visit):
     state = with_planned(apply(State.initial(catalogue()["puma560"]), PickAndPlace()))
     planned = planned_now(state)
-    lab = stay()
+    lab = visit()
     lab.page.evaluate(COUNT)
     lab.open_tab("Motion")
     lab.press("motion_pick")
@@ -58,10 +58,10 @@ def test_pick_and_place_with_plots_and_csv_takes_few_clicks_from_a_fresh_start(s
     assert lab.errors == []
 
 
-def test_the_box_is_carried_wherever_the_film_is_moved_to(stay):
+def test_the_box_is_carried_wherever_the_film_is_moved_to(visit):
     state = with_planned(apply(State.initial(catalogue()["scara"]), PickAndPlace()))
     end = planned_now(state).duration
-    lab = stay("robot/scara")
+    lab = visit("robot/scara")
     lab.open_tab("motion_pick")
     lab.press("pick-place")
     lab.page.locator(".al .verdict", has_text="at the goal at the end").wait_for()
@@ -76,8 +76,8 @@ def test_the_box_is_carried_wherever_the_film_is_moved_to(stay):
     assert lab.errors == []
 
 
-def test_a_box_is_typed_elsewhere_and_the_words_say_by_how_much_the_hand_misses_it(stay):
-    lab = stay("robot/planar_2r")
+def test_a_box_is_typed_elsewhere_and_the_words_say_by_how_much_the_hand_misses_it(visit):
+    lab = visit("robot/planar_2r")
     lab.open_tab("motion_pick")
     lab.press("pick-place")
     lab.page.locator(".al .verdict", has_text="closes on box 1 and carries it").wait_for()

@@ -46,8 +46,8 @@ def test_a_pressed_column_lights_up_and_a_second_press_lets_it_go(visit):
     assert lab.page.locator(".mat.select td.lit").count() == 0
 
 
-def test_the_lit_frame_goes_with_the_arm_and_the_marks_with_their_page(stay):
-    lab = stay()
+def test_the_lit_frame_goes_with_the_arm_and_the_marks_with_their_page(visit):
+    lab = visit()
     lab.open_tab("Pose")
     lab.press("0,1")
     assert {"arrows", "strokes"} <= drawn(lab)
@@ -71,8 +71,8 @@ PARTS = {
 }
 
 
-def test_nothing_on_the_pages_is_cut(stay):
-    lab = stay("robot/panda", (1400, 850))
+def test_nothing_on_the_pages_is_cut(visit):
+    lab = visit("robot/panda", (1400, 850))
     lab.open_tab("Pose")
     for page, parts in PARTS.items():
         lab.press(page)

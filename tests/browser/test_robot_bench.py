@@ -43,8 +43,8 @@ def tool(lab):
     )
 
 
-def test_cells_are_typed_a_joint_is_added_and_a_table_pasted(stay):
-    lab = at_the_table(stay())
+def test_cells_are_typed_a_joint_is_added_and_a_table_pasted(visit):
+    lab = at_the_table(visit())
     _moves_the_arm_by_an_edited_cell_and_marks_a_wrong_one(lab)
     _draws_the_tool_point_where_it_was_typed(lab)
     _goes_down_the_column_by_enter_and_undoes_from_a_field(lab)
@@ -118,8 +118,8 @@ def _adds_a_joint_and_takes_a_pasted_table(lab):
     assert lab.page.locator("tr:has(.head)").count() == 4
 
 
-def test_the_other_convention_keeps_the_tool(stay):
-    lab = at_the_table(stay("robot/planar_2r"))
+def test_the_other_convention_keeps_the_tool(visit):
+    lab = at_the_table(visit("robot/planar_2r"))
     before = lab.target()
     lab.press("modified")
     np.testing.assert_allclose(lab.target(), before, atol=1e-6)
@@ -130,8 +130,8 @@ def test_the_other_convention_keeps_the_tool(stay):
     assert value(lab, "dh-1-a") != "0"
 
 
-def test_nothing_is_cut(stay):
-    lab = stay("robot/trunk9", size=(1024, 700))
+def test_nothing_is_cut(visit):
+    lab = visit("robot/trunk9", size=(1024, 700))
     at_the_table(lab)
     lab.press("dh-9-row")
     lab.type_into("dh-9-theta", "-2.5 rad")

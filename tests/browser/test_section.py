@@ -11,8 +11,8 @@ pytestmark = pytest.mark.browser
 KNOWN = "() => document.body.innerText.includes('To the boundary')"
 
 
-def test_a_click_in_the_side_view_moves_the_tool_and_a_slice_is_drawn(stay):
-    lab = stay("robot/elbow_3r", size=(1024, 700))
+def test_a_click_in_the_side_view_moves_the_tool_and_a_slice_is_drawn(visit):
+    lab = visit("robot/elbow_3r", size=(1024, 700))
     lab.open_tab("Section")
     lab.page.wait_for_function(KNOWN)
     lab.rest()

@@ -25,8 +25,8 @@ def pulled(lab, picture, by):
     lab.rest()
 
 
-def test_disks_are_turned_by_hand_and_counts_come_back(stay):
-    lab = stay(size=(1100, 800))
+def test_disks_are_turned_by_hand_and_counts_come_back(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("absolute_encoder")
     lab.page.locator('select[data-cell="example"]').first.select_option("glitch")
     lab.waits_for("off by up to 8 sectors")
@@ -62,8 +62,8 @@ def _moves_add_up_to_nothing(lab):
     lab.waits_for("at 2 of 2 s")
 
 
-def test_throws_are_corrected_a_sensor_is_calibrated_and_an_arm_is_sent_somewhere_again_and_again(stay):
-    lab = stay(size=(1100, 800))
+def test_throws_are_corrected_a_sensor_is_calibrated_and_an_arm_is_sent_somewhere_again_and_again(visit):
+    lab = visit(size=(1100, 800))
     lab.open_tab("encoder_speed")
     lab.type_into("counts", "50")
     lab.until(lambda: lab.page.locator('input[data-cell="speed"]').first.input_value() == "180")

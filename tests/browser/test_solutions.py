@@ -21,8 +21,8 @@ ROWS = """() => [...document.querySelectorAll('.sol-row')].map(row => ({
 }))"""
 
 
-def eight(stay):
-    lab = stay("robot/ur10_notes")
+def eight(visit):
+    lab = visit("robot/ur10_notes")
     lab.press("eight")
     lab.open_tab("Target")
     lab.page.locator('button.page[data-cell="solutions"]').click()
@@ -43,8 +43,8 @@ def apart(one, other):
     return np.abs((np.asarray(one) - other + 180.0) % 360.0 - 180.0).max()
 
 
-def test_rows_and_ghosts_are_clicked_and_the_list_lives_through_a_drag(stay):
-    lab = eight(stay)
+def test_rows_and_ghosts_are_clicked_and_the_list_lives_through_a_drag(visit):
+    lab = eight(visit)
     _goes_to_the_values_of_a_row(lab)
     _goes_to_a_ghost_that_is_clicked(lab)
     _lives_through_a_drag_with_ghosts_at_the_target(lab)

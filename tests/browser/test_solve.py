@@ -11,8 +11,8 @@ from support.page import LabPage
 pytestmark = pytest.mark.browser
 
 
-def opened(stay, page):
-    lab: LabPage = stay("robot/planar_2r", size=(1400, 850))
+def opened(visit, page):
+    lab: LabPage = visit("robot/planar_2r", size=(1400, 850))
     lab.open_tab("Velocity")
     lab.rest()
     lab.press(page)
@@ -26,8 +26,8 @@ def table(lab):
     return [[float(value) for value in row if value.lstrip("-").replace(".", "").isdigit()] for row in rows]
 
 
-def test_a_stretched_arm_says_why_it_has_no_answer_and_is_moved_in_the_square(stay):
-    lab = opened(stay, "solve")
+def test_a_stretched_arm_says_why_it_has_no_answer_and_is_moved_in_the_square(visit):
+    lab = opened(visit, "solve")
     lab.page.locator("select[data-cell=example]").select_option("stretched_30")
     lab.page.wait_for_function("() => document.body.innerText.includes('No joint speeds give v')")
     lab.rest()

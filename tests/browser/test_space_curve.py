@@ -12,8 +12,8 @@ def place(lab, node):
     return np.array(lab.page.evaluate("name => window.__viserMutable.nodePoseData[name].position", name))
 
 
-def test_the_frame_travels_along_a_helix_and_nonsense_stays(stay):
-    lab = stay()
+def test_the_frame_travels_along_a_helix_and_nonsense_stays(visit):
+    lab = visit()
     lab.open_tab("Motion")
     lab.page.locator("button.page[data-cell=space_curve]").click()
     lab.page.locator('select[data-cell="example"]').select_option("helix")

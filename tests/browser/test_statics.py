@@ -28,8 +28,8 @@ def become(lab, expected):
     lab.until(lambda: len(torques(lab)) == len(expected) and np.allclose(torques(lab), expected, atol=0.006))
 
 
-def test_a_force_is_pulled_both_ellipsoids_compared_and_torques_of_a_typed_wrench_read(stay):
-    lab = stay("robot/planar_2r", size=(1024, 700))
+def test_a_force_is_pulled_both_ellipsoids_compared_and_torques_of_a_typed_wrench_read(visit):
+    lab = visit("robot/planar_2r", size=(1024, 700))
     lab.open_tab("Statics")
     lab.rest()
     _pulls_the_force_at_its_tip(lab)

@@ -33,8 +33,8 @@ def arm_is(lab, key):
     lab.ready()
 
 
-def test_all_solutions_of_a_ur5e_in_three(stay):
-    lab = stay(size=SIZE)
+def test_all_solutions_of_a_ur5e_in_three(visit):
+    lab = visit(size=SIZE)
     hand = Hand(lab)
     hand.find("UR5e")
     arm_is(lab, "ur5e")
@@ -44,8 +44,8 @@ def test_all_solutions_of_a_ur5e_in_three(stay):
     assert hand.clicks <= 3
 
 
-def test_singularities_of_the_puma_and_damped_least_squares_in_four(stay):
-    lab = stay(size=SIZE)
+def test_singularities_of_the_puma_and_damped_least_squares_in_four(visit):
+    lab = visit(size=SIZE)
     hand = Hand(lab)
     hand.find("singular")
     lab.page.locator(".ms-bars").wait_for()
@@ -57,8 +57,8 @@ def test_singularities_of_the_puma_and_damped_least_squares_in_four(stay):
     assert hand.clicks <= 4
 
 
-def test_the_workspace_of_a_scara_sampled_cut_clicked_and_its_volume_in_six(stay):
-    lab = stay(size=SIZE)
+def test_the_workspace_of_a_scara_sampled_cut_clicked_and_its_volume_in_six(visit):
+    lab = visit(size=SIZE)
     hand = Hand(lab)
     hand.find("SCARA")
     arm_is(lab, "scara")

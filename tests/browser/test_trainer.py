@@ -44,9 +44,9 @@ def sticks(lab):
     )
 
 
-def test_an_exercise_wrongly_then_rightly(stay):
+def test_an_exercise_wrongly_then_rightly(visit):
     """First an arm that is no exercise offers others."""
-    lab = stay("robot/panda", size=(1024, 700))
+    lab = visit("robot/panda", size=(1024, 700))
     open_trainer(lab)
     assert "Not for this arm" in words(lab)
     lab.press("trainer-robot-planar_2r")

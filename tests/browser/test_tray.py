@@ -36,8 +36,8 @@ def number(text):
     return float(text.replace("−", "-"))
 
 
-def test_a_hand_reads_hides_zooms_and_scrubs_saves_files_and_the_tray_closes_with_its_page(stay):
-    lab = stay("robot/puma560", size=SIZE)
+def test_a_hand_reads_hides_zooms_and_scrubs_saves_files_and_the_tray_closes_with_its_page(visit):
+    lab = visit("robot/puma560", size=SIZE)
     lab.open_tab("Motion")
     lab.press("motion_plots")
     open_tray(lab)

@@ -59,8 +59,8 @@ def switches_change_the_scene(lab):
         plain = picture
 
 
-def test_the_target_is_dragged_and_typed(stay, url):
-    lab = stay()
+def test_the_target_is_dragged_and_typed(visit, url):
+    lab = visit()
     the_handle_is_dragged_which_is_one_step_of_undo(lab)
     out_of_reach_the_handle_stays_and_a_dashed_line_joins_it(lab)
     for _ in range(2):
@@ -141,8 +141,8 @@ def a_typed_target_is_reached_and_a_wrong_one_is_refused(lab):
     assert lab.page.locator("img[src=x]").count() == 0
 
 
-def test_joints_are_moved_by_sliders_poses_and_chance(stay):
-    lab = stay()
+def test_joints_are_moved_by_sliders_poses_and_chance(visit):
+    lab = visit()
     a_slider_moves_its_joint_and_the_trace_follows_the_tool(lab)
     named_poses_random_and_held_joints(lab)
     lab.press("home")

@@ -26,8 +26,8 @@ def choose(lab, example):
     lab.rest()
 
 
-def test_speeds_are_summed_and_driven_and_turning_says_what_a_singular_angle_loses(stay):
-    lab = stay()
+def test_speeds_are_summed_and_driven_and_turning_says_what_a_singular_angle_loses(visit):
+    lab = visit()
     lab.open_tab("Velocity")
     _sums_what_the_positions_say_and_draws_a_column(lab)
     _drives_the_arm_and_keeps_nonsense(lab)
@@ -77,8 +77,8 @@ def _says_what_a_singular_angle_loses(lab):
     assert "120.0°" in lab.page.locator(".kv").last.inner_text()
 
 
-def test_nothing_is_cut(stay):
-    lab = stay("robot/panda", size=(1400, 850))
+def test_nothing_is_cut(visit):
+    lab = visit("robot/panda", size=(1400, 850))
     lab.open_tab("Velocity")
     lab.unfold("Parts and their sum")
     lab.page.locator(".ve-sum").wait_for()

@@ -34,8 +34,8 @@ def drag_value(lab, fraction):
     lab.page.mouse.up()
 
 
-def test_a_longer_link_is_previewed_compared_and_taken_over(stay):
-    lab = stay("robot/elbow_3r")
+def test_a_longer_link_is_previewed_compared_and_taken_over(visit):
+    lab = visit("robot/elbow_3r")
     lab.open_tab("Compare designs")
     lab.page.locator(".wi-section").wait_for()
     lab.until(lambda: points(lab, "kept") > 1000)

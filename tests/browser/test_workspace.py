@@ -19,8 +19,8 @@ def points(lab):
     return lab.page.evaluate(POINTS, names[0]) if names else 0
 
 
-def test_the_cloud_grows_is_cut_and_answers_a_click(stay):
-    lab = stay("robot/elbow_3r")
+def test_the_cloud_grows_is_cut_and_answers_a_click(visit):
+    lab = visit("robot/elbow_3r")
     lab.open_tab("Workspace")
     lab.page.locator('select[data-cell="count"]:visible').select_option("10000000")
     # Singular values take their time: half a minute for so many samples.
