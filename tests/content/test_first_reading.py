@@ -18,8 +18,10 @@ from armlab.session.state import State, apply
 from armlab.ui import lab as lab_module
 from armlab.ui.lesson.page import _choice
 from support.forms import BareForm
+from support.lab import running_lab
 from support.own_lessons import lesson as lesson_text
 from support.own_lessons import write
+from support.patience import WAIT
 from support.small_lessons import VARIED
 
 
@@ -139,3 +141,19 @@ def test_two_who_ask_at_once_get_one_library(monkeypatch):
     monkeypatch.setattr(module, "_library", cache(module._library.__wrapped__))
     with ThreadPoolExecutor(2) as both:
         assert list(both.map(ask, range(2))) == made * 2
+
+
+def test_a_lab_that_ends_does_not_read_to_the_end(monkeypatch):
+    reading, told = threading.Event(), []
+
+    def read(given_up):
+        reading.set()
+        told.append(given_up.wait(WAIT))
+        return False
+
+    for name, there in {"lessons_read": lambda: None, "read_unhurried": read, "UNVISITED": 0.0}.items():
+        monkeypatch.setattr(lab_module, name, there)
+    with running_lab():
+        assert reading.wait(WAIT)
+        assert told == []
+    assert told == [True]

@@ -1,9 +1,13 @@
 """Facts at many configurations are those of the states in which the arm stands there."""
 
+import pytest
+
 from armlab.content.robots import catalogue
+from armlab.session import facts_at as facts_at_module
 from armlab.session.facts import facts_of_benches, seen_facts
 from armlab.session.facts_at import FactsAt
 from armlab.session.parts.joints import Joints
+from armlab.session.parts.target import Target
 from armlab.session.state import State
 
 QUICK = ("velocity.statics", "velocity.speeds", "sensor.absolute", "drive.gears", "frames.chain")
@@ -22,3 +26,19 @@ def test_every_fact_is_that_of_the_state(rng):
     assert changed
     assert changed <= set(facts_at._moving)
     assert 0 < len(facts_at._moving) < len(words)
+
+
+WAYS = {
+    "the joints": (lambda state: state[Joints], True),
+    "all parts": (list, True),
+    "a state with another part": (lambda state: state.replace(state[Target]), True),
+    "the state at another time": (lambda state: state.dated(1.0), True),
+    "another part": (lambda state: state[Target], False),
+}
+
+
+@pytest.mark.parametrize(("looked", "seen"), WAYS.values(), ids=WAYS)
+def test_whoever_may_look_at_the_joints_is_noticed(looked, seen):
+    watched = facts_at_module._Watched(State.initial(catalogue()["planar_2r"]))
+    looked(watched)
+    assert watched.joints_read is seen
