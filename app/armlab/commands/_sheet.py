@@ -17,6 +17,7 @@ from armlab.content.lesson_head import time_said
 from armlab.content.lesson_values import written
 from armlab.content.question import Choices, Question
 from armlab.content.questions.number import NumberQuestion
+from armlab.content.vocabulary import vocabularies
 from armlab.session.plain_text import plain, printable
 
 _MEANS_SOMETHING = re.compile(r"([\\`*_{}\[\]<>#|~&$])")
@@ -137,7 +138,8 @@ def _done(action: actions.Action, lesson: Lesson) -> str:
     if isinstance(action, actions.TypeAnswer):
         return f"answer {action.text}"
     if isinstance(action, actions.PlayFilm):
-        return {"film": "play the film", "motion": "play the motion"}.get(action.name, f"play {action.name}")
+        named = {"film", *(key for each in vocabularies().values() for key in each.plays)}
+        return f"play {'the ' if action.name in named else ''}{action.name}"
     if isinstance(action, BenchWord):
         return bench_words(action)
     if isinstance(action, actions.TakeExample):

@@ -26,7 +26,8 @@ BEYOND = 1e-6
 SAME_TABLE = 1e-12
 """Largest difference, in m and rad, of tables that are the same: files contain angles in degrees."""
 
-_KEYS = ("q", "arm", "target", "seconds", "switches", "panel", "films")
+KEYS = ("q", "arm", "target", "seconds", "switches", "panel", "films")
+"""Keys of evidence that stand there whatever benches tell."""
 
 
 class Told(Protocol):
@@ -117,7 +118,7 @@ class Observation:
             A missing or unknown field, a wrong type or size, a number that is not finite, a joint value outside of
             its limits, a matrix that is no pose.
         """
-        fields = evidence.mapping(data, "observation", _KEYS, tuple(readers))
+        fields = evidence.mapping(data, "observation", KEYS, tuple(readers))
         arm = _arm(fields["arm"], robot)
         q = evidence.numbers(fields["q"], "observation.q", arm.n)
         beyond = outside(arm, q, BEYOND)

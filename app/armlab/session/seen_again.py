@@ -8,10 +8,7 @@ from armlab.content.observation import Observation
 from armlab.content.robots import Robot
 from armlab.session.facts import facts_again
 from armlab.session.state import Json
-from armlab.session.taught import taught
-
-FACTS = "facts"
-"""Key in evidence of the data from which facts are computed."""
+from armlab.session.taught import FACTS, taught
 
 
 def seen_again(data: Json, robot: Robot, plans: bool = True, facts: tuple[str, ...] = ()) -> Observation:

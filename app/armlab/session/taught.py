@@ -9,13 +9,16 @@ from typing import Any
 
 from armlab.content.actions import Action
 from armlab.content.lesson import Lesson, Step
-from armlab.content.observation import Told
+from armlab.content.observation import KEYS, Told
 from armlab.content.robots import Robot
 from armlab.content.vocabulary import vocabularies
 from armlab.errors import PluginError
 from armlab.plugins import discover_in_benches
 from armlab.session.job import Job
 from armlab.session.state import Command, Json, Part, State
+
+FACTS = "facts"
+"""Key in evidence of the data from which facts are computed."""
 
 
 @dataclass(frozen=True)
@@ -63,9 +66,10 @@ class Taught:
     mistakes: Callable[[Action], Iterator[str]]
 
     def __post_init__(self) -> None:
-        """Refuse a key under which evidence has the part."""
-        if self.key == self.part.key:
-            raise PluginError(f"TAUGHT: expected another key than that of the part, {self.key!r}")
+        """Refuse a key under which evidence has something else."""
+        taken = (*KEYS, FACTS, self.part.key)
+        if self.key in taken:
+            raise PluginError(f"TAUGHT: expected a key that evidence has not yet, got {self.key!r}")
 
     def is_checked(self, step: Step) -> bool:
         """Return whether the check of a step looks at the bench."""

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.plan.actions import EditWaypoint, SetDuration, SetLimits, SetMoveKind
+from armlab.benches.motion.plan.lesson import TAUGHT
 from armlab.benches.motion.plan.seen_motion import SeenMotion, SeenMove, motion_in
 from armlab.content.actions import Move, PlayFilm, TakeExample
 from armlab.content.check import Words, read_check, read_state_check
@@ -17,7 +18,7 @@ from armlab.content.lesson_lines import LessonError
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import catalogue
-from armlab.errors import ContentError, InputError
+from armlab.errors import ContentError, InputError, PluginError
 from support.motion_lesson import MOTION
 
 ROBOT = catalogue()["planar_2r"]
@@ -273,6 +274,12 @@ def test_a_check_is_of_the_motion_also_for_its_mistakes():
 
 
 # --- Evidence
+
+
+@pytest.mark.parametrize("key", ["q", "films", "facts", "plan"])
+def test_what_evidence_has_already_is_no_key_of_a_bench(key):
+    with pytest.raises(PluginError, match=f"a key that evidence has not yet, got '{key}'"):
+        replace(TAUGHT, key=key)
 
 
 def test_evidence_of_a_motion_comes_back_the_same():
