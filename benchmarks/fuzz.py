@@ -9,6 +9,7 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
+from typing import IO
 
 import drag
 import servers
@@ -21,48 +22,69 @@ REQUESTS = sized(10_000, 20)
 STRANGERS = sized(4, 2)
 
 
+LABS = sized((0, drag.LABS), (0,))
+"""Labs behind a front, for each server that is tried; none is one process without a front."""
+
 Drags = tuple[list[float], list[float]]
-"""Seconds from each event of the handle to its pose: of the clock, and of the lab's processor time."""
+"""Seconds from each event of the handle to its pose: of the clock, and of the server's processor time."""
 
 
 def measure() -> Iterator[str]:
-    yield "| frames | requests | lab lives | tracebacks | lines of the log | student's arm | memory |"
-    yield "| --- | --- | --- | --- | --- | --- | --- |"
-    with tempfile.TemporaryFile("w+") as said, lab(said) as server:
+    yield "| server | frames | requests | all of it lives | tracebacks | lines of the log | student's arm | memory |"
+    yield "| --- | --- | --- | --- | --- | --- | --- | --- |"
+    found = {}
+    for labs in LABS:
+        name = f"front and {labs} labs" if labs else "one process"
+        found[name], counted = tried(labs)
+        yield f"| {name} | {counted} |"
+    yield ""
+    yield "| server | the student drags | p50 | p95 | ÷ alone | processor time of the server, p50 | p95 | ÷ alone |"
+    yield "| --- | --- | --- | --- | --- | --- | --- | --- |"
+    for name, drags in found.items():
+        for beside, cells in compared(drags):
+            yield f"| {name} | {beside} | {cells} |"
+
+
+def tried(labs: int) -> tuple[dict[str, Drags], str]:
+    """Let strangers loose on a server; return the student's times, and what was counted as cells of a table."""
+    with tempfile.TemporaryFile("w+") as said, lab(said, labs) as server:
         drags, sent, requests, kept, memory = asyncio.run(story(server))
-        alive = Path(f"/proc/{server.pids[0]}").exists()
+        alive = "yes" if all(Path(f"/proc/{pid}").exists() for pid in server.pids) else "no"
         said.seek(0)
         log = said.read()
+    if os.environ.get("ARMLAB_FUZZ_LOG"):
+        with Path(os.environ["ARMLAB_FUZZ_LOG"]).open("a") as kept_log:
+            kept_log.write(log)
     traces, lines = log.count("Traceback"), len(log.splitlines())
-    counted = f"| {sent} | {requests} | {'yes' if alive else 'no'} | {traces} | {lines} | {kept} "
-    yield f"{counted}| {memory[0] / 1e6:.0f} MB, then {memory[1] / 1e6:.0f} MB |"
-    yield ""
-    yield "| the student drags | p50 | p95 | ÷ alone | processor time of the lab meanwhile, p50 | p95 | ÷ alone |"
-    yield "| --- | --- | --- | --- | --- | --- | --- |"
+    counted = f"{sent} | {requests} | {alive} | {traces} | {lines} | {kept}"
+    return drags, f"{counted} | {memory[0] / 1e6:.0f} MB, then {memory[1] / 1e6:.0f} MB"
+
+
+def compared(drags: dict[str, Drags]) -> Iterator[tuple[str, str]]:
+    """Yield what the student had beside, and the times as cells of a table, compared to those of nobody beside."""
     alone = [quantile(drags["alone before"][k] + drags["alone after"][k], 0.95) for k in (0, 1)]
     for name, found in drags.items():
         cells = []
         for seconds, usual in zip(found, alone, strict=True):
             p50, p95 = quantile(seconds, 0.5), quantile(seconds, 0.95)
             cells += [f"{p50 * 1e3:.1f} ms", f"{p95 * 1e3:.1f} ms", f"{p95 / usual:.1f}"]
-        yield f"| {name} | {' | '.join(cells)} |"
-    if os.environ.get("ARMLAB_FUZZ_LOG"):
-        Path(os.environ["ARMLAB_FUZZ_LOG"]).write_text(log)
+        yield name, " | ".join(cells)
 
 
 @contextlib.contextmanager
-def lab(said) -> Iterator[servers.Server]:
+def lab(said: IO[str], labs: int) -> Iterator[servers.Server]:
     """Run Armlab with its complaints in a file."""
     paths = [str(servers.HERE.parent / "app"), str(servers.HERE.parent / "tests")]
     process = subprocess.Popen(
-        [sys.executable, "-c", servers.LAB.format(paths=paths, labs=0, tiny=TINY)],
+        [sys.executable, "-c", servers.LAB.format(paths=paths, labs=labs, tiny=TINY)],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=said,
         text=True,
     )
     try:
-        yield servers.Server(f"http://127.0.0.1:{int(process.stdout.readline())}/", (process.pid,))
+        port = int(process.stdout.readline())
+        yield servers.Server(f"http://127.0.0.1:{port}/", (process.pid, *servers.children(process.pid)))
     finally:
         process.communicate(timeout=60.0)
 

@@ -46,9 +46,9 @@ class Server:
         return sum(int(f[11]) + int(f[12]) for f in fields) / os.sysconf("SC_CLK_TCK")
 
     def used(self) -> float:
-        """Return the seconds of processor time of the first process, to the microsecond; on Linux only."""
+        """Return the seconds of processor time of all processes, to the microsecond; on Linux only."""
         # The number of the clock of another process, as clock_getcpuclockid(3) makes it.
-        return time.clock_gettime((~self.pids[0] << 3) | 2)
+        return sum(time.clock_gettime((~pid << 3) | 2) for pid in self.pids)
 
     def memory(self) -> int:
         """Return the bytes of memory in use."""
@@ -103,7 +103,7 @@ def _started(arguments: Sequence[str], has_front: bool) -> Iterator[Server]:
     )
     try:
         port = int(process.stdout.readline())
-        yield Server(f"http://127.0.0.1:{port}/", (process.pid, *_children(process.pid)), has_front)
+        yield Server(f"http://127.0.0.1:{port}/", (process.pid, *children(process.pid)), has_front)
     finally:
         process.stdin.close()
         if not has_front:
@@ -115,7 +115,8 @@ def _started(arguments: Sequence[str], has_front: bool) -> Iterator[Server]:
             process.wait()
 
 
-def _children(pid: int) -> tuple[int, ...]:
+def children(pid: int) -> tuple[int, ...]:
+    """Return the processes that this one has started, and those they have."""
     path = Path(f"/proc/{pid}/task/{pid}/children")
     found = tuple(int(child) for child in path.read_text().split())
-    return found + tuple(grandchild for child in found for grandchild in _children(child))
+    return found + tuple(grandchild for child in found for grandchild in children(child))

@@ -62,8 +62,12 @@ class Gizmo:
 
     def _catch_up_later(self) -> None:
         if self._later is None:
-            loop = asyncio.get_running_loop()
-            self._later = loop.call_later(CATCH_UP, lambda: self._canvas.post(DragTarget(None, self._handle.drag)))
+            self._later = asyncio.get_running_loop().call_later(CATCH_UP, self._catch_up)
+
+    def _catch_up(self) -> None:
+        """Ask for one more step of the arm; what is shown of it asks for the next one."""
+        self._later = None
+        self._canvas.post(DragTarget(None, self._handle.drag))
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
