@@ -25,6 +25,9 @@ _KIND = re.compile(r"([a-z][a-zA-Z0-9]*)((?:\.[\w-]+)*)")
 
 _VOID = frozenset({"br", "hr", "img", "input", "meta"})
 
+SHORT = 40
+"""Characters of a text that is escaped once and kept, as most names, signs and numbers of a page come again."""
+
 _new = str.__new__  # three times as quick as `Markup`, which first asks what it was given
 
 
@@ -53,7 +56,12 @@ def tag(kind: str, /, *inside: Inside, **attributes: Attribute) -> Markup:
     """
     start, end = _ends(kind)
     if attributes:
-        start += "".join([_attribute(name, value) for name, value in attributes.items()])
+        start += "".join(
+            [
+                _known_attribute(name, value) if type(value) is str and len(value) <= SHORT else _attribute(name, value)
+                for name, value in attributes.items()
+            ]
+        )
     return _new(Markup, f"{start}>{_text(inside)}{end}")
 
 
@@ -104,12 +112,16 @@ def _attribute(name: str, value: Attribute) -> str:
     return f" {name}" if value is True else f' {name}="{escape(value)}"'
 
 
+_known_attribute = lru_cache(maxsize=8192)(_attribute)
+_known_text = lru_cache(maxsize=8192)(escape)
+
+
 def _text(inside: Inside) -> str:
     """Return the markup of the content of an element."""
     if type(inside) is Markup:
         return inside
     if isinstance(inside, str):
-        return escape(inside)
+        return _known_text(inside) if type(inside) is str and len(inside) <= SHORT else escape(inside)
     return "" if inside is None else "".join([_text(each) for each in inside])
 
 
