@@ -26,7 +26,7 @@ _KIND = re.compile(r"([a-z][a-zA-Z0-9]*)((?:\.[\w-]+)*)")
 _VOID = frozenset({"br", "hr", "img", "input", "meta"})
 
 SHORT = 40
-"""Characters of a text that is escaped once and kept, as most names, signs and numbers of a page come again."""
+"""Largest number of characters of a text whose escaped form is kept: most names, signs and numbers come again."""
 
 _new = str.__new__  # three times as quick as `Markup`, which first asks what it was given
 
