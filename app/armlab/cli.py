@@ -136,7 +136,7 @@ def _look(running: Running, ended: Ended) -> None:
         except PluginError as error:
             ended.put(str(error))
             return
-        from armlab.ui.search.finds import prepare
+        from armlab.window.search.finds import prepare
 
         prepare(running.stopping)
     if not read_unhurried(running.stopping):

@@ -103,7 +103,7 @@ def strangers(package):
     of_tabs = {tab: set().union(*(own[page] for page in own if page.parent == tab)) for tab in {p.parent for p in own}}
     every = set().union(*of_tabs.values())
     found = []
-    for tab in [*sorted((package / "benches").glob("*/")), package / "ui"]:
+    for tab in [*sorted((package / "benches").glob("*/")), package / "ui", package / "window"]:
         strange = words_with_prefix(tab.rglob("*.py")) & every - of_tabs.get(tab, set())
         found += [f"{tab.relative_to(package)} uses the class {name} of another tab" for name in sorted(strange)]
     for page, names in own.items():

@@ -19,7 +19,13 @@ MADE = {"Fields": 1, "fields": 0}
 def around_forms(package):
     """Return every place outside the kit that looks at the name of a cell, or makes markup that sends by itself."""
     found = []
-    paths = sorted([*(package / "ui").rglob("*.py"), *(package / "benches").glob("*/*/ui/**/*.py")])
+    paths = sorted(
+        [
+            *(package / "ui").rglob("*.py"),
+            *(package / "window").rglob("*.py"),
+            *(package / "benches").glob("*/*/ui/**/*.py"),
+        ]
+    )
     for path in files_with(paths, r"\bcell\b|\b[Ff]ields\(|data-chan=|\\[xuN0-7]"):
         file = path.relative_to(package).as_posix()
         if file in KIT:

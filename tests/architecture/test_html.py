@@ -19,9 +19,9 @@ TAKEN_AS_IT_IS = {
     "ui/format.py": "MathML that latex2mathml makes of a formula",
     "ui/paper.py": "texts of guides, lessons and formulas, whose readers let only known elements pass",
     "benches/view/share/ui/qr.py": "an SVG picture that segno makes of a link",
-    "ui/lesson/asking.py": "questions and verdicts of lessons, whose reader lets only known elements pass",
-    "ui/lesson/errata.py": "the text of lessons, in which links become buttons",
-    "ui/lesson/text.py": "the text of lessons, whose reader lets only known elements pass",
+    "ui/asking.py": "questions and verdicts of lessons, whose reader lets only known elements pass",
+    "ui/erratum_links.py": "the text of lessons, in which links become buttons",
+    "window/lesson/text.py": "the text of lessons, whose reader lets only known elements pass",
 }
 """Modules that take a text for markup, and why it is."""
 
@@ -38,8 +38,8 @@ LOOKS = {
     "content/formula_room.py",
     "front/page.py",
     "session/plain_text.py",
-    "ui/lesson/errata.py",
-    "ui/lesson/text.py",
+    "ui/erratum_links.py",
+    "window/lesson/text.py",
     "ui/recording.py",
 }
 """Modules that look for an element in a page or text they are given; patterns of `re` with a group are known by it."""

@@ -59,9 +59,9 @@ def test_what_only_one_tab_uses_lies_in_that_tab():
         ),
         ({"benches/arms/api.py": "def f():\n    from armlab.ui.lent import x"}, "arms"),
         ({"benches/arms/api.py": "import armlab.ui.lent", "benches/other/a/job.py": "import armlab.ui.lent"}, None),
-        ({"benches/arms/api.py": "import armlab.ui.lent", "ui/view.py": "from armlab.ui.lent import x"}, None),
+        ({"benches/arms/api.py": "import armlab.ui.lent", "window/view.py": "from armlab.ui.lent import x"}, None),
         ({"benches/arms/api.py": "import armlab.ui.lent", "commands/go.py": "import armlab.ui.lent"}, None),
-        ({"ui/view.py": "import armlab.ui.lent"}, None),
+        ({"window/view.py": "import armlab.ui.lent"}, None),
         ({}, None),
     ],
 )

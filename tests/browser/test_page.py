@@ -5,7 +5,7 @@ import time
 import numpy as np
 import pytest
 
-from armlab.ui.view import View
+from armlab.window.view import View
 from support.lab import open_lab
 from support.page import COARSE, SMALL
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from armlab.session.pages import pages
-from armlab.ui.search.offers import title_of
+from armlab.window.search.offers import title_of
 
 pytestmark = pytest.mark.browser
 

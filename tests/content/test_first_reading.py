@@ -15,8 +15,8 @@ from armlab.errors import ArmlabError
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State, apply
-from armlab.ui import lab as lab_module
-from armlab.ui.lesson.page import _choice
+from armlab.window import lab as lab_module
+from armlab.window.lesson.page import _choice
 from support.forms import BareForm
 from support.lab import running_lab
 from support.own_lessons import lesson as lesson_text

@@ -14,7 +14,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import ContentError, UnknownName
 from armlab.kin.dh import link_transform
 from armlab.kin.rotations import rotation_about
-from armlab.ui.formulas_page import formulas_page
+from armlab.window.formulas_page import formulas_page
 from support.latex_values import matrix, right_side, value
 
 PHI, THETA, PSI = 0.7, -0.4, 1.9

@@ -9,7 +9,7 @@ from armlab.content.guidebook import Guidebooks
 from armlab.content.lesson_lines import LessonError
 from armlab.content.lesson_mistakes import mistakes_of
 from armlab.content.lessons import lessons
-from armlab.ui.guide_page import MOST, printed
+from armlab.window.guide_page import MOST, printed
 from support.own_lessons import lesson, write
 
 GUIDE = """about = "A word."

@@ -21,7 +21,7 @@ from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import BackToLesson, OpenShared, ToSandbox
 from armlab.session.share import from_short, short
 from armlab.session.state import State, apply
-from armlab.ui.wished import wished
+from armlab.window.wished import wished
 from support.fake_browser import cookie_of
 from support.lab import running_lab
 from support.student import arm_nodes, run, student

@@ -12,7 +12,7 @@ from armlab.front import direct
 from armlab.front import start as start_module
 from armlab.front.limits import Limits
 from armlab.ui import adapter
-from armlab.ui import lab as lab_module
+from armlab.window import lab as lab_module
 from support.fake_browser import FakeBrowser
 from support.lab import running_lab
 from support.patience import Patience

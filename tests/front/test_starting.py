@@ -16,7 +16,7 @@ from armlab.front import front as front_module
 from armlab.front import start as start_module
 from armlab.front.paper_pages import PaperPages
 from armlab.front.start import Settings, start
-from armlab.ui import lab as lab_module
+from armlab.window import lab as lab_module
 from support.fake_browser import FakeBrowser, cookie_of
 from support.patience import WAIT, Patience
 from support.student import run, student

@@ -10,7 +10,7 @@ from armlab.content.robots import catalogue
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.shelf import BackToLesson, Shelf, ToSandbox
 from armlab.session.state import State, apply
-from armlab.ui.wished import wished
+from armlab.window.wished import wished
 from support.fake_browser import cookie_of
 from support.lab import running_lab
 from support.student import run, student

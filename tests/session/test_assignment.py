@@ -22,8 +22,8 @@ from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.shelf import ToSandbox
 from armlab.session.share import short
 from armlab.session.state import apply
-from armlab.ui.lesson.assigned import Sheet
-from armlab.ui.wished import wished
+from armlab.window.lesson.assigned import Sheet
+from armlab.window.wished import wished
 from support.assigned import NOON, done, exam, folder_fixture, fresh_fixture, goal, points, refused, solved
 from support.small_lessons import library_fixture
 

@@ -18,8 +18,8 @@ from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.session import Redo, Session, StartFresh, Undo
 from armlab.ui.html import joined
-from armlab.ui.lesson import assigned
-from armlab.ui.lesson.assigned import Sheet
+from armlab.window.lesson import assigned
+from armlab.window.lesson.assigned import Sheet
 from support.assigned import NOON, done, exam, folder_fixture, fresh_fixture, goal, points, refused, solved
 from support.forms import BareForm
 from support.small_lessons import library_fixture

@@ -10,7 +10,7 @@ from weakref import WeakSet
 
 from armlab.front.direct import Direct
 from armlab.front.start import Running
-from armlab.ui.player import Player
+from armlab.window.player import Player
 from support.patience import WAIT
 
 SOON = 2.0

@@ -26,8 +26,8 @@ from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.state import Command, State, apply
-from armlab.ui.lesson import end, page
-from armlab.ui.lesson.asking import Draft, asked
+from armlab.ui.asking import Draft, asked
+from armlab.window.lesson import end, page
 from support.assigned import NOON, folder_fixture
 from support.bare_gui import BareGui, content
 from support.check_talk import said_of_checks

@@ -26,7 +26,7 @@ from websockets.asyncio.client import connect
 
 from armlab.session.pages import pages
 from armlab.ui.picks import READING
-from armlab.ui.tab import COVERED
+from armlab.window.tab import COVERED
 from support.patience import LOOK, WAIT, Patience
 
 _ENCODER, _DECODER = msgspec.msgpack.Encoder(), msgspec.msgpack.Decoder()

@@ -19,10 +19,10 @@ from armlab.errors import ArmlabError
 from armlab.session.bench import benches, choosing, page_of
 from armlab.session.job import Deliver, jobs
 from armlab.session.pages import pages
-from armlab.ui import script_words
-from armlab.ui.formulas_page import formulas_page
-from armlab.ui.search.offers import things
 from armlab.ui.speech import Speech
+from armlab.window import script_words
+from armlab.window.formulas_page import formulas_page
+from armlab.window.search.offers import things
 from support.bare_gui import BarePage, Handle, content
 
 ARMS = ("puma560", "planar_2r")

@@ -7,9 +7,9 @@ import pytest
 
 from armlab.content.question import Choices, Field, Grid
 from armlab.session.lesson_commands import Answer
-from armlab.ui.lesson.asking import CHECK, CHOICE, ENTRY, Draft
+from armlab.ui.asking import CHECK, CHOICE, ENTRY, Draft
 from armlab.ui.plugin import layers
-from armlab.ui.tab import COVERED
+from armlab.window.tab import COVERED
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
 from support.own_lessons import ARM, QUESTIONS, in_lesson, lesson, load, piece, to_step, write

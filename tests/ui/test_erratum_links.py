@@ -3,8 +3,8 @@
 import pytest
 
 from armlab.session.errata_links import LookUp
+from armlab.ui.erratum_links import with_links, without_links
 from armlab.ui.html import Markup
-from armlab.ui.lesson.errata import with_links, without_links
 from support.forms import BareForm, asked
 from support.lab import running_lab
 from support.own_lessons import ARM, in_lesson, lesson, notes, piece, write

@@ -21,8 +21,8 @@ from armlab.session.parts.shelf import BackFromShared, OpenShared
 from armlab.session.share import short
 from armlab.session.state import State, apply
 from armlab.ui.door import Door
-from armlab.ui.script_words import SCRIPT_WORDS
 from armlab.ui.speech import Speech, speech_in
+from armlab.window.script_words import SCRIPT_WORDS
 from support.docks import LESSON, BareDock, every_dock
 from support.fake_browser import cookie_of
 from support.saying import Listener, every_page, known_before, stale

@@ -5,8 +5,8 @@ import re
 import threading
 
 from armlab.session.session import Session
-from armlab.ui import lab as lab_module
 from armlab.ui.pace import Pace
+from armlab.window import lab as lab_module
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
 from support.patience import WAIT

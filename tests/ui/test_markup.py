@@ -14,8 +14,8 @@ from armlab.session.session import Redo, Session, Undo
 from armlab.ui import markup
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.html import styles, tag
-from armlab.ui.overlay import APART, FIRST_HINT, Overlay
 from armlab.ui.plugin import Panel, whole_panel, without_the_arm
+from armlab.window.overlay import APART, FIRST_HINT, Overlay
 from support.forms import BareFields
 
 BAD = "a\"><b onclick='x'>&lt;"
@@ -86,7 +86,7 @@ def test_what_lies_over_the_scene_steps_back_and_forth_where_there_is_something(
         made.append(BareFields(on_input))
         return made[0]
 
-    monkeypatch.setattr("armlab.ui.overlay.Fields", fields)
+    monkeypatch.setattr("armlab.window.overlay.Fields", fields)
     overlay = Overlay(
         SimpleNamespace(gui=None), session, posted.append, Gallery(), posted.append, posted.append, ENGLISH
     )

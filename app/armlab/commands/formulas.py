@@ -23,7 +23,7 @@ def run(options: argparse.Namespace) -> int:
 
         text = latex_sheet(sheet())
     else:
-        from armlab.ui.formulas_page import formulas_page
+        from armlab.window.formulas_page import formulas_page
 
         text = formulas_page(sheet()) or ""
     if options.out is None:

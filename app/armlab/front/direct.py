@@ -120,7 +120,7 @@ class DirectLine:
     Parameters
     ----------
     serve : callable
-        See `armlab.ui.lab.Lab`.
+        See `armlab.window.lab.Lab`.
     limits : Limits
     """
 

@@ -18,9 +18,9 @@ from armlab.front.limits import Limits
 from armlab.front.reception import Reception
 from armlab.front.start import SWITCH_INTERVAL
 from armlab.running_loop import running_loop
-from armlab.ui.lab import Lab
 from armlab.ui.plugin import panels
-from armlab.ui.search.finds import prepare
+from armlab.window.lab import Lab
+from armlab.window.search.finds import prepare
 
 
 def main() -> None:

@@ -44,14 +44,14 @@ class _Kind(NamedTuple):
 
 def _course(folders: Folders) -> _Kind:
     from armlab.content.outline import Outlines
-    from armlab.ui.course_page import course_page
+    from armlab.window.course_page import course_page
 
     return _Kind(Outlines(folders).look, course_page)
 
 
 def _guide(folders: Folders) -> _Kind:
     from armlab.content.guidebook import Guidebooks
-    from armlab.ui.guide_page import guide_page
+    from armlab.window.guide_page import guide_page
 
     return _Kind(Guidebooks(folders).look, guide_page)
 
@@ -59,7 +59,7 @@ def _guide(folders: Folders) -> _Kind:
 def _formulas(folders: Folders) -> _Kind:
     del folders  # there is one sheet, whatever the lessons
     from armlab.content.formulas import sheet
-    from armlab.ui.formulas_page import formulas_page
+    from armlab.window.formulas_page import formulas_page
 
     return _Kind(sheet, formulas_page)
 

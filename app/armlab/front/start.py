@@ -33,7 +33,7 @@ from armlab.front.tokens import Tokens, kept_secret
 from armlab.running_loop import running_loop
 
 if TYPE_CHECKING:
-    from armlab.ui.lab import Lab
+    from armlab.window.lab import Lab
 
 SWITCH_INTERVAL = 0.0005
 """Interval, seconds, at which Python's threads take turns. With the default of 5 ms the worker would delay the event
@@ -211,7 +211,7 @@ def _open_lab(settings: Settings, loop: asyncio.AbstractEventLoop, opened: ExitS
     # Imported here: a browser gets its page before, and the front of a class does not need viser in its own process.
     from armlab.content.robots import catalogue
     from armlab.front.direct import DirectLine
-    from armlab.ui.lab import Lab
+    from armlab.window.lab import Lab
 
     if settings.teacher_key:
         from armlab.content.desk import Desk, open_desk

@@ -43,7 +43,7 @@ EMPHASIS = ("<strong", "<em")
 """Beginnings of the elements that emphasise words of a sentence in the texts of lessons."""
 
 LINK = 'class="erratum"'
-"""Attribute of the buttons that do so, too: links in the texts of lessons, see `armlab.ui.lesson.errata`."""
+"""Attribute of the buttons that do so, too: links in the texts of lessons, see `armlab.ui.erratum_links`."""
 
 MOST_KEPT = 8192
 """Largest number of runs of markup whose translation is kept."""

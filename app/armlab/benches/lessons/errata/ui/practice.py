@@ -13,9 +13,9 @@ from armlab.content.question import Choices
 from armlab.session.fields import Set
 from armlab.session.parts.errata_practice import Practice, Tried, is_done
 from armlab.session.state import State
+from armlab.ui.asking import Draft, asked, said
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, classes, tag
-from armlab.ui.lesson.asking import Draft, asked, said
 from armlab.ui.markup import progress_bar, verdict_box
 
 ORDER = 7

@@ -15,11 +15,11 @@ from armlab.session.state import Post, State
 from armlab.session.way import Way
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, tag
-from armlab.ui.lesson.load import load_work
+from armlab.ui.load_work import load_work
 from armlab.ui.markup import on_paper, row
 from armlab.ui.picks import broken_files, lessons_to_come
 from armlab.ui.plugin import Panel, Show
-from armlab.ui.search.markup import search_button
+from armlab.ui.search_button import search_button
 from armlab.ui.widgets import Gui
 
 NOTES = (

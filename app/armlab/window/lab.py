@@ -35,11 +35,11 @@ from armlab.ui import adapter
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.manners import DEAR
 from armlab.ui.pace import Pace
-from armlab.ui.player import Player
 from armlab.ui.plugin import layers
-from armlab.ui.tongue import Tongue
-from armlab.ui.view import View
-from armlab.ui.wished import wished
+from armlab.window.player import Player
+from armlab.window.tongue import Tongue
+from armlab.window.view import View
+from armlab.window.wished import wished
 
 log = logging.getLogger(__name__)
 

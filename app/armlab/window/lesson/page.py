@@ -23,17 +23,17 @@ from armlab.session.lesson_commands import (
 from armlab.session.parts.lesson import LessonPart, check_line, has_its_arm
 from armlab.session.parts.shelf import ToSandbox
 from armlab.session.state import Post, State
+from armlab.ui.asking import Draft, asked, said
+from armlab.ui.erratum_links import with_links, without_links
 from armlab.ui.form import Form, Wish
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.lesson import assigned
-from armlab.ui.lesson.asking import Draft, asked, said
-from armlab.ui.lesson.assigned import Sheet
-from armlab.ui.lesson.end import with_end
-from armlab.ui.lesson.errata import with_links, without_links
-from armlab.ui.lesson.load import load_work
-from armlab.ui.lesson.text import step_text, with_values, words_of
+from armlab.ui.load_work import load_work
 from armlab.ui.markup import verdict_box
 from armlab.ui.widgets import Gui
+from armlab.window.lesson import assigned
+from armlab.window.lesson.assigned import Sheet
+from armlab.window.lesson.end import with_end
+from armlab.window.lesson.text import step_text, with_values, words_of
 
 STEP = "lesson-step-"
 _WHOLE = re.compile(r"[0-9]{1,9}")

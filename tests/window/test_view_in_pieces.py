@@ -5,8 +5,8 @@ import asyncio
 import pytest
 
 from armlab.session.parts.robot import ChooseRobot
-from armlab.ui.turning import Turning
-from armlab.ui.view import LINGER, View
+from armlab.window.turning import Turning
+from armlab.window.view import LINGER, View
 from support.lab import open_lab
 from support.student import run, student
 

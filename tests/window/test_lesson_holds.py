@@ -14,8 +14,8 @@ from armlab.session.lesson_commands import GoToStep, OpenLesson
 from armlab.session.lesson_progress import Progress
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State, apply
-from armlab.ui.lesson import page
-from armlab.ui.tab import CLOSED
+from armlab.window.lesson import page
+from armlab.window.tab import CLOSED
 from support.fake_browser import cookie_of
 from support.forms import BareForm
 from support.lab import running_lab

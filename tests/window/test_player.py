@@ -12,8 +12,8 @@ from armlab.session.pages import pages
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import Advance, OpenClip, Play, Seek, Timeline
 from armlab.session.session import Refuse, Session
-from armlab.ui.player import INTERVAL, PATIENCE, Player
-from armlab.ui.timeline_bar import SPEEDS, TimelineBar
+from armlab.window.player import INTERVAL, PATIENCE, Player
+from armlab.window.timeline_bar import SPEEDS, TimelineBar
 from support.forms import BareFields
 from support.student import run, student
 
@@ -216,7 +216,7 @@ def test_what_no_page_of_ours_sends_does_nothing_to_the_film(monkeypatch, cell, 
         made.append(BareFields(on_input))
         return made[-1]
 
-    monkeypatch.setattr("armlab.ui.timeline_bar.Fields", fields)
+    monkeypatch.setattr("armlab.window.timeline_bar.Fields", fields)
     TimelineBar(SimpleNamespace(gui=None), posted.append).show(Stage().session.state, frozenset(pages()))
     made[0].send(cell, text)
     assert posted == ([] if cell in ("dance", "", "speed") else [Refuse(f"timeline: expected a number, got {text!r}")])

@@ -18,11 +18,11 @@ from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State
 from armlab.ui.commands import shortcuts
 from armlab.ui.plugin import layers, switches
-from armlab.ui.search import finds
-from armlab.ui.search.dialog import SHOWN
-from armlab.ui.search.finds import find
-from armlab.ui.search.markup import EXAMPLES
-from armlab.ui.search.offers import hidden, offers
+from armlab.window.search import finds
+from armlab.window.search.dialog import SHOWN
+from armlab.window.search.finds import find
+from armlab.window.search.markup import EXAMPLES
+from armlab.window.search.offers import hidden, offers
 from support.lab import running_lab
 from support.own_lessons import ARM, in_lesson, lesson, notes, piece, to_step, write
 from support.sources import PACKAGE
@@ -247,7 +247,9 @@ def test_a_closed_dialog_holds_nothing_but_its_field_and_looks_for_nothing(url, 
         await browser.close()
 
     asked = []
-    monkeypatch.setattr("armlab.ui.search.dialog.find", lambda query, *of: (asked.append(query), find(query, *of))[1])
+    monkeypatch.setattr(
+        "armlab.window.search.dialog.find", lambda query, *of: (asked.append(query), find(query, *of))[1]
+    )
     run(main())
 
 

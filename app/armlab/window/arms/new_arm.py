@@ -9,7 +9,6 @@ from typing import Any
 from armlab.errors import InputError
 from armlab.kin.arm import MAX_JOINTS
 from armlab.kin.dh import CONVENTIONS, Row
-from armlab.ui.arms.draft import Draft, TypedRow
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form, Wish
 from armlab.ui.format import dot
@@ -17,6 +16,7 @@ from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import row as line
 from armlab.ui.tables import is_variable
 from armlab.ui.units import NAMES
+from armlab.window.arms.draft import Draft, TypedRow
 
 BOOKS = {"standard": "Standard (Siciliano, Spong)", "modified": "Modified (Craig)"}
 KINDS = {"R": "R", "P": "P"}

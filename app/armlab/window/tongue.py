@@ -12,8 +12,8 @@ from armlab.session.session import Session
 from armlab.ui import adapter
 from armlab.ui.door import Door
 from armlab.ui.html import tag
-from armlab.ui.script_words import SCRIPT_WORDS
 from armlab.ui.speech import speech_in
+from armlab.window.script_words import SCRIPT_WORDS
 
 
 class Tongue:

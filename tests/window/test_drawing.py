@@ -10,9 +10,9 @@ from armlab.session.parts.display import Show
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.state import State, apply
 from armlab.ui.drawing import LayerCanvas
-from armlab.ui.layer_drawing import Drawing
 from armlab.ui.plugin import Layer
 from armlab.ui.switches import SKELETON, Switch
+from armlab.window.layer_drawing import Drawing
 
 FOG = Switch("fog", "Fog", "Made up.")
 

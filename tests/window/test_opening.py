@@ -8,7 +8,7 @@ import time
 import weakref
 
 from armlab.ui.pace import BUILDING
-from armlab.ui.view import View
+from armlab.window.view import View
 from support.fake_browser import FakeBrowser, cookie_of
 from support.patience import Patience
 from support.student import is_open, run, student

@@ -15,13 +15,13 @@ from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.session import Session
 from armlab.session.state import Post
 from armlab.ui import adapter
-from armlab.ui.arms.choice import choice_markup, groups, picture_rules
-from armlab.ui.arms.draft import Draft
-from armlab.ui.arms.new_arm import NewArmForm
 from armlab.ui.fields import Fields
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.form import Form, Wish
 from armlab.ui.html import Inside, Markup, tag
+from armlab.window.arms.choice import choice_markup, groups, picture_rules
+from armlab.window.arms.draft import Draft
+from armlab.window.arms.new_arm import NewArmForm
 
 log = logging.getLogger(__name__)
 

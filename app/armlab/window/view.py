@@ -27,19 +27,19 @@ from armlab.ui.canvas import Canvas
 from armlab.ui.colours import BLUE
 from armlab.ui.figure.drawn import Drawn, Gallery
 from armlab.ui.html import tag
-from armlab.ui.layer_drawing import Drawing
-from armlab.ui.lesson.dock import LessonDock
-from armlab.ui.notices import Notices
-from armlab.ui.overlay import Overlay, Screen
 from armlab.ui.pace import NEXT_EVENT, PANEL_INTERVAL, Pace
 from armlab.ui.plugin import Panel, hidden_layers, layers, whole_panel, wish_of, without_the_arm
-from armlab.ui.search.dialog import SearchDialog
 from armlab.ui.switches import DARK, SKELETON
-from armlab.ui.tab import Tab
-from armlab.ui.timeline_bar import TimelineBar
 from armlab.ui.tray import Tray
-from armlab.ui.turning import Turning
 from armlab.ui.widgets import Gui
+from armlab.window.layer_drawing import Drawing
+from armlab.window.lesson.dock import LessonDock
+from armlab.window.notices import Notices
+from armlab.window.overlay import Overlay, Screen
+from armlab.window.search.dialog import SearchDialog
+from armlab.window.tab import Tab
+from armlab.window.timeline_bar import TimelineBar
+from armlab.window.turning import Turning
 
 log = logging.getLogger(__name__)
 

@@ -4,11 +4,11 @@ import asyncio
 import re
 import time
 
-from armlab.ui import turning
 from armlab.ui.manners import DEAR
 from armlab.ui.pace import TURNING, TURNING_SAVED_UP, Pace
-from armlab.ui.pieces import PIECE
-from armlab.ui.turning import LONGEST, SAVED_UP, SHARE, Turning
+from armlab.window import turning
+from armlab.window.pieces import PIECE
+from armlab.window.turning import LONGEST, SAVED_UP, SHARE, Turning
 from support.lab import running_lab
 from support.student import run, student
 

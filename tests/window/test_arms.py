@@ -12,9 +12,9 @@ from armlab.content.robots import FAMILIES, catalogue
 from armlab.kin.dh import Row
 from armlab.session.edits import NewArm
 from armlab.session.parts.notation import Notation
-from armlab.ui.arms.choice import fits
-from armlab.ui.arms.draft import Draft
 from armlab.ui.figure.picture import HEIGHT, WIDTH
+from armlab.window.arms.choice import fits
+from armlab.window.arms.draft import Draft
 from support.lab import open_lab
 from support.student import run, student
 

@@ -18,8 +18,8 @@ from armlab.session.assignment_commands import LookAtClock
 from armlab.session.clock import now
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Post, State
-from armlab.ui.lesson.page import LessonPage
 from armlab.ui.widgets import Gui
+from armlab.window.lesson.page import LessonPage
 
 log = logging.getLogger(__name__)
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Generator
 
 from armlab.session.saved_up import SavedUp
 from armlab.ui.pace import Pace
-from armlab.ui.pieces import Pieces
+from armlab.window.pieces import Pieces
 
 SHARE, SAVED_UP = 0.01, 0.5
 """Share of the loop's time in which one browser is shown other pages, and the most that it saves up, seconds. A page

@@ -25,9 +25,9 @@ from armlab.ui.commands import Page
 from armlab.ui.fields import Fields
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.search.finds import find
-from armlab.ui.search.markup import CLOSED, asked_of, dialog, examples, group, hit, search_field, topic_head
-from armlab.ui.search.offers import Offer, hidden, is_hidden, offers
+from armlab.window.search.finds import find
+from armlab.window.search.markup import CLOSED, asked_of, dialog, examples, group, hit, search_field, topic_head
+from armlab.window.search.offers import Offer, hidden, is_hidden, offers
 
 log = logging.getLogger(__name__)
 

@@ -13,7 +13,7 @@ from armlab.session.state import State, apply
 from armlab.ui.camera import HANDLE
 from armlab.ui.figure.marks import FRAME_LENGTH
 from armlab.ui.switches import DARK
-from armlab.ui.view import PROJECTED
+from armlab.window.view import PROJECTED
 from support.own_lessons import notes
 from support.student import is_on, run, settled, student
 

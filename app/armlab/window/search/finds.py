@@ -9,7 +9,7 @@ from armlab.content.languages import ENGLISH
 from armlab.content.lessons import lessons, lessons_read, read_unhurried
 from armlab.session.panel_commands import hidden_panels
 from armlab.session.state import State
-from armlab.ui.search.offers import LESSONS, hidden, things
+from armlab.window.search.offers import LESSONS, hidden, things
 
 MOST = 1000
 """Largest number of finds that are counted."""

@@ -1,4 +1,4 @@
-"""Markup of the search: its button, the dialog, and one line for each find."""
+"""Markup of the search: the dialog, and one line for each find."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from armlab.content.index import LONGEST, Entry
 from armlab.content.rows import rows
 from armlab.session.state import State
 from armlab.ui.form import Form, Pressed, Typed
-from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.search.offers import Offer
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.search_button import glass
+from armlab.window.search.offers import Offer
 
 FIELD, CLOSED, HIT = "search", "search-closed", "hit "
 """Cells: of the field, of what the page sends when the dialog is closed, and the beginning of those of finds."""
@@ -41,14 +42,6 @@ EXAMPLES = {
 PLACEHOLDER = "Pages, arms, lessons, topics, commands, files"
 
 
-def search_button(text: str, kind: str = "") -> Markup:
-    """Return a button that opens the search."""
-    inside = (_glass(), tag("span", text), tag("kbd", "Ctrl+K"))
-    named = {"aria_label": "Search", "aria_haspopup": "dialog", "aria_keyshortcuts": "Control+K Meta+K /"}
-    title = "Search pages, arms, lessons, topics, commands, files (Ctrl+K or /)"
-    return tag("button", inside, class_=f"seek {kind}".strip(), type="button", data_search=True, title=title, **named)
-
-
 def dialog(field: Markup, query: str, said: Inside, *listed: Inside) -> Markup:
     """Return the dialog, which the page's script opens.
 
@@ -63,7 +56,7 @@ def dialog(field: Markup, query: str, said: Inside, *listed: Inside) -> Markup:
         Options, or groups of them.
     """
     close = tag("button.shut", "✕", type="button", data_shut=True, title="Close (Esc)", aria_label="Close", tabindex=-1)
-    head = tag("div.ask-line", _glass(), field, close)
+    head = tag("div.ask-line", glass(), field, close)
     found = tag("div.hits", listed, id="al-hits", role="listbox", aria_label="Finds", data_query=query)
     keys = tag("span.keys-line", tag("kbd", "↑"), tag("kbd", "↓"), " choose ", tag("kbd", "Enter"), " open")
     foot = tag("p.foot-line", tag("span", said, role="status"), keys)
@@ -162,9 +155,3 @@ def _leads(entry: Entry) -> str:
     counts = ((len(entry.lessons), "lesson"), (len(entry.benches), "page"))
     told = ", ".join(f"{count} {word}{'s' if count > 1 else ''}" for count, word in counts if count)
     return f"{entry.detail} · {told}" if told else entry.detail
-
-
-def _glass() -> Markup:
-    """Return the picture of a magnifier."""
-    drawn = joined(tag("circle", cx="6.5", cy="6.5", r="4.5"), tag("path", d="M10 10l4.5 4.5"))
-    return tag("svg.glass", drawn, viewBox="0 0 16 16", width=14, height=14, aria_hidden="true")

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from armlab.session.pages import pages, place_of, tab_of, tabs
-from armlab.ui.lesson.text import _titles
+from armlab.window.lesson.text import _titles
 
 TOP = Path(__file__).resolve().parents[2]
 

@@ -9,9 +9,9 @@ from armlab.content.question import Choices, Field, Grid, Question, Verdict
 from armlab.content.question import Form as Answered
 from armlab.session.lesson_commands import Answer
 from armlab.session.state import Command
+from armlab.ui.erratum_links import without_links
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.lesson.errata import without_links
 from armlab.ui.markup import verdict_box
 
 UNIT_SIGNS = {"deg": "°", "m^2": "m²", "cm^2": "cm²", "mm^2": "mm²", "Nm": "N m", "mNm": "mN m"}

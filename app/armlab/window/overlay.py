@@ -30,14 +30,14 @@ from armlab.ui.fields import Fields
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.search.markup import search_button
+from armlab.ui.search_button import search_button
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import verdict_line
 from armlab.ui.welcome import offered as offered_lessons
 from armlab.ui.welcome import welcome_markup
 
 if TYPE_CHECKING:
-    from armlab.ui.arms.dialog import ArmsDialog
+    from armlab.window.arms.dialog import ArmsDialog
 
 log = logging.getLogger(__name__)
 
@@ -163,7 +163,7 @@ class Overlay:
 
     def _open_arms(self) -> None:
         """Open the dialog in which an arm is chosen, which is imported for it."""
-        from armlab.ui.arms.dialog import ArmsDialog
+        from armlab.window.arms.dialog import ArmsDialog
 
         if self._arms is None:
             self._arms = ArmsDialog(self._client, self._post, self._gallery, self._session, self._language)

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
-from armlab.ui.layer_drawing import Drawing
 from armlab.ui.plugin import layers
+from armlab.window.layer_drawing import Drawing
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import open_lab, running_lab
 from support.student import arm_nodes, run, settled, student

@@ -1,0 +1,1 @@
+"""The page that a browser shows: dock and tabs, overlay, search, lessons, and the lab that serves them."""
