@@ -15,8 +15,9 @@ from armlab.session.edits import SetCell
 from armlab.session.hand_in import FORMAT, MOST, hand_in, hand_in_name, judge
 from armlab.session.hand_in_reports import COLUMNS, Judged, gradescope, rows, table
 from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson, SignAs, UnlockHint
+from armlab.session.lesson_places import at_place
 from armlab.session.parts.joints import MoveJoint
-from armlab.session.parts.lesson import LessonPart, at_place
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.plain_text import plain, printable
 from armlab.session.play import Player
 from armlab.session.state import State, apply

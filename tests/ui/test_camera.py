@@ -141,6 +141,20 @@ def test_a_hand_that_moves_the_eye_meanwhile_has_the_last_word(seen, wish):
     assert page.eye.near(hand)
 
 
+def test_a_second_move_by_hand_on_another_page_has_the_last_word_too(seen):
+    camera, page, now = seen
+    first = by_hand(page.eye)
+    tells(page, first)
+    camera.attend(PAGE, None)  # which wants nothing yet
+    second = by_hand(first)
+    tells(page, second)
+    now.wish = Wish(FAR)
+    camera.attend(PAGE, "found")
+    assert page.eye.near(second)
+    camera.attend(OTHER, None)  # each page has its say once
+    assert not page.eye.near(second)
+
+
 def test_where_all_is_in_the_picture_already_the_eye_stays(seen):
     camera, page, now = seen
     before, now.wish = page.eye, Wish(PUMA.arm.position(PUMA.home)[None])

@@ -68,18 +68,22 @@ class Recorder:
     """A made-up layer that notes what happens to it."""
 
     def __init__(self, **options):
-        self.built, self.shown, self.hidden, self.poses, self.nodes = 0, [], 0, [], []
+        self.built, self.shown, self.hidden, self.off, self.poses, self.nodes = 0, [], 0, 0, [], []
         self.layer = Layer("recorder", 0, (Joints,), self.build, **options)
 
     def build(self, canvas, state):
         self.built += 1
         self.nodes = [canvas.scene.add_frame("/a"), canvas.scene.add_frame("/b", visible=False)]
         canvas.on_hide(self.note_hidden)
+        canvas.on_off(self.note_off)
         canvas.on_pose(self.poses.append)
         return self.shown.append
 
     def note_hidden(self):
         self.hidden += 1
+
+    def note_off(self):
+        self.off += 1
 
 
 def test_a_switched_layer_is_built_when_first_on_and_hidden_as_a_whole(canvas, state):
@@ -130,6 +134,17 @@ def test_a_layer_in_the_way_of_a_panel_is_hidden(canvas, state):
     assert not recorder.nodes[0].visible
     drawing.show(state, frozenset(), bare=False, hidden=frozenset({"other"}))
     assert recorder.nodes[0].visible
+
+
+def test_a_layer_that_is_only_in_the_way_is_not_told_that_it_is_switched_off(canvas, state):
+    recorder, on = Recorder(switch=FOG), apply(state, Show("fog", True))
+    drawing = Drawing(recorder.layer, canvas)
+    drawing.show(on, frozenset(), bare=False, hidden=frozenset())
+    drawing.show(on, frozenset(), bare=False, hidden=frozenset({"recorder"}))
+    assert (recorder.hidden, recorder.off) == (1, 0)
+    drawing.show(state, frozenset(), bare=False, hidden=frozenset({"recorder"}))
+    drawing.show(state, frozenset(), bare=False, hidden=frozenset())
+    assert (recorder.hidden, recorder.off) == (1, 1)
 
 
 def test_the_skeleton_is_there_also_when_a_panel_wants_to_be_seen_through(canvas, state):

@@ -74,7 +74,7 @@ class Readings:
         self._catalogue = catalogue
         self._lock = Lock()
         self._found: dict[str, Reading] = {}
-        self._variants: OrderedDict[tuple[str, str, int], Lesson] = OrderedDict()
+        self._variants: OrderedDict[tuple[str, str, int], Lesson | ContentError] = OrderedDict()
 
     def known(self, key: str) -> Good | None:
         """Return a lesson as it was read last, without a look at its files; None where there is none."""
@@ -105,15 +105,32 @@ class Readings:
             return good.lesson
         place = (key, good.lesson.digest, variant)
         with self._lock:
-            if place in self._variants:
+            found = self._variants.get(place)
+            if found is not None:
                 self._variants.move_to_end(place)
-                return self._variants[place]
-        made = parse_lesson(named(key), good.text, good.lesson.file, self._catalogue, variant, good.pictures)
-        with self._lock:
-            found = self._variants.setdefault(place, replace(made, key=key))
-            while len(self._variants) > MOST_VARIANTS:
-                self._variants.popitem(last=False)
+        if found is None:
+            made = self._variant(key, good, variant)
+            with self._lock:
+                found = self._variants.setdefault(place, made)
+                while len(self._variants) > MOST_VARIANTS:
+                    self._variants.popitem(last=False)
+        if isinstance(found, ContentError):
+            raise found.with_traceback(None)
         return found
+
+    def _variant(self, key: str, good: Good, variant: int) -> Lesson | ContentError:
+        """Return a variant, or why it cannot be used, which is not read again and again either."""
+        try:
+            made = parse_lesson(named(key), good.text, good.lesson.file, self._catalogue, variant, good.pictures)
+        except ContentError as error:
+            return error
+        return replace(made, key=key)
+
+    def last(self, key: str, variant: int) -> Lesson | None:
+        """Return a variant as it was when it could last be used; None where it never could."""
+        with self._lock:
+            found = (each for (of, _, n), each in reversed(self._variants.items()) if (of, n) == (key, variant))
+            return next((each for each in found if not isinstance(each, ContentError)), None)
 
     def _made(self, source: Source, before: Reading | None) -> Reading:
         content = None

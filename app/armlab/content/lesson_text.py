@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from armlab.content.lesson_lines import LessonError
 from armlab.content.live import all_live_values
-from armlab.content.markdown import Extras, TextError, html_of, tokens_of
+from armlab.content.markdown import Extras, TextError, html_of, text_html
 from armlab.errors import ContentError
 from armlab.kin.arm import MAX_JOINTS, Arm
 
@@ -52,14 +52,18 @@ class Prose:
         ------
         LessonError
         """
-        try:
-            return html_of(tokens, self.extras)
-        except TextError as error:
-            raise LessonError(self.file, where, str(error), before + error.line + 1) from None
+        return self._located(lambda: html_of(tokens, self.extras), where, before)
 
     def block(self, token: Token, where: str, before: int) -> str:
-        """Return the HTML of the Markdown inside a fenced block."""
-        return self.html(tokens_of(token.content), where, before + (token.map[0] if token.map else 0) + 1)
+        """Return the HTML of the Markdown inside a fenced block; see `html`."""
+        inside = before + (token.map[0] if token.map else 0) + 1
+        return self._located(lambda: text_html(token.content, self.extras), where, inside)
+
+    def _located(self, make: Callable[[], str], where: str, before: int) -> str:
+        try:
+            return make()
+        except TextError as error:
+            raise LessonError(self.file, where, str(error), before + error.line + 1) from None
 
     def of_table(self, text: str, key: str) -> str:
         """Return the HTML of a text in a table.
@@ -70,6 +74,6 @@ class Prose:
             With its key; its line is not known here.
         """
         try:
-            return html_of(tokens_of(text), self.extras)
+            return text_html(text, self.extras)
         except TextError as error:
             raise ContentError(self.file, key, str(error)) from None

@@ -195,6 +195,21 @@ class Library:
         good = self._good[key] if held is None else Good(first, held.upload.text, held.upload.pictures)
         return self._readings.variant(key, good, variant)
 
+    def kept_lesson(self, key: str, variant: int = 0) -> Lesson:
+        """Return a lesson for somebody who is in it: a variant that has come to be broken stays as it last was.
+
+        Where nobody has seen it yet, variant 0 stands for it.
+
+        Raises
+        ------
+        UnknownName
+            There is no such lesson.
+        """
+        try:
+            return self.lesson(key, variant)
+        except ContentError:
+            return self._readings.last(key, variant) or self._lessons[key]
+
     def add_folder(self, path: Path) -> frozenset[str]:
         """Add a teacher's folder of lessons and return the keys that came with it; none replaces one there is.
 
@@ -343,6 +358,14 @@ def lesson(key: str, variant: int = 0) -> Lesson:
     """
     good = None if _library.cache_info().currsize else _alone(key)
     return library().lesson(key, variant) if good is None else _READINGS.variant(key, good, variant)
+
+
+def kept_lesson(key: str, variant: int = 0) -> Lesson:
+    """Return a lesson for somebody who is in it; see `Library.kept_lesson`."""
+    try:
+        return lesson(key, variant)
+    except ContentError:
+        return library().kept_lesson(key, variant)
 
 
 def _alone(key: str) -> Good | None:

@@ -60,6 +60,9 @@ _LIVE_BEGUN = re.compile(r"\{\{\s*([A-Za-z][^{}\n]{0,40})")
 MOST_FORMULAS = 8192
 """Number of formulas that are cached; the lessons of the lab have some 2400 different ones."""
 
+MOST_TEXTS = 4096
+"""Number of texts that are cached: hints, answers and verdicts are mostly the same in all variants of a lesson."""
+
 
 @lru_cache(MOST_FORMULAS)
 def formula(latex: str, block: bool = False) -> str:
@@ -246,8 +249,20 @@ def _embed(token: Token, extras: Extras) -> None:
     token.attrSet("src", extras.pictures[name])
 
 
-def render(tokens: Sequence[Token], file: str, where: str) -> str:
-    """Return the HTML of blocks without live values and pictures.
+def text_html(text: str, extras: Extras | None = None) -> str:
+    """Return the HTML of a Markdown text; see `html_of`."""
+    if extras is not None and ("{{" in text or "![" in text):
+        return html_of(tokens_of(text), extras)
+    return _html_of_plain(text)
+
+
+@lru_cache(MOST_TEXTS)
+def _html_of_plain(text: str) -> str:
+    return html_of(tokens_of(text))
+
+
+def to_html(text: str, file: str, where: str = "") -> str:
+    """Return the HTML of a Markdown text without live values and pictures.
 
     Raises
     ------
@@ -255,14 +270,9 @@ def render(tokens: Sequence[Token], file: str, where: str) -> str:
         A formula cannot be converted; ``where`` is its place in the file.
     """
     try:
-        return html_of(tokens)
+        return text_html(text)
     except TextError as error:
         raise ContentError(file, where, str(error)) from None
-
-
-def to_html(text: str, file: str, where: str = "") -> str:
-    """Return the HTML of a Markdown text; see `render`."""
-    return render(tokens_of(text), file, where)
 
 
 def is_allowed(address: str) -> bool:

@@ -11,8 +11,9 @@ from armlab.errors import ContentError, InputError, suggestion
 from armlab.registry import known_name
 from armlab.session.assignment_work import Work
 from armlab.session.lesson_commands import OpenLesson
+from armlab.session.lesson_places import where_in
 from armlab.session.pages import pages
-from armlab.session.parts.lesson import LessonPart, where_in
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.shelf import HOME, Shelf
 from armlab.session.state import Command, State
 

@@ -22,8 +22,9 @@ from armlab.errors import ArmlabError, InputError
 from armlab.session.assignment_work import Work
 from armlab.session.hand_in_prints import prints_of
 from armlab.session.handed import Handed, of_assignment
+from armlab.session.lesson_places import kept_at, place_of, where_in
 from armlab.session.lesson_progress import Progress, RightAnswer, read, step_names, written
-from armlab.session.parts.lesson import LessonPart, at_place, place_of, signed, where_in
+from armlab.session.parts.lesson import LessonPart, signed
 from armlab.session.plain_text import plain, printable
 from armlab.session.seen_again import seen_again
 from armlab.session.share import STAYS
@@ -54,13 +55,12 @@ def hand_in(state: State) -> str:
     if assigned is not None and work is not None:
         data = {**signed_by, **of_assignment(assigned, work), "works": [*_works(part, assigned, work)]}
         return json.dumps(data, indent=1, ensure_ascii=False)
-    data = {
-        **signed_by,
-        **_of_lesson(found, part.progress),
-        # Before a prediction the state would tell what is to be predicted; of progress it has that of its lesson only.
-        "parts": {} if part.hides else {k: each for k, each in state.to_json().items() if k not in STAYS},
-    }
-    return json.dumps(data, indent=1, ensure_ascii=False)
+    data = {**signed_by, **_of_lesson(found, part.progress)}
+    # Before a prediction the state would tell what is to be predicted; of progress it has that of its lesson only.
+    parts = {} if part.hides else {k: each for k, each in state.to_json().items() if k not in STAYS}
+    whole = json.dumps({**data, "parts": parts}, indent=1, ensure_ascii=False)
+    # With long tables of a motion the work could not be read again; what is judged stands without them.
+    return whole if len(whole) <= MOST else json.dumps({**data, "parts": {}}, indent=1, ensure_ascii=False)
 
 
 def hand_in_name(state: State) -> str:
@@ -83,7 +83,7 @@ def _works(part: LessonPart, assigned: Assignment, work: Work) -> Iterator[Json]
     for task in assigned.tasks:
         place = place_of(task.lesson, task.number(work.number))
         progress = part.progress_of.get(where_in(assigned.key, place), Progress())
-        yield _of_lesson(at_place(place), progress)
+        yield _of_lesson(kept_at(place), progress)
 
 
 @dataclass(frozen=True)
@@ -307,7 +307,8 @@ def judged_anew(found: Lesson, progress: Progress, plans: bool = True) -> tuple[
     for name, step in zip(names, found.steps, strict=True):
         checks.append(_check_again(found, step, progress.evidence.get(name), plans))
         noted.append(step.check is not None and bool(step.check.noted))
-        if checks[-1][0] is not False:
+        is_only_text = step.check is None and step.question is None
+        if checks[-1][0] is not False and (name in progress.met or not is_only_text):
             met.add(name)
         verdict, says, holds = _answer_again(step, answers.get(name), progress.right.get(name))
         questions.append((verdict, says))

@@ -16,9 +16,10 @@ from armlab.session.hand_in import LONGEST_KEY, judged_anew, loaded, opened
 from armlab.session.hand_in_assignment import claimed_in, refuse_another
 from armlab.session.handed import handed_of
 from armlab.session.lesson_commands import OpenLesson
+from armlab.session.lesson_places import place_of, where_in
 from armlab.session.lesson_progress import Progress
 from armlab.session.parts.display import Display
-from armlab.session.parts.lesson import LessonPart, has_its_arm, place_of, signed, where_in
+from armlab.session.parts.lesson import LessonPart, has_its_arm, signed
 from armlab.session.parts.shelf import HOME, Shelf
 from armlab.session.share import STAYS, personal, state_of_parts
 from armlab.session.state import Command, Json, State

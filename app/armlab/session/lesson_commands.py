@@ -12,11 +12,12 @@ from armlab.content.lessons import lessons
 from armlab.errors import InputError, UnknownName
 from armlab.registry import known_name
 from armlab.session.assignment_rules import refuse_in_assignment, refuse_late
+from armlab.session.lesson_places import at_place, place_of
 from armlab.session.lesson_progress import MOST_TYPED, Progress, RightAnswer, step_names
 from armlab.session.lesson_start import gone_to, refuse_unknown, set_up, without_lesson
 from armlab.session.panel_commands import lesson_followed
 from armlab.session.parts.former import Former, offered, without_lessons_switches
-from armlab.session.parts.lesson import LessonPart, at_place, place_of, signed
+from armlab.session.parts.lesson import LessonPart, signed
 from armlab.session.parts.own_lessons import OwnLessons
 from armlab.session.parts.preview import Preview
 from armlab.session.parts.shelf import own_work

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from types import MappingProxyType
 
+from armlab.content.evidence import LARGEST
 from armlab.content.lesson import Lesson
 from armlab.session.state import Json
 
@@ -81,8 +82,11 @@ class Progress:
         return names.index(self.step) if self.step in names else 0
 
     def seconds(self, now: float) -> float:
-        """Return how long the step has been shown, in seconds; ``now`` is a time of the session's clock."""
-        return 0.0 if self.since is None else max(0.0, now - self.since)
+        """Return how long the step has been shown, in seconds, at most as long as evidence may tell of.
+
+        ``now`` is a time of the session's clock.
+        """
+        return 0.0 if self.since is None else min(max(0.0, now - self.since), LARGEST)
 
     def committed(self, lesson: Lesson, i: int) -> bool:
         """Return whether step i asks for a prediction and has one."""

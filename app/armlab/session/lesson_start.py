@@ -23,6 +23,7 @@ from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline
+from armlab.session.share import STAYS
 from armlab.session.state import Part, State, part_types
 from armlab.session.taught import taught
 from armlab.session.words import command_of, lies_in
@@ -124,7 +125,8 @@ def _begun(state: State, lesson: Lesson, first: int, i: int) -> State:
 def _fresh(state: State, lesson: Lesson) -> State:
     """Return the state with the benches that a lesson uses as they open, without the student's earlier work."""
     robot = state[RobotPart].robot
-    return state.replace(*(kind.initial(robot) for kind in dict.fromkeys(_parts_of(lesson))))
+    used = (kind for kind in dict.fromkeys(_parts_of(lesson)) if kind.key not in STAYS)
+    return state.replace(*(kind.initial(robot) for kind in used))
 
 
 def _parts_of(lesson: Lesson) -> Iterator[type[Part]]:

@@ -273,8 +273,8 @@ def random_states(lesson: Lesson, count: int = RANDOM_STATES) -> Iterator[Observ
     """Yield seeded random states of the lesson's arm, inside its limits, with everything else as at its start."""
     start = _at_start(lesson)
     limits, rng = start.arm.limits, np.random.default_rng(0)
-    for _ in range(count):
-        yield _seen_at(start, rng.uniform(limits[:, 0], limits[:, 1]))
+    for q in rng.uniform(limits[:, 0], limits[:, 1], (count, start.arm.n)):
+        yield _seen_at(start, q)
 
 
 def _seen_at(start: Observation, q: NDArray[np.float64]) -> Observation:

@@ -13,6 +13,7 @@ from armlab.session.assignment_commands import OpenAssignment
 from armlab.session.assignment_rules import refuse_in_assignment
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.display import Display
+from armlab.session.parts.language import LanguagePart
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.own_lessons import OwnLessons
@@ -88,7 +89,7 @@ class EndPreview(Command):
             return state
         display = Display(MappingProxyType({**before[Display].switches, **state[Display].of_screen()}))
         panels = state[Panels].opening(panel) if panel else state[Panels]
-        return before.replace(display, panels, state[OwnLessons], state[Teacher], Preview())
+        return before.replace(display, panels, state[OwnLessons], state[Teacher], state[LanguagePart], Preview())
 
 
 def _back(state: State, panel: str) -> tuple[State, str]:
@@ -105,5 +106,6 @@ def _as_new(state: State, preview: Preview) -> State:
     fresh = State.initial(state[RobotPart].robot)
     display = Display(MappingProxyType(dict(state[Display].of_screen())))
     lesson = replace(fresh[LessonPart], course=state[LessonPart].course, set_up=state[LessonPart].set_up + 1)
-    kept = display, lesson, state[Notation], state[Panels], state[OwnLessons], state[Teacher], preview
-    return fresh.replace(*kept).dated(state.at)
+    own = state[Notation], state[LanguagePart], state[Panels], state[OwnLessons], state[Teacher]
+    numbered = replace(preview, number=state[Preview].number + 1)
+    return fresh.replace(display, lesson, *own, numbered).dated(state.at)

@@ -229,8 +229,10 @@ class _Place(NamedTuple):
 
 
 def _place(state: State) -> _Place:
-    shelf = state[Shelf]
-    return _Place(PREVIEW, PREVIEW) if state[Preview].before is not None else _Place(shelf.place, shelf.shared)
+    shelf, preview = state[Shelf], state[Preview]
+    if preview.before is not None:
+        return _Place(PREVIEW, f"{PREVIEW} {preview.number}")
+    return _Place(shelf.place, shelf.shared)
 
 
 def cut(text: str) -> str:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from armlab.content.course import Course
 from armlab.content.lessons import Lessons
+from armlab.session.lesson_places import kept_at
 from armlab.session.parts.lesson import LessonPart
 
 
@@ -100,8 +101,9 @@ def standings(part: LessonPart, found: Lessons) -> dict[str, Standing]:
     reached: dict[str, Standing] = {}
     for place, progress in part.progress_of.items():
         key = place.partition("/")[0]
-        lesson = found.lessons.get(key)
-        if lesson is not None:
+        if key in found.lessons:
+            # The titles of its steps may hold values of the variant.
+            lesson = kept_at(place) if "/" in place else found.lessons[key]
             standing = Standing(len(progress.passed(lesson)), len(lesson.steps))
             reached[key] = max(standing, reached.get(key, standing))
     return reached

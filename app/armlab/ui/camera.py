@@ -256,6 +256,8 @@ class Camera:
             self._fulfil()
         elif self._at_home and self._lesson_page in pages:
             self.gaze.go(self._view_from("Home"))  # with what the page has in the lesson
+        if left:
+            self.gaze.heed()
 
     @property
     def _may_wish(self) -> bool:

@@ -39,6 +39,7 @@ class LayerCanvas:
         self._paced: list[Paced] = []
         self._nodes = _Remembered(canvas.client.scene)
         self._on_hide: list[Callable[[], None]] = []
+        self._on_off: list[Callable[[], None]] = []
         self.hidden = False
         self.bare = False
         self.client: viser.ClientHandle = canvas.client
@@ -96,8 +97,17 @@ class LayerCanvas:
         return self._canvas.shown
 
     def on_hide(self, listener: Callable[[], None]) -> None:
-        """Call back when the layer is switched off."""
+        """Call back when the layer is hidden: switched off, or in the way of what a page shows."""
         self._on_hide.append(listener)
+
+    def on_off(self, listener: Callable[[], None]) -> None:
+        """Call back when the layer is switched off, also while it is hidden."""
+        self._on_off.append(listener)
+
+    def switch_off(self) -> None:
+        """Tell those who wait for it that the layer is switched off."""
+        for listener in self._on_off:
+            listener()
 
     def hide(self) -> None:
         """Make all nodes of the layer invisible."""

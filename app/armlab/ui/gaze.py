@@ -38,6 +38,7 @@ class Gaze:
         self._camera = camera
         self.still = False
         self.goal: Eye | None = None
+        self._left: Eye | None = None
         self._sent = deque([self.told], maxlen=SENT)
         self._glide: asyncio.TimerHandle | None = None
 
@@ -53,12 +54,23 @@ class Gaze:
         return self.goal or self.told
 
     def follows_a_hand(self) -> bool:
-        """Return whether a hand has moved the eye since the lab has put it somewhere; it has stopped then."""
-        if self.goal is None or self._is_ours(self.told):
+        """Return whether a hand has moved the eye since the lab has put it somewhere; it has stopped then.
+
+        Where a hand has put it, another move is told once after each `heed`.
+        """
+        if self.goal is None:
+            moved = self._left is not None and not self.told.near(self._left)
+            self._left = None if moved else self._left
+            return moved
+        if self._is_ours(self.told):
             return False
         self.stop()
         self.goal = None
         return True
+
+    def heed(self) -> None:
+        """Tell also of another move of a hand that has put the eye where it is."""
+        self._left = self.told if self.goal is None else None
 
     def _is_ours(self, told: Eye) -> bool:
         """Return whether the lab has put the eye there; of a place on the way the page may have only some messages."""

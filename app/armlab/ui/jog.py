@@ -36,6 +36,9 @@ KEYS = (
 )
 """Keys while the buttons of Jog are seen."""
 
+DIGITS = 9
+"""Number of coordinates that have a key."""
+
 
 def show_jog(form: Form, state: State, wide: bool = False) -> None:
     """Show the buttons; while nothing is jogged they are not made again for every pose of a drag."""
@@ -106,7 +109,8 @@ def _pair(form: Form, state: State, units: Units, k: int, offered: bool) -> Mark
         said = f"{'along' if k < 3 else 'about'} {letter}"
     ends = []
     for sign, word, key in (("−", "minus", "Shift+"), ("+", "plus", "")):
-        hint = f"{capitalised(said)}, {word} one step; hold to continue ({key}{k + 1})"
+        by_key = f" ({key}{k + 1})" if k < DIGITS else ""
+        hint = f"{capitalised(said)}, {word} one step; hold to continue{by_key}"
         if not offered:
             hint = f"Joint {k + 1} is held" if part.mode == "joints" else "The task of this arm does not include it"
         ends.append(

@@ -51,13 +51,17 @@ class Control:
 
     def _change(self, on_change: Callable[[Any], None]) -> None:
         self._touched = time.monotonic()
+        self._write_no_longer()
         on_change(self.handle.value)
 
-    def show(self, value: Any) -> None:
-        """Show a value; while the student is moving the control, show it when it has come to rest."""
+    def _write_no_longer(self) -> None:
         if self._later is not None:
             self._later.cancel()
             self._later = None
+
+    def show(self, value: Any) -> None:
+        """Show a value; while the student is moving the control, show it when it has come to rest."""
+        self._write_no_longer()
         wait = self._touched + REST - time.monotonic()
         if wait > 0.0 and self.handle.value != value:
             self._later = asyncio.get_running_loop().call_later(wait, adapter.set_value, self.handle, value)

@@ -33,7 +33,7 @@ class Drawing:
         self.canvas = LayerCanvas(canvas, pace if layer.switch or layer.panel else None)
         self._show: Show | None = None
         self._soon = self.canvas.paced(self._show_now)
-        self._built = False
+        self._built = self._is_on = False
         self._shown: State | None = None
 
     @property
@@ -53,7 +53,11 @@ class Drawing:
         hidden : frozenset of str
             Keys of layers that are in the way of a panel.
         """
-        if self.layer.key in hidden or not self._wanted(state, open_panels, bare):
+        wanted = self._wanted(state, open_panels, bare)
+        if self._built and self._is_on and not wanted:
+            self.canvas.switch_off()
+        self._is_on = wanted
+        if self.layer.key in hidden or not wanted:
             if self._built and not self.canvas.hidden:
                 self.canvas.hide()
             return

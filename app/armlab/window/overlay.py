@@ -15,9 +15,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import viser
 
+from armlab.session.lesson_places import at_place
 from armlab.session.panel_commands import hidden_tabs
 from armlab.session.parts.former import BackToFormer, ForgetFormer, offered
-from armlab.session.parts.lesson import LessonPart, at_place
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.preview import Preview
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf

@@ -247,6 +247,9 @@ def test_powers_are_told_and_balance():
     assert "of v i reach the load now" in said(powers_markup(state))
     held = at(0.0, Set(Motor, "i0", 10.0), Set(Motor, "load", 0.5))
     assert "The rotor stands: all of v i is heat" in said(powers_markup(held))
+    filling = at(0.0, Set(Motor, "i0", 5.0), Set(Motor, "load", 0.5))
+    assert balance_of(filling).magnetic == pytest.approx(0.5 * balance_of(filling).supplied)
+    assert "The rotor stands: v i becomes heat and fills the field" in said(powers_markup(filling))
     assert "The powers balance" in said(powers_markup(at(0.0)))
 
 

@@ -1,6 +1,7 @@
 """The page of the map of basins: its picture, its choices over the wire, and what is said."""
 
 import io
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,7 +9,7 @@ from PIL import Image
 
 from armlab.benches.iterate.basins.job import drawn
 from armlab.benches.iterate.basins.state import Basins, DrawBasins, MapMethod, StartInMap
-from armlab.benches.iterate.basins.ui.map import legend, places, standing
+from armlab.benches.iterate.basins.ui.map import here, legend, places, standing
 from armlab.benches.iterate.basins.ui.page import choices_markup
 from armlab.benches.iterate.basins.ui.picture import (
     LEAST_SIDE,
@@ -19,6 +20,8 @@ from armlab.benches.iterate.basins.ui.picture import (
     scale_of,
     solution_colour,
 )
+from armlab.benches.iterate.runs.state import Iterations
+from armlab.benches.iterate.runs.worked import run_of
 from armlab.content.robots import catalogue
 from armlab.kin.ik.iterate import Basins as Found
 from armlab.kin.ik.iterate.basins import FAILED, NOT_YET
@@ -112,6 +115,23 @@ def test_marks_follow_the_arm_and_the_map_of_another_target_says_so(state):
     assert joined(standing(state)) == ""
     begun = apply(moved, StartInMap(0.25, 0.5))
     assert ".ba-start{--x:25.78%" in places(begun)  # the middle of the pixel
+
+
+def test_the_end_of_the_film_is_told_only_where_the_map_answers_the_same_question(state):
+    begun = apply(state, StartInMap(0.25, 0.5))
+    run, question = state[Basins].map.question.run, state[Basins].map.question
+    same = begun.replace(
+        replace(begun[Iterations], runs=(run,), selected=0, limits=question.limits, most=question.most)
+    )
+    assert "The film's start: ends in" in here(same)
+    others = (
+        replace(same[Iterations], runs=(run_of("gradient"),)),
+        replace(same[Iterations], limits="none" if question.limits == "clamp" else "clamp"),
+        replace(same[Iterations], most=question.most - 1),
+        replace(same[Iterations], target=same[Iterations].target + 1e-3),
+    )
+    for other in others:
+        assert "As the map was asked for, a start there: ends in" in here(same.replace(other))
 
 
 @pytest.mark.parametrize(

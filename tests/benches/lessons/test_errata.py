@@ -8,8 +8,8 @@ import pytest
 from armlab.benches.lessons.errata.commands import Correct, NextTask, PointAt, TryAgain, task_key
 from armlab.benches.lessons.errata.examples import EXAMPLES, ChooseErrataExample
 from armlab.benches.lessons.errata.facts import FACTS
-from armlab.benches.lessons.errata.job import JOB, PANEL, run_at_once
-from armlab.benches.lessons.errata.state import FIRST, LARGEST_SEED, Choose, Errata, RunAgain
+from armlab.benches.lessons.errata.job import JOB, PANEL, run_at_once, running
+from armlab.benches.lessons.errata.state import FIRST, LARGEST_SEED, Choose, Errata, Found, RunAgain
 from armlab.content.errata import errata
 from armlab.content.errata_task import task_of, with_tasks
 from armlab.content.robots import catalogue
@@ -262,3 +262,13 @@ def test_residuals_are_finite_or_said_to_be_missing():
         found = run(trial, 1)
         assert all(value >= 0.0 for value in (*found.printed, *found.correct)), key
         assert all(math.isfinite(value) for value in found.correct), key
+
+
+def test_a_wish_for_other_inputs_where_there_are_none_changes_nothing():
+    """A press of a page that still shows another erratum comes late."""
+    asked = Found("3.103b", 1, True)
+    assert trials()["3.103b"].quiet is None
+    found = [each for each in running(asked) if each is not None][-1]
+    usual = [each for each in running(Found("3.103b", 1, False)) if each is not None][-1]
+    assert found.complete
+    assert found.printed == usual.printed

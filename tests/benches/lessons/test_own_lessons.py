@@ -15,6 +15,7 @@ from armlab.session.assignment_commands import HandIn, OpenAssignment
 from armlab.session.hand_in import hand_in
 from armlab.session.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson, SignAs
 from armlab.session.parts.joints import Joints, MoveJoint
+from armlab.session.parts.language import LanguagePart, ReadIn
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.own_lessons import MOST_FILES, OwnLessons, key_of
 from armlab.session.parts.preview import Preview
@@ -195,6 +196,23 @@ def test_the_sandbox_of_a_preview_and_its_undo_are_its_own(loaded):
     assert session.state[Joints].q[0] == 0.3
     session.apply(Undo(), 5.0)
     assert session.state[Joints].q[0] == loaded[Joints].q[0]
+
+
+def test_a_preview_from_within_another_has_an_undo_of_its_own(loaded):
+    session = Session("x", OPENING, load(loaded, ("other.md", TWO_STEPS)))
+    session.apply(PreviewLesson(key(session.state, "mine.md"), "author"), 1.0)
+    session.apply(MoveJoint(0, 0.9), 1.0)
+    session.apply(PreviewLesson(key(session.state, "other.md"), "author"), 2.0)
+    there = session.state[Joints].q[0]
+    session.apply(Undo(), 3.0)
+    assert session.state[Joints].q[0] == there
+    assert session.state[LessonPart].lesson.title == "T"
+
+
+def test_a_chosen_language_stays_in_a_preview_and_behind_it(loaded):
+    seen = see(apply(loaded, ReadIn("it")), "mine.md")
+    assert seen[LanguagePart].chosen == "it"
+    assert apply(apply(seen, ReadIn("en")), EndPreview())[LanguagePart].chosen == "en"
 
 
 def test_a_course_is_put_in_order_and_the_lab_keeps_its_own(loaded):

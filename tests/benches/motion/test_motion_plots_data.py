@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.chosen import Chosen
+from armlab.benches.motion.plan.commands import SetMove
 from armlab.benches.motion.plan.figures import TOOL, Binding
 from armlab.benches.motion.plan.job import with_planned
-from armlab.benches.motion.plan.limits import CompareMoves, LastFor, LimitTool
+from armlab.benches.motion.plan.limits import CompareMoves, LastFor, LimitJerk, LimitTool
 from armlab.benches.motion.plan.moves import Move, Waypoint
 from armlab.benches.motion.plan.question import Recorded
 from armlab.benches.motion.plan.state import Plan
+from armlab.benches.motion.plan.words import judged, rounded_up
 from armlab.benches.motion.plots.drawn import (
     can_compare,
     compared,
@@ -191,3 +193,32 @@ def test_the_choice_of_plots_is_kept_and_checked():
         apply(state, ShowMotionPlot("torque", True))
     with pytest.raises(UnknownName, match="plot"):
         MotionPlots.from_json(["q", "torque"], robot)
+
+
+@pytest.mark.parametrize("path", ["quintic", "cubic"])
+@pytest.mark.parametrize("key", ["cartesian_3p", "planar_2r", "scara"])
+def test_a_path_with_a_time_of_its_own_is_compared_with_a_move_that_rests_at_its_ends(key, path):
+    state = with_planned(apply(State.initial(catalogue()[key]), SetMove(1, path=path)))
+    state = with_planned(apply(state, CompareMoves(True)))
+    planned = state[Plan].planned
+    other = compared(state, planned)
+    assert planned.question.moves[0].law.key == "constant"
+    assert (other.question.moves[0].law.key, other.unkept) == ("trapezoidal", ())
+    np.testing.assert_allclose(np.abs(other.samples.qdot[[0, -1]]).max(), 0.0, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    "commands", [(SetMove(1, law="constant"), LastFor(2.0)), (LimitJerk(0.1),)], ids=["constant", "jerk"]
+)
+def test_where_no_time_keeps_the_limits_none_is_called_the_shortest(commands):
+    planned = planned_state("planar_2r", None, *commands)[Plan].planned
+    assert planned.unkept
+    assert np.isfinite(planned.fastest)
+    assert np.isnan(planned.least)
+    assert "at least" not in " ".join(judged(planned).lines)
+
+
+def test_where_the_limits_can_be_kept_the_least_time_is_said():
+    planned = planned_state("planar_2r", None, LastFor(0.1))[Plan].planned
+    assert planned.least == planned.fastest
+    assert f"takes at least {rounded_up(planned.least):.2f} s" in " ".join(judged(planned).lines)

@@ -185,6 +185,11 @@ def test_a_motion_that_runs():
             "The motion cannot be run to its end: move 1 → 2: out of reach.",
         ),
         (RUNS, {"within": False}, "The motion exceeds a limit; within all limits it takes at least 1.20 s."),
+        (
+            RUNS,
+            {"within": False, "fastest": 0.0},
+            "The motion exceeds a limit that these moves keep in no time: choose another law.",
+        ),
     )
     for motion, changes, says in cases:
         assert not asked.is_met(seen(motion, **changes))

@@ -10,6 +10,7 @@ import pytest
 from armlab.benches.motion.space_curve.commands import ChooseCurve, GoTo, SetAngle, SetPoint
 from armlab.benches.motion.space_curve.examples import EXAMPLES, ChooseExample
 from armlab.benches.motion.space_curve.state import SpaceCurve, curve_of
+from armlab.benches.motion.space_curve.ui import turn
 from armlab.benches.motion.space_curve.ui.form import curve_form, head, law_form, marks
 from armlab.benches.motion.space_curve.ui.frenet import arc
 from armlab.benches.motion.space_curve.ui.numbers import at_present, moving, whole
@@ -174,3 +175,12 @@ def test_a_part_of_a_circle_begins_at_the_curve_and_poles_are_left_out():
     values = np.array([1.0, 1.0, 2.0, 1.0, 500.0])
     assert np.isnan(without_poles(values)).tolist() == [False, False, False, False, True]
     assert not np.isnan(without_poles(np.zeros(4))).any()
+
+
+def test_a_speed_of_turning_is_no_negative_number_where_the_tool_goes_back(monkeypatch):
+    state, shown = opened(), []
+    for rate in (2.0, -2.0):
+        monkeypatch.setattr(turn, "turn_place", lambda _state, rate=rate: (0.5, rate))
+        shown.append(str(joined(turn.turn_numbers(BareForm(), state))))
+    assert "|ω| now" in shown[0]
+    assert shown[0] == shown[1]

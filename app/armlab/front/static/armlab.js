@@ -142,22 +142,22 @@
     if (event.target === text) read.top = text.scrollTop;
   }, true);
   const keepReading = () => {
+    const found = document.querySelector('.lesson-text');
+    const isNew = found !== null && found !== text;
+    if (isNew) text = found;
+    const title = isNew && document.querySelector('.lesson-head select')?.value + text.querySelector('h2')?.textContent;
+    const isOther = isNew && title !== read.title;
+    if (isOther) for (const name of [...opened.keys()]) if (name.startsWith('true ')) opened.delete(name); // folds of panels stay
     for (const details of document.querySelectorAll('.al details')) {
       if (met.has(details)) continue;
       met.add(details);
       details.open = opened.get(nameOf(details)) ?? details.open;
     }
-    const found = document.querySelector('.lesson-text');
-    if (!found || found === text) return;
-    text = found;
-    const title = document.querySelector('.lesson-head select')?.value + text.querySelector('h2')?.textContent;
-    if (title === read.title) text.scrollTop = read.top;
-    else {
+    if (isOther) {
       read = { title, top: 0 };
-      for (const name of [...opened.keys()]) if (name.startsWith('true ')) opened.delete(name); // folds of panels stay
       const dock = text.closest('.mantine-ScrollArea-viewport'); // in a small window all of it scrolls
       if (dock) dock.scrollTop = 0;
-    }
+    } else if (isNew) text.scrollTop = read.top;
   };
 
   // In a small window what is said of an answer may stand below the edge: it is brought into sight once.

@@ -8,6 +8,7 @@
   const touch = matchMedia('(pointer: coarse)'); // a field with the focus would cover half of a phone with its keys
   let page = ''; // of the dialog that is there
   let from = null; // cell of the button that opened it
+  let waiting = false; // Enter was pressed before the arms of what was typed had come
 
   document.addEventListener('click', event => {
     const button = event.target.closest?.('button[aria-haspopup=dialog]');
@@ -18,8 +19,10 @@
   const follow = () => {
     const there = dialog();
     const now = there?.dataset.page ?? '';
+    if (waiting && there && isCurrent(there)) take(there);
     if (now === page) return;
     page = now;
+    waiting = false;
     if (there) {
       const field = touch.matches ? null : there.querySelector('[data-first]');
       (field ?? there).focus({ preventScroll: true });
@@ -42,14 +45,22 @@
       && each.getBoundingClientRect().top === top).length);
   };
 
+  const isCurrent = there => there.dataset.query === there.querySelector('[data-first]')?.value;
+  const take = there => {
+    waiting = !isCurrent(there);
+    if (!waiting) arms(there).find(each => each.dataset.cell !== 'arms-new')?.click();
+  };
+
   // Down from the field come the arms; among them the arrows go on, and Enter in the field takes the first that is left.
   const arrows = (there, event) => {
     const list = arms(there);
     const at = list.indexOf(document.activeElement);
     const inField = event.target.matches('[data-first]');
-    if (!list.length || (at < 0 && !inField)) return;
+    const enters = inField && event.key === 'Enter';
+    if (inField && !enters) waiting = false;
+    if (!enters && (!list.length || (at < 0 && !inField))) return;
     const by = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: steps(list), ArrowUp: -steps(list) }[event.key];
-    if (inField && event.key === 'Enter') list.find(each => each.dataset.cell !== 'arms-new')?.click();
+    if (enters) take(there);
     else if (inField && event.key === 'ArrowDown') list[0].focus();
     else if (!inField && by && list[at + by]) list[at + by].focus();
     else if (!inField && by < 0) there.querySelector('[data-first]')?.focus();

@@ -51,6 +51,12 @@
     count = 0;
   };
 
+  // While another page covers this one no pictures are drawn, which says nothing of the machine.
+  document.addEventListener('visibilitychange', () => {
+    settling = true;
+    began = count = 0;
+  });
+
   // Called with whether a clip plays.
   window.armlabPlaying = on => {
     if (on === playing) return;

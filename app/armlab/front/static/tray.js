@@ -117,12 +117,13 @@
     const hadFocus = tray?.contains(document.activeElement);
     if (head) send('close');
     head = null;
-    headText = last = '';
+    last = ''; // what is asked for is kept: until the lab has answered, the page still says it
     plots.clear();
     body?.replaceChildren();
     tray?.remove();
     root.removeAttribute('data-tray');
-    if (hadFocus) document.querySelector('button[data-cell=large]')?.focus({ preventScroll: true });
+    const openers = [...document.querySelectorAll('button[data-cell=large], button[data-cell^=large-]')];
+    if (hadFocus) openers.find(each => each.getClientRects().length)?.focus({ preventScroll: true });
   };
 
   // -- which plots ---------------------------------------------------------------------------------------------------
@@ -209,7 +210,10 @@
       head = null;
       close();
     }
-    if (text === '') return;
+    if (text === '') {
+      headText = '';
+      return;
+    }
     if (text !== headText) {
       headText = text;
       head = JSON.parse(text);

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import ClassVar, Self
@@ -89,6 +90,28 @@ class Joints(Part):
     def manipulability(self) -> float:
         """The manipulability w of the task."""
         return float(self.arm.manipulability(self.q))
+
+
+def of_its_kind(values: Sequence[float], before: Arm, robot: Robot, origin: Sequence[int | None]) -> tuple[float, ...]:
+    """Return joint values with those of the robot's home for joints that turned and now slide, or the reverse.
+
+    Radians are no metres.
+
+    Parameters
+    ----------
+    values : sequence of float, shape (n,)
+        Of the edited arm, rad or m.
+    before : Arm
+        The arm before the edit.
+    robot : Robot
+        The edited one.
+    origin : sequence of int or None
+        For each joint of the edited arm, its index before; None for an added one.
+    """
+    joints = zip(values, origin, robot.arm.revolute, robot.home, strict=True)
+    return tuple(
+        float(home if k is not None and before.revolute[k] != turns else value) for value, k, turns, home in joints
+    )
 
 
 PART = PartType(Joints, order=10)

@@ -13,7 +13,7 @@ import numpy as np
 from armlab.content.assignment import Assignment
 from armlab.content.check import PLAIN, Words
 from armlab.content.lesson import Lesson, Step
-from armlab.content.lessons import lesson, lessons
+from armlab.content.lessons import lessons
 from armlab.content.observation import BEYOND, Observation, same_table
 from armlab.content.question import Verdict
 from armlab.content.robots import OWN, Robot
@@ -22,6 +22,7 @@ from armlab.session.assignment_work import Work
 from armlab.session.closed_pages import closed_pages
 from armlab.session.facts import benches_of, evidence_of, facts_asked, seen_facts
 from armlab.session.lesson_locks import refuse_locked
+from armlab.session.lesson_places import is_place, kept_at, where_in
 from armlab.session.lesson_progress import Progress, read, step_names, written
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
@@ -106,7 +107,7 @@ class LessonPart(Part):
     @property
     def lesson(self) -> Lesson | None:
         """The open lesson, or None."""
-        return at_place(self.open) if self.open else None
+        return kept_at(self.open) if self.open else None
 
     @property
     def progress(self) -> Progress:
@@ -234,8 +235,9 @@ class LessonPart(Part):
         return changed or any(each.changed(before, now) for each in taught())
 
     def with_progress(self, progress: Progress) -> Self:
-        """Return the part with another progress in the open lesson."""
-        return replace(self, progress_of=MappingProxyType({**self.progress_of, self.where: progress}))
+        """Return the part with another progress in the open lesson, which then is the one last worked on."""
+        others = {where: each for where, each in self.progress_of.items() if where != self.where}
+        return replace(self, progress_of=MappingProxyType({**others, self.where: progress}))
 
     def with_work(self, work: Work) -> Self:
         """Return the part with other work on the open assignment."""
@@ -253,7 +255,7 @@ class LessonPart(Part):
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Return the part from JSON; lessons and steps that no longer exist are left out."""
         saved = ((where, where.rpartition(":")[2], each) for where, each in data["progress"].items())
-        progress = {where: read(at_place(place), each) for where, place, each in saved if is_place(place)}
+        progress = {where: read(kept_at(place), each) for where, place, each in saved if is_place(place)}
         number = int(data.get("number", 0))
         if number < 0:
             raise InputError(f"number: expected 0 or more, got {number}")
@@ -281,37 +283,6 @@ PART = PartType(LessonPart, order=95)
 def signed(name: str) -> str:
     """Return a name as it is kept: on one line, and not too long."""
     return " ".join(name.split())[:LONGEST_NAME]
-
-
-def place_of(key: str, variant: int) -> str:
-    """Return under which key the progress in a variant is kept.
-
-    Raises
-    ------
-    UnknownName, ContentError
-        There is no such lesson, or it cannot be used.
-    """
-    return f"{key}/{variant}" if lesson(key).varies else key
-
-
-def where_in(assignment: str, place: str) -> str:
-    """Return under which key the progress in a lesson is kept that belongs to an assignment, or to none."""
-    return f"{assignment}:{place}" if assignment else place
-
-
-def at_place(place: str) -> Lesson:
-    """Return the lesson of a place as written by `place_of`."""
-    key, _, variant = place.partition("/")
-    return lesson(key, int(variant or 0))
-
-
-def is_place(place: str) -> bool:
-    """Return whether a lesson exists for this place."""
-    if not place:
-        return False
-    key, slash, variant = place.partition("/")
-    there = lessons()
-    return there.has(key) and bool(slash) == there[key].varies and (not slash or variant.isdecimal())
 
 
 def has_its_arm(state: State) -> bool:

@@ -26,6 +26,8 @@ class Preview(Part):
         The page from which it began.
     without_dates : HeldAssignment or None
         The assignment that is looked at, which can be begun at any time.
+    number : int
+        Number of the preview among those that follow each other without going back; not saved.
     """
 
     key: ClassVar[str] = "preview"
@@ -34,6 +36,7 @@ class Preview(Part):
     before: State | None = None
     panel: str = ""
     without_dates: HeldAssignment | None = None
+    number: int = 0
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:

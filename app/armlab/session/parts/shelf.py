@@ -15,12 +15,14 @@ from typing import ClassVar, Self
 from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.session.assignment_rules import refuse_in_assignment
+from armlab.session.lesson_places import is_place
 from armlab.session.lesson_start import without_lesson
 from armlab.session.panel_commands import lesson_followed
 from armlab.session.parts.display import Display
+from armlab.session.parts.errata_practice import Practice
 from armlab.session.parts.former import Former
 from armlab.session.parts.language import LanguagePart
-from armlab.session.parts.lesson import LessonPart, is_place
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.own_lessons import OwnLessons
 from armlab.session.parts.panels import Panels
 from armlab.session.parts.preview import Preview
@@ -218,7 +220,7 @@ def _left(state: State) -> dict[str, State]:
 
 def _arrived(state: State, found: State, shelf: Shelf, lesson: str = "") -> State:
     """Return a stored state with what is the student's own at every place, and this lesson open."""
-    stays = state[Panels], state[OwnLessons], state[Preview], state[Teacher], state[LanguagePart]
+    stays = state[Panels], state[OwnLessons], state[Preview], state[Teacher], state[LanguagePart], state[Practice]
     arrived = found.replace(shelf, replace(state[LessonPart], open=lesson), *stays)
     return lesson_followed(state, arrived)
 

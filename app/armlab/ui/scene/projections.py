@@ -46,7 +46,7 @@ class _Box:
             for axis, anchor in (("x", "top-center"), ("y", "top-center"), ("r" if self._flat else "z", "center-left"))
         }
         self._drops: dict[str, viser.LineSegmentsHandle] = {}
-        self._counts: dict[str, int] = {}
+        self._made: dict[str, tuple[int, bool, bool]] = {}
         self._units = Units(Notation())
         self._point = np.zeros(3)
 
@@ -58,7 +58,7 @@ class _Box:
 
     def ink(self, dark: bool) -> None:
         """Make the dashed lines, in the colour of the theme."""
-        self._counts.clear()
+        self._made.clear()
         for name in ("to_x", "to_y", "r") if self._flat else ("to_x", "to_y"):
             path = f"{self._path}/{name}"
             self._drops[name] = add_line(self._scene, path, polyline(np.eye(3)[:2]), FINE_INK[dark], self._size)
@@ -98,16 +98,20 @@ class _Box:
             stretch(line, factors)
 
     def _drop(self, name: str, along: tuple[float, float], at: tuple[float, float, float]) -> None:
-        """Draw a dashed line in a plane: it is stretched, and made again when another number of dashes fits better."""
+        """Draw a dashed line in a plane: it is stretched, and made again when another number of dashes fits better.
+
+        It can be stretched along no axis of which it has no part.
+        """
         line, length = self._drops[name], math.hypot(*along)
         on = length > SMALLEST * self._size
         seen(line, on)
         if not on:
             return
-        count = max(2, round(length / (PERIOD * self._size)))
-        if self._counts.get(name) != count:
-            self._counts[name] = count
-            line.points = dashes(np.zeros(3), [float(part != 0.0) for part in (*along, 0.0)], count)
+        made = max(2, round(length / (PERIOD * self._size))), along[0] != 0.0, along[1] != 0.0
+        if self._made.get(name) != made:
+            self._made[name] = made
+            count, *axes = made
+            line.points = dashes(np.zeros(3), [*map(float, axes), 0.0], count)
         stretch(line, (*along, 0.0))
         move(line, at)
 

@@ -50,20 +50,25 @@ class Trace:
         while len(self._chunks) > CHUNKS:
             self._chunks.pop(0).remove()
 
+    def lift(self) -> None:
+        """Begin another stroke: while nobody looks the tool may go elsewhere."""
+        self._points.clear()
+        self._made += 1
+
     def clear(self) -> None:
         """Forget the path."""
         for chunk in self._chunks:
             chunk.remove()
         self._chunks.clear()
-        self._points.clear()
-        self._made += 1
+        self.lift()
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
     """Follow the tool while the switch is on; switching off clears the path."""
     trace = Trace(canvas)
     canvas.on_pose(trace.add)
-    canvas.on_hide(trace.clear)
+    canvas.on_hide(trace.lift)
+    canvas.on_off(trace.clear)
     return lambda state: None
 
 

@@ -90,7 +90,9 @@ class ArmsDialog:
         shut = self._form.button("arms-close", "✕", self._leave, "chip", "Close (Esc)", "Close")
         head = tag("header", tag("h2", title, id="al-dialog-title"), beside, shut)
         said = {"role": "dialog", "aria_modal": "true", "aria_labelledby": "al-dialog-title"}
-        dialog = tag("div.al-dialog", head, tag("div.scroll", content), tabindex="-1", data_page=self._page, **said)
+        inside = head, tag("div.scroll", content)
+        looks = {"data_page": self._page, "data_query": self._asked}
+        dialog = tag("div.al-dialog", inside, tabindex="-1", **looks, **said)
         return tag("div.al-over.al-scrim", dialog)
 
     def _field(self) -> Markup:

@@ -50,7 +50,10 @@ class LessonPage:
 
     def __init__(self, gui: Gui, post: Post) -> None:
         self._gui, self._post = gui, post
-        self._draft: tuple[tuple[str, str, str, Answered], Draft] | None = None
+        self._drafts: dict[
+            str, tuple[str, Answered, Draft]
+        ] = {}  # by step of the open lesson: answer, kind, what is typed
+        self._drafts_of = ""
         self._clock, self._timer = gui.html(), assigned.Clock()
         self._head = gui.form(post)
         self._text, self._task, self._question, self._foot = (gui.form(post) for _ in range(4))
@@ -95,7 +98,7 @@ class LessonPage:
         """Show how the assignment is handed in; the file is saved when it has been, by this page's button."""
         name = _name(self._more, sheet.part)
         save = lambda: self._save(state)  # noqa: E731
-        self._more.show(assigned.hand_in_form(self._more, sheet, name, self._hand_in, save, now()))
+        self._more.show(assigned.hand_in_form(self._more, sheet, name, lambda: self._hand_in(sheet.part), save, now()))
         if self._saves and sheet.part.rests:
             self._saves = False
             self._save(state)
@@ -112,16 +115,11 @@ class LessonPage:
             self._question.show()
             return
         typed, settled = part.progress.answers.get(part.name, ""), part.progress.committed(lesson, part.index)
-        key = (part.open, part.name, typed, question.form)
-        place, name, _, kind = self._draft[0] if self._draft is not None else ("", "", "", None)
-        if self._draft is not None and self._draft[1].whole == typed and (place, name, kind) == (*key[:2], key[3]):
-            self._draft = key, self._draft[1]  # its own answer has come back: the fields stay as they were typed
-        if self._draft is None or self._draft[0] != key:
-            self._draft = key, Draft(question.form, typed)
+        draft = self._draft_of(part, question.form, typed)
         choices = question.form if isinstance(question.form, Choices) else None
         order = choices.order(lesson.variant, part.name) if choices else ()
         word, fixed = "Keep" if part.silent else "Check", settled or part.rests
-        fields = asked(self._question, question, typed, self._draft[1], fixed, order, word)
+        fields = asked(self._question, question, typed, draft, fixed, order, word)
         right = part.progress.right.get(part.name)
         verdict = part.verdict
         if part.silent and (verdict is None or verdict.name != "unreadable"):
@@ -129,20 +127,36 @@ class LessonPage:
             return
         self._question.show(fields, said(verdict, settled, right.typed if right else ""))
 
+    def _draft_of(self, part: LessonPart, kind: Answered, typed: str) -> Draft:
+        """Return what is typed in the shown step, which stays while others are looked at; new where its answer is."""
+        if self._drafts_of != part.where:
+            self._drafts_of, self._drafts = part.where, {}
+        before, of, draft = self._drafts.get(part.name, ("", None, None))
+        # When its own answer has come back the fields stay as they were typed.
+        if draft is None or of != kind or (before != typed and draft.whole != typed):
+            draft = Draft(kind, typed)
+        self._drafts[part.name] = typed, kind, draft
+        return draft
+
     def _begin_again(self, part: LessonPart) -> Wish:
         key, _, variant = part.open.partition("/")
         again = OpenLesson(key, anew=True, variant=int(variant) if variant else None)
+
+        def begin() -> None:
+            self._drafts.clear()
+            self._post(again)
+
         self._gui.confirm(
             "Begin again?",
             "Your answers in this lesson will be deleted, and the arm will return to its start.",
             "Begin again",
-            lambda: self._post(again),
+            begin,
         )
         return ()
 
-    def _hand_in(self) -> Wish:
+    def _hand_in(self, part: LessonPart) -> Wish:
         def hand_in_now() -> None:
-            self._saves = True
+            self._saves = bool(part.student)  # without a name it is refused
             self._post(HandIn())
 
         says = "Your work can then not be changed any more in this attempt, and a file is saved for your teacher."

@@ -50,6 +50,8 @@ class Control(Part):
         Where the arm stood when a run was put on; None while none is on.
     outcomes : dict
         What the runs have given, by their colour; may be of a question that has passed. Not saved.
+    revolute : tuple of bool
+        Whether each joint of the arm turns. Not saved.
     """
 
     key: ClassVar[str] = "control"
@@ -61,6 +63,7 @@ class Control(Part):
     example: str = ""
     before: tuple[float, ...] | None = None
     outcomes: Mapping[int, Outcome] = field(default_factory=dict)
+    revolute: tuple[bool, ...] = ()
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -74,13 +77,13 @@ class Control(Part):
             inverse="dls_variable",
             duration=4.0,
         )
-        return cls((run,), first_target(robot), push=_round(0.05 * scale))
+        return cls((run,), first_target(robot), push=_round(0.05 * scale), revolute=_kinds(robot))
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep all runs if the joints are the same, else begin anew."""
         arm, n = robot.arm, len(self.runs[0].start)
-        if origin != tuple(range(n)):
-            return self.initial(robot)
+        if origin != tuple(range(n)) or self.revolute != _kinds(robot):
+            return self.initial(robot)  # radians are no metres
         runs = tuple(
             replace(run, start=joint_values(arm, run.start, "start"), link=min(run.link, arm.n)) for run in self.runs
         )
@@ -122,6 +125,7 @@ class Control(Part):
             checked_push(data["push"]),
             str(data.get("example", "")),
             None if before is None else joint_values(robot.arm, before, "before"),
+            revolute=_kinds(robot),
         )
 
     @property
@@ -136,6 +140,10 @@ class Control(Part):
 
 
 PART = PartType(Control, order=99)
+
+
+def _kinds(robot: Robot) -> tuple[bool, ...]:
+    return tuple(map(bool, robot.arm.revolute))
 
 
 def _round(value: float) -> float:

@@ -29,7 +29,7 @@ from armlab.kin.ik.iterate.record import Limits
 from armlab.kin.ik.solve_all import solve_all
 from armlab.kin.task import Task
 from armlab.session.fields import FieldPart, choice, own, setting, vector
-from armlab.session.parts.joints import Joints
+from armlab.session.parts.joints import Joints, of_its_kind
 from armlab.session.state import Command, Json, PartType, State
 
 POINTS = (64, 128, 256)
@@ -103,6 +103,9 @@ class Basins(FieldPart):
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep also joints and start values of joints that are still there; the map of the earlier arm is dropped."""
         kept = super().for_edited(robot, origin)
+        if kept is self:
+            return self
+        kept = replace(kept, rest=of_its_kind(kept.rest, self.arm, robot, origin))
         across, up = (origin.index(joint) if joint in origin else -1 for joint in self.joints)
         # An arm of one joint has but one for both axes.
         return replace(kept, joints=(across, up)) if min(across, up) >= 0 and across != up else kept

@@ -21,7 +21,7 @@ from armlab.kin.ik.iterate.record import Limits
 from armlab.kin.task import task_named
 from armlab.kin.transforms import as_pose
 from armlab.session.fields import EXAMPLE, FieldPart, choice, own, text, vector, whole
-from armlab.session.parts.joints import Joints
+from armlab.session.parts.joints import Joints, of_its_kind
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import FARTHEST, Target
 from armlab.session.parts.timeline import Timeline, clips, with_clip
@@ -137,7 +137,11 @@ class Iterations(FieldPart):
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep target and start; a chosen task vector is dropped with the joints it was made for."""
         kept = super().for_edited(robot, origin)
-        return replace(kept, task=self.task) if origin == tuple(range(len(self.start))) else kept
+        if kept is self:
+            return self
+        kept = replace(kept, start=of_its_kind(kept.start, self.robot.arm, robot, origin))
+        same = origin == tuple(range(len(self.start))) and np.array_equal(robot.arm.revolute, self.robot.arm.revolute)
+        return replace(kept, task=self.task) if same else kept
 
     def after(self, before: State, now: State) -> Self:
         """Follow the target of the lab, and forget the earlier configuration when the film is closed.

@@ -61,6 +61,8 @@ class MotionRuns:
             return f"The motion cannot be run to its end{f': {motion.trouble}' if motion.trouble else ''}."
         if motion.raised:
             return f"{motion.raised} The lesson counts with the limits of the arm itself."
+        if not motion.within and not motion.fastest:
+            return "The motion exceeds a limit that these moves keep in no time: choose another law."
         if not motion.within:
             return f"The motion exceeds a limit; within all limits it takes at least {seconds(motion.fastest)}."
         if motion.waypoints < self.waypoints:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from armlab.benches.motion.plan.moves import LINE, Move
+from armlab.benches.motion.plan.moves import LINE, Move, resting
 from armlab.benches.motion.plan.question import Question
 
 
@@ -18,4 +18,5 @@ def other_way(question: Question) -> Question | None:
 
 def _swapped(move: Move) -> Move:
     """Return a straight move in the other space, with the same law if that begins and ends at rest."""
-    return replace(move, space="joint" if move.space == "cartesian" else "cartesian", path=LINE, turning="axis")
+    space = "joint" if move.space == "cartesian" else "cartesian"
+    return replace(move, space=space, path=LINE, law=resting(move.law), turning="axis")

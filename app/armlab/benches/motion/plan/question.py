@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import IntEnum
 from itertools import takewhile
@@ -219,7 +220,7 @@ class Planned:
     violations : tuple of Violation
         When which limit is exceeded.
     fastest : float
-        Seconds within the limits; nan when there is no motion.
+        Seconds within the limits that can be kept, without those of `unkept`; nan when there is no motion.
     unkept : tuple of str
         Limits that it cannot keep in any time, such as a velocity that would have to jump.
     overruns : tuple of Overrun
@@ -237,6 +238,11 @@ class Planned:
     unkept: tuple[str, ...] = ()
     overruns: tuple[Overrun, ...] = ()
     figures: Figures | None = None
+
+    @property
+    def least(self) -> float:
+        """Least duration within all limits, seconds; nan when there is no motion, and where no duration keeps them."""
+        return math.nan if self.unkept else self.fastest
 
     @property
     def whole(self) -> bool:

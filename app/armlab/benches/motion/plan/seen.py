@@ -69,7 +69,7 @@ def _facts(planned: Planned, velocity: tuple[float, ...], acceleration: tuple[fl
         whole=planned.whole,
         within=planned.whole and not planned.overruns,
         duration=planned.duration,
-        fastest=planned.fastest if math.isfinite(planned.fastest) else 0.0,
+        fastest=planned.least if math.isfinite(planned.least) else 0.0,
         velocity=0.0 if samples is None else _share(samples.qdot, velocity),
         acceleration=0.0 if samples is None else _share(samples.qddot, acceleration),
         deviation=max((leg.deviation for leg in planned.legs), default=0.0),

@@ -61,7 +61,7 @@ class SeenMotion:
     duration : float
         Duration of the part that can be run, seconds.
     fastest : float
-        Least duration within the limits, seconds; 0 when it cannot be run.
+        Least duration within the limits, seconds; 0 when it cannot be run, or not within them.
     velocity, acceleration : float
         Largest fraction of the limits of the joints, 1 at a limit, among closely spaced samples.
     deviation : float

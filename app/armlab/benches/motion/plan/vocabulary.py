@@ -21,7 +21,7 @@ def _fastest(observation: Observation, words: Words) -> str:
     """Return the least duration of the planned motion within its limits."""
     del words
     motion = motion_in(observation)
-    return seconds(motion.fastest) if motion is not None and motion.whole else NONE
+    return seconds(motion.fastest) if motion is not None and motion.whole and motion.fastest else NONE
 
 
 VOCABULARY = Vocabulary(

@@ -35,8 +35,8 @@ def judged(planned: Planned) -> Said:
     if over:
         least = (
             ()
-            if np.isnan(planned.fastest) or planned.question.duration is None
-            else (f"within the limits it takes at least {rounded_up(planned.fastest):.2f} s",)
+            if np.isnan(planned.least) or planned.question.duration is None
+            else (f"within the limits it takes at least {rounded_up(planned.least):.2f} s",)
         )
         return Said("no", "exceeds limits", (*over, *least, *remarks))
     return Said("ok", f"runs in {planned.duration:.2f} s within all limits", remarks)

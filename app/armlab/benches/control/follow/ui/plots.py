@@ -178,9 +178,10 @@ class Plots:
             elif self._view == "error" and run.error_joint is not None:
                 each.show_joints(run, run.error_joint)
             elif self._view == "speed":
-                limits = speed_limits(self._arm, setup)[each.joints]
-                limit = float(limits.min()) if setup.saturation != "none" and np.isfinite(limits).any() else None
-                each.show_joints(run, run.qdot, limit)
+                limits = set(speed_limits(self._arm, setup)[each.joints].tolist())
+                # One line stands for all of them only where they are equal.
+                limit = limits.pop() if len(limits) == 1 and setup.saturation != "none" else np.inf
+                each.show_joints(run, run.qdot, limit if np.isfinite(limit) else None)
 
 
 DOT, SIGMA, GAP, PREDICTED = r"\dot q", r"\sigma_{min}", r"q_d-q", r"\dot e_p=-JKJ^{\#}e_p"

@@ -140,7 +140,7 @@ def motors_markup(state: State, units: Units) -> Markup:
         tag(
             "p.dim",
             "For the joint speeds of the page Jacobian and the wrench of the page Statics, without losses and without "
-            "the masses of the arm. A screw with lead p turns 2π/p times a metre.",
+            "the masses of the arm. A screw with lead p turns 1/p times a metre.",
         ),
         key="motors",
     )

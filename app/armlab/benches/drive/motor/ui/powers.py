@@ -18,6 +18,9 @@ from armlab.ui.tables import head_line, line
 BAR = 74.0
 """Length of the bar of the largest power, pixels."""
 
+FILLS = 1e-6
+"""Part of the power supplied from which on the field is said to be filled."""
+
 ELECTRICAL = r"v\,i=R_ai^2+\frac{d}{dt}\frac{L_ai^2}{2}+k\,\omega\,i"
 MECHANICAL = r"k\,i\,\omega=\frac{d}{dt}\frac{I_m\omega^2}{2}+F_m\omega^2+\tau_{load}\,\omega"
 
@@ -60,7 +63,12 @@ def _verdict(state: State) -> Markup:
     largest = max(abs(found.electrical_rest), abs(found.mechanical_rest))
     said = f"What is left of both equations is rounding, {scientific(largest)} W. "
     if now.omega == 0.0 and found.supplied > 0.0:
-        return verdict_box("warn", "The rotor stands: all of v i is heat", said)
+        ends = (
+            "all of v i is heat"
+            if abs(found.magnetic) <= FILLS * found.supplied
+            else "v i becomes heat and fills the field"
+        )
+        return verdict_box("warn", f"The rotor stands: {ends}", said)
     if found.supplied < 0.0 < -found.load:
         share = 100.0 * found.supplied / found.load
         head = f"Generator: {amount(share)} % of the load's power go to the supply"

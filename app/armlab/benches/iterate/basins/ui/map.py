@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.iterate.basins.maps import Map
+from armlab.benches.iterate.basins.maps import Map, Question
 from armlab.benches.iterate.basins.state import Basins, belongs_elsewhere
 from armlab.benches.iterate.basins.ui.picture import FULL, enlarged, pixels, png, scale_of, solution_colour
 from armlab.benches.iterate.runs.state import Iterations
@@ -176,7 +177,7 @@ def places(state: State) -> Markup | None:
 
 
 def here(state: State) -> str:
-    """Return the end of the film from the present start, read from the map."""
+    """Return the end of the film from the present start, read from the map; it is that of the film if all is equal."""
     found, start = state[Basins].map, state[Iterations].start
     if found is None:
         return ""
@@ -184,9 +185,26 @@ def here(state: State) -> str:
     if not (0.0 <= x <= 1.0 and 0.0 <= y <= 1.0):
         return ""
     index, steps = found.outcome(x, y)
-    if index >= 0:
-        return f"◉ The arm. ◇ The film's start: ends in {index + 1} after {steps} steps."
-    return f"◉ The arm. ◇ The film's start: no solution in {found.question.most} steps." if index == FAILED else ""
+    if index != FAILED and index < 0:
+        return ""
+    ends = (
+        f"no solution in {found.question.most} steps" if index == FAILED else f"ends in {index + 1} after {steps} steps"
+    )
+    if _is_of_film(state, found.question):
+        return f"◉ The arm. ◇ The film's start: {ends}."
+    return f"◉ The arm. ◇ The film's start. As the map was asked for, a start there: {ends}."
+
+
+def _is_of_film(state: State, question: Question) -> bool:
+    """Return whether the selected run asks what the map has answered: then its film ends as the map tells."""
+    part = state[Iterations]
+    run, others = part.runs[part.selected], set(range(len(part.start))) - set(question.joints)
+    asks = (replace(run, colour=question.run.colour), part.limits, part.most)
+    return (
+        not belongs_elsewhere(state)
+        and asks == (question.run, question.limits, question.most)
+        and all(part.start[k] == question.rest[k] for k in others)
+    )
 
 
 def save_link(found: Map, robot: str) -> Markup:

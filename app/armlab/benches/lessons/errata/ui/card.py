@@ -59,10 +59,10 @@ def _run(form: Form, part: Errata, found: Found | None, trial: Trial | None) -> 
         return tag("p.dim", "Not run. ", part.erratum.unrun)
     if found is None or trial is None:
         return tag("p.dim", f"Both forms are run at {POINTS} points …")
-    quiet = trial.quiet
-    drawn = "inputs" if part.quiet else trial.drawn
+    quiet, is_quiet = trial.quiet, part.quiet and trial.quiet is not None
+    drawn = "inputs" if is_quiet else trial.drawn
     at = f"{POINTS} times, seed {part.seed}: {drawn}"
-    where = f", {quiet.says}" if part.quiet and quiet else ""
+    where = f", {quiet.says}" if is_quiet and quiet else ""
     chip = None
     if quiet is not None:
         chip = form.chip(
@@ -78,7 +78,7 @@ def _run(form: Form, part: Errata, found: Found | None, trial: Trial | None) -> 
             "div.bar",
             form.chip("again", "Run again", RunAgain(), "Take other points, with the next seed"),
             chip,
-            _seen(found, trial, part.quiet),
+            _seen(found, trial, is_quiet),
         ),
         fold(
             "How it is run",

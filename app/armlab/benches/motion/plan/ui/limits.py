@@ -85,9 +85,9 @@ def _duration(form: Form, state: State) -> Markup:
         shown = readable(part.duration, 3)
         typed = form.field("duration", shown, "Duration", seconds)
         told = None
-        if planned is not None and planned.motion is not None:
-            k = part.duration / planned.fastest
-            told = tag("span.dim", f"{k:.2f} times the shortest time, {planned.fastest:.2f} s")
+        if planned is not None and planned.least > 0.0:
+            k = part.duration / planned.least
+            told = tag("span.dim", f"{k:.2f} times the shortest time, {planned.least:.2f} s")
         given = tag("label.option", typed, tag("i", "s")), told
     return joined(tag("div.bar", choice), tag("div.options", given))
 

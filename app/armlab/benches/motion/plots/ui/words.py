@@ -44,7 +44,7 @@ def status(planned: Planned | None, figures: Figures | None, found: tuple[Overru
             shown.append(tag("p", f"… and {len(every) - MOST_SENTENCES} more."))
         many = max(len(found), len(every))
         head = "A limit is exceeded." if many == 1 else f"{many} limits are exceeded."
-        within = f"Within the limits this path takes {_seconds(planned.fastest)}."
+        within = None if planned.unkept else f"Within the limits this path takes {_seconds(planned.least)}."
         parts.append(verdict_box("no.mp-over", head, shown, within, sign=SIGNS["no"]))
     elif not why:
         parts.append(verdict_box("ok", "All limits are kept.", _kept(planned, figures)))
@@ -92,7 +92,7 @@ def comparison(
         _row("joint speed", [None if f is None else _fastest_joint(planned, f, units) for f in both]),
     ]
     if planned.question.duration is not None:
-        rows.insert(1, _row("within limits, s", [_time(planned.fastest), _time(other.fastest)]))
+        rows.insert(1, _row("within limits, s", [_time(planned.least), _time(other.least)]))
     return joined(title, tag("table.dh.mp-table", heads, rows), _who(planned, own, other, theirs))
 
 
@@ -118,8 +118,8 @@ def _who(planned: Planned, own: Figures | None, other: Planned, theirs: Figures 
     for each, name in ((planned, KINDS[kind]), (other, OTHERS[kind])):
         if each.trouble:
             return tag("p.no", f"✕ {capitalised(name)} cannot be run through all waypoints: {each.trouble}.")
-    if own is None or theirs is None:
-        return None
+    if own is None or theirs is None or planned.unkept or other.unkept:
+        return None  # where no time keeps the limits, none is the shortest
     if same_time(planned, other):
         return tag("p", f"Both take {_seconds(planned.fastest)}{_affine(planned, own)}")
     first = planned.fastest < other.fastest

@@ -87,7 +87,7 @@ def turn_numbers(form: Form, state: State) -> Markup:
     """Return both turns as a whole and at the time of the film."""
     found, units, part = state.derived(turn_of), units_of(state), state[SpaceCurve]
     s, rate = turn_place(state)
-    speeds = [rate * float(np.linalg.norm(each.angular(s)[0])) for each in (found.straight, found.euler)]
+    speeds = [abs(rate) * float(np.linalg.norm(each.angular(s)[0])) for each in (found.straight, found.euler)]
     rows = [
         line(*(units.angle(angle) for angle in found.swept), name="total angle"),
         line(*(f"{units.text(speed, True)} {units.angle_unit}/s" for speed in speeds), name="|ω| now"),

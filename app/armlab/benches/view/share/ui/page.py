@@ -9,8 +9,8 @@ from urllib.parse import urlsplit
 
 from armlab.benches.view.share.ui.qr import qr_svg
 from armlab.benches.view.share.worksheet import worksheet
+from armlab.session.lesson_places import at_place
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.lesson import at_place
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf
 from armlab.session.parts.target import Target
