@@ -265,6 +265,8 @@ def test_what_was_opened_and_read_stays_while_the_arm_moves(visit):
     assert lab.page.locator('input[data-cell="lesson-name"]').is_visible()
     lab.press("lesson-next")
     assert lab.page.evaluate(top) == 0
+    assert lab.page.locator(".lesson-text details").count() == 1
+    assert lab.page.locator(".lesson-text details[open]").count() == 0, "another step begins with its folds closed"
 
 
 def test_with_the_fold_open_what_is_revealed_is_not_cut(visit):

@@ -9,6 +9,16 @@ from PIL import Image
 
 pytestmark = pytest.mark.browser
 
+COMINGS = """() => {
+  window.__comings = 0;
+  new MutationObserver(changes => {
+    for (const { addedNodes } of changes) {
+      for (const node of addedNodes) if (node.matches?.('.al-tray')) window.__comings++;
+    }
+  }).observe(document.body, { childList: true });
+}"""
+"""Counts how often the tray comes from now on."""
+
 BOX = """box => {
   const r = document.querySelector(box).getBoundingClientRect();
   return [r.left, r.top, r.width, r.height];
@@ -96,8 +106,11 @@ def _is_read_hidden_zoomed_scrubbed_and_put_away(lab, page):
     assert page.is_visible(".al-time")
     page.keyboard.press("Escape")
     lab.until(lambda: page.evaluate(BOX, ".al-tray")[3] < 0.4 * SIZE[1])
+    page.evaluate(COMINGS)
     page.keyboard.press("Escape")
     lab.until(lambda: not page.query_selector(".al-tray") and not page.query_selector("[data-tray-plot]"))
+    lab.rest()
+    assert page.evaluate("() => window.__comings") == 0, "it came again before the lab had answered"
     assert page.evaluate(BOX, "canvas")[3] == SIZE[1]
 
 

@@ -14,6 +14,7 @@ from support.small_lessons import TWO_STEPS, library_fixture
 
 own = pytest.fixture(library_fixture, name="own")
 
+HOMEWORK = 'title = "H"\n[[tasks]]\nlesson = "t"\n'
 SVG = f"data:image/svg+xml;base64,{base64.b64encode(b'<svg/>').decode()}"
 
 
@@ -139,6 +140,11 @@ def test_a_lesson_of_the_lab_is_not_replaced(desk, tmp_path, monkeypatch):
     other = Desk(tmp_path, "secret key")
     with pytest.raises(InputError, match=r"t\.md: the lab has a lesson 't' already; rename this one"):
         other.put(upload("t"))
+    (tmp_path / "mine" / "hw.toml").write_text(HOMEWORK, encoding="utf-8")
+    changed()
+    with pytest.raises(InputError, match=r"hw\.toml: the lab has an assignment 'hw' already; rename this one"):
+        other.put(upload("hw", HOMEWORK, ASSIGNMENT))
+    assert desk.put(upload("hw", HOMEWORK, ASSIGNMENT)) == "hw.toml"
     monkeypatch.setattr("tempfile.mkstemp", lambda **_: (_ for _ in ()).throw(OSError(30, "Read-only file system")))
     with pytest.raises(InputError, match=r"new\.md: cannot be written: Read-only file system"):
         desk.put(upload("new"))

@@ -19,6 +19,7 @@ from armlab.ui.scene._turns import before_turn
 from armlab.ui.scene.angles import name_of
 from armlab.ui.units import Units
 from support.arms import frames_by_products, random_arm, random_q
+from support.fake_browser import CAMERA
 from support.student import arm_nodes, is_on, run, student
 
 PLAIN, TABLE = Units(Notation()), Units(Notation(angle="rad", length="m", variable="theta"))
@@ -211,6 +212,27 @@ def test_angles_follow_the_pose_and_all_names_the_units(url):
         await browser.until(lambda: bool(scene.shown("q₁ 0.524 rad") and scene.shown("α₁ 1.5708 rad")))
         await browser.press("m")
         await browser.until(lambda: bool(scene.shown("a₂ 0.4318 m") and scene.shown(f"x {x / 1e3:.4f} m")))
+        await browser.close()
+
+    run(main())
+
+
+def test_arcs_of_angles_come_to_the_face_that_is_seen_when_the_eye_goes_round(url):
+    async def main():
+        browser = await student(url)
+        await browser.open("picture", "joints")
+        await browser.press("angles")
+
+        def arcs():
+            found = sorted((name, tuple(pose.get("position", (0.0, 0.0, 0.0)))) for name, pose in browser.nodes.items())
+            return [at for name, at in found if re.search(r"/angle_to1$", name)]
+
+        await browser.until(lambda: bool(arcs()) and arcs()[0][2] > 0.0)
+        above = arcs()[0][2]
+        await browser.send({**CAMERA, "position": (0.5, 0.5, -4.0)})
+        await browser.until(lambda: arcs()[0][2] < above)
+        await browser.send({**CAMERA, "position": (0.5, 0.5, 4.0)})
+        await browser.until(lambda: arcs()[0][2] == above)
         await browser.close()
 
     run(main())

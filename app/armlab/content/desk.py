@@ -28,6 +28,10 @@ BEFORE = ".before-"
 LOADING = ".loading-"
 
 
+A = {LESSON_KIND: "a lesson", ASSIGNMENT: "an assignment"}
+"""Names of what may be there already."""
+
+
 class Desk:
     """A folder of lessons that is written into from the browser.
 
@@ -70,15 +74,14 @@ class Desk:
         ContentError
             It cannot be used: nothing changes.
         InputError
-            A lesson elsewhere has its name, a lesson of a course is not there for everybody, the folder is full, or it
+            Something elsewhere has its name, a lesson of a course is not there for everybody, the folder is full, or it
             cannot be written.
         """
         _refuse_unusable(upload, loaded)
         if len(list(self._folder.iterdir())) >= 2 * MOST_LESSONS:
             raise InputError(f"{upload.file}: the folder of the lessons is full")
         name = COURSE if upload.kind == COURSE_KIND else upload.file.partition("/")[0]
-        if upload.kind == LESSON_KIND:
-            self._refuse_elsewhere(upload.name)
+        self._refuse_elsewhere(upload)
         try:
             if upload.pictures is None:
                 self._write(name, upload.text)
@@ -90,10 +93,16 @@ class Desk:
             raise InputError(f"{upload.file}: cannot be written: {error.strerror}") from None
         return name
 
-    def _refuse_elsewhere(self, name: str) -> None:
-        here = (self._folder / f"{name}{ENDING}").exists() or (self._folder / name / LESSON).exists()
-        if name in lessons().lessons and not here:
-            raise InputError(f"{name}{ENDING}: the lab has a lesson {name!r} already; rename this one")
+    def _refuse_elsewhere(self, upload: Upload) -> None:
+        name, there = upload.name, lessons()
+        if upload.kind == LESSON_KIND:
+            here = (self._folder / f"{name}{ENDING}").exists() or (self._folder / name / LESSON).exists()
+            is_taken = name in there.lessons
+        else:
+            here = (self._folder / f"{name}{OF_ASSIGNMENT}").exists()
+            is_taken = upload.kind == ASSIGNMENT and there.has_assignment(name)
+        if is_taken and not here:
+            raise InputError(f"{upload.file}: the lab has {A[upload.kind]} {name!r} already; rename this one")
 
     def _write(self, name: str, text: str) -> None:
         handle, made = tempfile.mkstemp(dir=self._folder, prefix=LOADING)

@@ -90,6 +90,8 @@ class Camera:
     Attributes
     ----------
     gaze : Gaze
+    on_move : callable
+        Called when the page has told that its eye has moved.
     """
 
     def __init__(
@@ -109,6 +111,7 @@ class Camera:
         self._at_home = False
         # Whether a person wants another view than the open pages.
         self._refused = False
+        self.on_move: Callable[[], None] = lambda: None
         client.camera.on_update(self._moved)
 
     async def _moved(self, _camera: object) -> None:
@@ -118,6 +121,7 @@ class Camera:
         least = 0.0 if self._settling else RESHAPED * self._aspect
         if abs(self._client.camera.aspect - self._aspect) > least:
             self._reshaped()
+        self.on_move()
 
     @property
     def _settling(self) -> bool:

@@ -51,6 +51,7 @@ class Canvas:
         self.size = drawn.figure.anatomy.size
         self._scale = np.where(drawn.figure.anatomy.arm.revolute, 1.0, self.size).tolist()
         self._listeners: list[PoseListener] = []
+        self._eye_listeners: list[Callable[[], None]] = []
         self._nodes: list[viser.FrameHandle] = []
         self._make_nodes(q)
         self._shown = q
@@ -80,6 +81,16 @@ class Canvas:
     def on_pose(self, listener: PoseListener) -> None:
         """Call back with every configuration that is shown, including those of moves."""
         self._listeners.append(listener)
+
+    def on_eye(self, listener: Callable[[], None]) -> None:
+        """Call back when the page tells that its eye has moved."""
+        self._eye_listeners.append(listener)
+
+    def eye_moved(self) -> None:
+        """Tell those who look where the eye is."""
+        with self.client.atomic():
+            for listener in self._eye_listeners:
+                listener()
 
     @property
     def gliding(self) -> bool:

@@ -71,6 +71,11 @@ class LayerCanvas:
         """
         self._canvas.on_pose(self.paced(lambda q: None if self.hidden else listener(q)))
 
+    def on_eye(self, listener: Callable[[], None]) -> None:
+        """Call back when the eye of the page has moved, while the layer is not hidden."""
+        paced = self.paced(lambda _: None if self.hidden else listener())
+        self._canvas.on_eye(lambda: paced(None))
+
     def follow(self, state: State, draw: Callable[[State, NDArray[np.float64]], None]) -> Callable[[State], None]:
         """Return the ``show`` of a layer: ``draw(state, q)`` is called for a state and each configuration of a move."""
         present = state

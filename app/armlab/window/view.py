@@ -77,6 +77,7 @@ class View:
         self.camera: Camera = Camera(
             client, lambda: self._present[Joints].q, lambda: wish_of(state := self._present, self._opened(state))
         )
+        self.camera.on_move = self._eye_moved
         self._gallery, self._pace = gallery, pace
         self._loop = asyncio.get_running_loop()
         self._canvas: Canvas | None = None
@@ -174,6 +175,10 @@ class View:
         robot = self.session.robot
         there = self._robot is not None and self._robot.robot is robot
         return not there and self._undrawable is not robot.arm
+
+    def _eye_moved(self) -> None:
+        if self._canvas is not None:
+            self._canvas.eye_moved()
 
     def open_tab(self, key: str) -> None:
         """Bring a panel to the front, unless the lesson hides it."""

@@ -122,6 +122,10 @@ def test_only_with_the_key_something_is_put_there_for_everybody(url, folder):
         await browser.press("give mine.md")
         await browser.until(lambda: "mine.md is there for everybody." in browser.html())
         assert [path.name for path in folder.iterdir()] == ["mine.md"]
+        await browser.press("load-file", 'hw.toml\ntitle = "H"\npages = ["jionts"]\n[[tasks]]\nlesson = "first_arm"\n')
+        await browser.press("give hw.toml")
+        await browser.until(lambda: "unknown page &#39;jionts&#39;; did you mean &#39;joints&#39;" in browser.html())
+        assert [path.name for path in folder.iterdir()] == ["mine.md"]
         await browser.close()
 
     run(main())

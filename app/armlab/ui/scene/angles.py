@@ -35,14 +35,14 @@ class _Angles:
 
     def follow(self, q: NDArray[np.float64]) -> None:
         """Draw the changes of a shown configuration."""
-        self._face(q)
+        self.face(q)
         for i, (mark, value) in enumerate(zip(self._marks, q.tolist(), strict=True)):
             if value != self._drawn[i]:
                 self._drawn[i] = value
                 mark.follow(value)
                 write(mark.name, name_of(self.units, i, self._rows[i], value))
 
-    def _face(self, q: NDArray[np.float64]) -> None:
+    def face(self, q: NDArray[np.float64]) -> None:
         """Move every arc to the face of its housing that the camera sees."""
         frames = np.asarray(self._arm.frames(q))
         axes = frames[:-1] if self._arm.convention == "standard" else frames[1:]
@@ -89,6 +89,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
         angles.rename(units_of(state))
 
     canvas.on_pose(angles.follow)
+    canvas.on_eye(lambda: angles.face(canvas.shown_pose))
     return show
 
 

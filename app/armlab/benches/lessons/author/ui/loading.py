@@ -6,11 +6,13 @@ from collections.abc import Mapping
 from functools import partial
 
 from armlab.benches.lessons.own_commands import ForgetFile, LoadFile
+from armlab.content.assignment import parse_assignment
 from armlab.content.desk import desk
 from armlab.content.held import HeldLesson
 from armlab.content.lessons import lessons
-from armlab.content.upload import MOST_SENT, MOST_ZIP, Upload, read_upload
+from armlab.content.upload import ASSIGNMENT, MOST_SENT, MOST_ZIP, Upload, read_upload
 from armlab.errors import ArmlabError, InputError
+from armlab.session.assignment_commands import refuse_unknown_pages
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.own_lessons import Held, OwnLessons, key_of
 from armlab.session.parts.teacher import LetIn, Teacher
@@ -91,6 +93,8 @@ class Loading:
         if found is None:
             raise InputError("This lab has no folder for what is loaded.")
         try:
+            if upload.kind == ASSIGNMENT:
+                refuse_unknown_pages(parse_assignment(upload.name, upload.text, upload.file))
             name = found.put(upload)
         except ArmlabError as refusal:
             raise InputError(str(refusal)) from None
