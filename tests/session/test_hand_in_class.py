@@ -57,10 +57,10 @@ def test_work_of_nothing_is_not_marked(fresh, own):
 
 
 def test_work_in_the_variant_of_another_does_not_count(fresh, own):
-    names = {3: "Ada  Lovelace", 4: "Bob"}
+    names = {3: "Ada  Lovelace", 4: "Bob", 5: "Rene\u0301"}
     files = [
         Judged(str(k), judge(student_work(fresh, name, 5.0 + k, variant)))
-        for k, (name, variant) in enumerate((("ada lovelace", 3), ("Bob", 3), ("Mallory", 4), ("", 3)))
+        for k, (name, variant) in enumerate((("ada lovelace", 3), ("Bob", 3), ("Mallory", 4), ("", 3), ("René", 5)))
     ]
     marked = looked_at_together(files, names)
     assert [one.problem for one in marked] == [
@@ -68,7 +68,8 @@ def test_work_in_the_variant_of_another_does_not_count(fresh, own):
         "This is variant 3; the one given was 4.",
         "There is nobody of this name in the list.",
         "The work is not signed.",
+        "",
     ]
-    assert [one.passed for one in marked] == [3, 0, 0, 0]
-    assert [gradescope(one)["score"] for one in marked] == [3.0, 0.0, 0.0, 0.0]
-    assert [row["score"] for row in csv.DictReader(io.StringIO(rows(marked)))] == ["100", "0", "0", "0"]
+    assert [one.passed for one in marked] == [3, 0, 0, 0, 3]
+    assert [gradescope(one)["score"] for one in marked] == [3.0, 0.0, 0.0, 0.0, 3.0]
+    assert [row["score"] for row in csv.DictReader(io.StringIO(rows(marked)))] == ["100", "0", "0", "0", "100"]

@@ -80,6 +80,19 @@ def test_why_a_variant_is_broken_is_found_once(own, monkeypatch):
     assert len(read) == 1
 
 
+def test_progress_in_a_lesson_that_is_not_there_for_a_while_waits_for_it(own):
+    state = done(State.initial(catalogue()["puma560"]), OpenLesson("t"), GoToStep(2), Answer("3"), CloseLesson())
+    progress = state[LessonPart].progress_of["t"]
+    own(t="no lesson any more")
+    without = saved(saved(state))
+    assert "t" not in without[LessonPart].progress_of
+    own(t=TWO_STEPS)
+    assert saved(without)[LessonPart].progress_of["t"].right == progress.right
+    opened = done(without, OpenLesson("t"))[LessonPart]
+    assert opened.progress.right == progress.right
+    assert opened.aside == {}
+
+
 # --- Progress
 
 

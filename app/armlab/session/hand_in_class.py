@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -78,4 +79,5 @@ def _not_assigned(report: Report, students: Mapping[int, str]) -> str:
 
 
 def _plain(name: str) -> str:
-    return " ".join(name.split()).casefold()
+    # An accent is a letter with its mark on one computer, and two signs in a row on another.
+    return unicodedata.normalize("NFC", " ".join(name.split()).casefold())

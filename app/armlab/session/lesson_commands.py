@@ -56,7 +56,7 @@ class OpenLesson(Command):
         place = self._place(part)
         if part.open == place and not self.anew:
             return state
-        opened = replace(part, open=place, set_up=part.set_up + 1)
+        opened = replace(part, open=place, set_up=part.set_up + 1).taken_up()
         kept = Progress() if self.anew else opened.progress.anew()
         lesson = at_place(place)
         refuse_unknown(lesson)

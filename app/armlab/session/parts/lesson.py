@@ -36,6 +36,9 @@ from armlab.session.taught import taught
 LONGEST_NAME = 80
 """Longest name of a student, in characters."""
 
+MOST_ASIDE = 200
+"""Largest number of lessons that are not there in which progress is kept."""
+
 
 @dataclass(frozen=True)
 class LessonPart(Part):
@@ -63,6 +66,8 @@ class LessonPart(Part):
         Key of the open assignment, to which the open lesson then belongs; empty for none.
     works : mapping of str to Work
         The work on each assignment that was ever begun.
+    aside : mapping of str to Json
+        By place, the progress as it was saved in lessons that were not there when it was read: it waits for them.
     """
 
     key: ClassVar[str] = "lesson"
@@ -77,6 +82,7 @@ class LessonPart(Part):
     course: str = ""
     assignment: str = ""
     works: Mapping[str, Work] = field(default_factory=lambda: MappingProxyType({}))
+    aside: Mapping[str, Json] = field(default_factory=lambda: MappingProxyType({}))
 
     @property
     def assigned(self) -> Assignment | None:
@@ -239,13 +245,22 @@ class LessonPart(Part):
         others = {where: each for where, each in self.progress_of.items() if where != self.where}
         return replace(self, progress_of=MappingProxyType({**others, self.where: progress}))
 
+    def taken_up(self) -> Self:
+        """Return the part with the saved progress in the open lesson, if that was not there when it was read."""
+        found = self.lesson
+        if found is None or self.where not in self.aside:
+            return self
+        others = {where: each for where, each in self.aside.items() if where != self.where}
+        part = replace(self, aside=MappingProxyType(others))
+        return part.with_progress(read(found, self.aside[self.where])) if self.where not in self.progress_of else part
+
     def with_work(self, work: Work) -> Self:
         """Return the part with other work on the open assignment."""
         return replace(self, works=MappingProxyType({**self.works, self.assignment: work}))
 
     def to_json(self) -> Json:
         """Return place, progress and number as JSON."""
-        progress = {place: written(each) for place, each in self.progress_of.items()}
+        progress = {**self.aside, **{place: written(each) for place, each in self.progress_of.items()}}
         shown: dict[str, Json] = {"course": self.course} if self.course else {}
         if self.works:
             shown |= {"assignment": self.assignment, "works": {key: each.to_json() for key, each in self.works.items()}}
@@ -253,9 +268,10 @@ class LessonPart(Part):
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Return the part from JSON; lessons and steps that no longer exist are left out."""
-        saved = ((where, where.rpartition(":")[2], each) for where, each in data["progress"].items())
+        """Return the part from JSON; steps that no longer exist are left out, lessons that are not there wait."""
+        saved = [(where, where.rpartition(":")[2], each) for where, each in data["progress"].items()]
         progress = {where: read(kept_at(place), each) for where, place, each in saved if is_place(place)}
+        aside = dict([(where, each) for where, place, each in saved if not is_place(place)][-MOST_ASIDE:])
         number = int(data.get("number", 0))
         if number < 0:
             raise InputError(f"number: expected 0 or more, got {number}")
@@ -274,6 +290,7 @@ class LessonPart(Part):
             course=course,
             assignment=assignment,
             works=MappingProxyType(works),
+            aside=MappingProxyType(aside),
         )
 
 
