@@ -9,7 +9,6 @@ BELOW = ("content", "session", "ui")
 
 STAYS = {
     "content/write_table.py": "writes tables in all forms in which content/tables.py reads them",
-    "session/parts/errata_practice.py": "a student's own progress; what lies in a page can be put in place by a lesson",
 }
 """Modules that one tab alone uses and that lie below it, and why."""
 

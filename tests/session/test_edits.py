@@ -1,14 +1,10 @@
 """Edits of the table: what each makes of the arm, what it keeps, what is refused, and that all of it is undone."""
 
 import json
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from armlab.benches.control.follow.state import Control
-from armlab.benches.iterate.basins.state import Basins
-from armlab.benches.iterate.runs.state import Iterations
 from armlab.benches.robot.table.state import Point, SetPoint, world_point
 from armlab.content.robots import OWN, catalogue
 from armlab.content.write_robot import robot_toml
@@ -220,22 +216,6 @@ def test_the_other_convention_is_the_same_arm(key, rng):
         np.testing.assert_allclose([tool_by_products(converted, each) for each in q], arm.fk(q), atol=1e-12)
     np.testing.assert_array_equal(after[Joints].q, state[Joints].q)
     np.testing.assert_array_equal(arm_of(after).limits, arm.limits)
-
-
-def test_radians_become_no_metres_where_values_are_kept_for_each_joint():
-    """A joint that turned and now slides begins anew on the pages that have values of their own."""
-    before = State.initial(catalogue()["planar_2r"])
-    before = before.replace(
-        replace(before[Iterations], start=(0.3, 0.9)), replace(before[Basins], rest=(0.3, 0.9)), before[Control]
-    )
-    after = apply(before, SetKind(1, "P"))
-    home = after[RobotPart].robot.home
-    assert after[Iterations].start == (0.3, home[1])
-    assert after[Basins].rest == (0.3, home[1])
-    assert after[Control].run.start == Control.initial(after[RobotPart].robot).run.start
-    same = apply(before, SetCell(1, "a", 0.7))
-    assert (same[Iterations].start, same[Basins].rest) == ((0.3, 0.9), (0.3, 0.9))
-    assert same[Control].run.start == before[Control].run.start
 
 
 def test_what_a_conversion_moved_is_told_until_the_next_edit():

@@ -268,9 +268,11 @@ def test_progress_follows_the_names_of_the_steps(fresh, own):
     )
 
 
-def test_a_lesson_that_was_never_there_is_forgotten(own):
+def test_a_lesson_that_is_not_there_is_not_open_and_its_progress_is_written_down_as_it_was(own):
     data = {"open": "u", "progress": {"u": {"step": "A", "met": [], "right": [], "answers": {}}}}
-    assert LessonPart.from_json(data, PUMA) == LessonPart()
+    part = LessonPart.from_json(data, PUMA)
+    assert part == LessonPart(aside=data["progress"])
+    assert part.to_json()["progress"] == data["progress"]
 
 
 @pytest.mark.parametrize(

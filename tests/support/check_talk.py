@@ -101,7 +101,8 @@ RUNS = SeenMotion(3, (SeenMove("joint", "line", "quintic"),) * 2, planned=True, 
 
 MOTIONS = (
     *(SeenMotion(), replace(RUNS, whole=False), replace(RUNS, whole=False, trouble="a path of the motion"), RUNS),
-    *(replace(RUNS, within=False, fastest=6.0), replace(RUNS, played=True), replace(RUNS, time=2.0)),
+    *(replace(RUNS, within=False, fastest=6.0), replace(RUNS, within=False)),
+    *(replace(RUNS, played=True), replace(RUNS, time=2.0)),
     *(replace(RUNS, duration=1.0), replace(RUNS, duration=99.0), replace(RUNS, deviation=0.2), replace(RUNS, moves=())),
     *(replace(RUNS, velocity=0.9), replace(RUNS, acceleration=0.9), replace(RUNS, waypoints=1, moves=())),
     *(replace(RUNS, raised=f"The limit of {name} of joint 2 was raised.") for name in ("velocity", "acceleration")),

@@ -18,5 +18,7 @@ def other_way(question: Question) -> Question | None:
 
 def _swapped(move: Move) -> Move:
     """Return a straight move in the other space, with the same law if that begins and ends at rest."""
-    space = "joint" if move.space == "cartesian" else "cartesian"
-    return replace(move, space=space, path=LINE, law=resting(move.law), turning="axis")
+    law = resting(move.law)
+    return replace(
+        move, space="joint" if move.space == "cartesian" else "cartesian", path=LINE, law=law, turning="axis"
+    )
