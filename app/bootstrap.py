@@ -72,11 +72,15 @@ def ensure(root, extras=()):
     return python
 
 
+STAMP = ".armlab"
+"""Name of the file by which an environment is known as one of the lab's."""
+
+
 class Stamp:
     """What the environment was made of; written last, so that an installation cut short is done again."""
 
     def __init__(self, root, environment, python):
-        self._path, self._python = environment / ".armlab", python
+        self._path, self._python = environment / STAMP, python
         self._interpreter = digest(str(sys.version_info[:2]), sys.platform)
         self._project = digest((root / "pyproject.toml").read_text(encoding="utf-8"), str(root))
 
@@ -150,6 +154,7 @@ def install(root, environment, python, extras, anew):
     """Make the environment if it has to be anew, and install the checkout into it, editable."""
     print("armlab: installing into %s (about half a minute, once) ..." % environment, file=sys.stderr)
     if anew:
+        refuse_to_erase(environment)
         make_environment(environment)
     target = str(root) + ("[%s]" % ",".join(extras) if extras else "")
     command = [str(python), "-m", "pip", "install", "-q", "--disable-pip-version-check", "--no-input"]
@@ -163,6 +168,14 @@ def install(root, environment, python, extras, anew):
     lines = [line.strip() for line in output.splitlines() if line.strip()]
     errors = [line for line in lines if "error" in line.lower()]
     raise Problem("pip failed: " + " ".join(errors[-3:] or lines[-1:]))
+
+
+def refuse_to_erase(environment):
+    """Refuse a folder that somebody has chosen and in which something else lies: making an environment empties it."""
+    chosen = os.environ.get("ARMLAB_VENV") is not None
+    if chosen and environment.exists() and not (environment / STAMP).exists() and any(environment.iterdir()):
+        text = "ARMLAB_VENV: %s holds other files, which would be lost; choose an empty or a new folder." % environment
+        raise Problem(text)
 
 
 def make_environment(environment):
@@ -179,6 +192,8 @@ def make_environment(environment):
     status, output = captured([base, "-m", "venv", "--clear", str(environment)], None)
     if status:
         raise Problem("making the environment failed: " + " ".join(output.split())[-400:])
+    # From now on it is known as our own, also when the installation is cut short.
+    (environment / STAMP).write_text("")
 
 
 def captured(command, variables):

@@ -85,7 +85,8 @@ def _assigned(options: argparse.Namespace) -> str:
     found = Place(options.lessons).assignment(str(options.assignment))
     if found is None:
         raise InputError(f"--assignment: expected a file NAME.toml, got {str(options.assignment)!r}")
-    options.lessons.append(options.assignment.parent)
+    if options.assignment.suffix == ".toml":  # else the key of one in the folders of lessons
+        options.lessons.append(options.assignment.parent)
     return f"assignment/{found.key}"
 
 

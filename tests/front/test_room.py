@@ -67,6 +67,18 @@ def test_who_says_the_code_is_in_and_the_address_no_longer_tells_it(url):
     assert get(url, {"Cookie": cookie.split(";")[0]})[0] == 200
 
 
+def test_the_form_takes_along_what_else_the_address_has_and_its_quotes_end_nothing(url):
+    page = get(url + "course?lang=it&x=%22%3E%3Cb%3E")[2].decode()
+    assert '<input type="hidden" name="lang" value="it">' in page
+    assert '<input type="hidden" name="x" value="&quot;&gt;&lt;b&gt;">' in page
+    assert "<b>" not in page
+
+
+def test_who_is_in_already_does_not_show_the_code_in_the_address_either(url):
+    status, headers, _ = get(code_url(url, "blue elbow") + "&darkMode=1", {"Cookie": key_of(url)}, follow=False)
+    assert (status, headers["Location"]) == (303, "/?darkMode=1")
+
+
 def test_a_lab_with_another_code_knows_none_of_the_old_keys(url):
     assert not Room("other", b"secret").is_in(Room("blue elbow", b"secret").key)
     name = key_of(url).split("=")[0]

@@ -151,6 +151,20 @@ def test_a_read_only_checkout_uses_the_cache(tmp_path, monkeypatch):
     assert place.parent == tmp_path / "armlab"
 
 
+def test_a_folder_with_other_files_in_it_is_not_emptied(tmp_path, monkeypatch):
+    chosen = tmp_path / "documents"
+    chosen.mkdir()
+    monkeypatch.setenv("ARMLAB_VENV", str(chosen))
+    bootstrap.refuse_to_erase(chosen)
+    bootstrap.refuse_to_erase(tmp_path / "not there yet")
+    (chosen / "thesis.tex").write_text("work")
+    with pytest.raises(bootstrap.Problem, match="documents holds other files, which would be lost"):
+        bootstrap.ensure(ROOT)
+    assert [path.name for path in chosen.iterdir()] == ["thesis.tex"]
+    (chosen / ".armlab").write_text("")  # our own, whose installation was cut short
+    bootstrap.refuse_to_erase(chosen)
+
+
 @pytest.fixture
 def environment(tmp_path, monkeypatch):
     """An environment that is complete: its Python is that of the tests, and finds the lab as an installed one does."""

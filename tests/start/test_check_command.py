@@ -160,6 +160,13 @@ def test_the_same_file_twice_is_judged_once(typed, work):
     assert len(typed("check", "v", "--lessons", "mine", "--state", path, path, "--format", "csv")[1].splitlines()) == 2
 
 
+def test_a_file_that_is_named_in_two_ways_is_judged_once(typed, work, place):
+    path = work("a.json")
+    table = typed("check", "v", "--lessons", "mine", "--state", place, path.parent, path, "--format", "csv")[1]
+    assert len(table.splitlines()) == 2
+    assert "last digit" not in table
+
+
 def test_the_list_of_students_says_whose_variant_it_is(typed, work, place):
     (place / "class.txt").write_text("Bob\n\nEve\nAda Lovelace\n", encoding="utf-8")
     files = [work("a.json"), work("b.json", "Bob", 3)]

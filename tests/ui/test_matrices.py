@@ -99,6 +99,8 @@ def test_copies_give_the_matrix_back(rng):
         rows = [row.split() for row in as_matlab(values).strip("[]").split(";")]
         np.testing.assert_allclose(np.array(rows, dtype=float), values, rtol=1e-14)
         body = as_latex(values).removeprefix(r"\begin{bmatrix} ").removesuffix(r" \end{bmatrix}")
+        assert "e" not in body
+        body = re.sub(r"\\cdot 10\^\{(-?\d+)\}", r"e\1", body)
         np.testing.assert_allclose(
             [[float(entry) for entry in row.split("&")] for row in body.split(r"\\")], values, rtol=1e-5
         )

@@ -56,7 +56,10 @@ def run(options: argparse.Namespace) -> int:
 
     judged_as = _judge_of(Place(options.lessons), options.lesson)
     students = names_of(options.students) if options.students else None
-    files = list(dict.fromkeys(files_of(options.state)))
+    once: dict[Path, tuple[Path, str]] = {}
+    for path, shown in files_of(options.state):
+        once.setdefault(path.resolve(), (path, shown))
+    files = list(once.values())
     names = _names([path for path, _ in files])
     judged = looked_at_together([judge_file(path, shown, judged_as) for path, shown in files], students)
     for one in judged:

@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache, partial
+from html import escape
 from typing import TypeVar
 
 from aiohttp import web
@@ -21,7 +22,7 @@ from armlab.front.line import PROTOCOL, Line
 from armlab.front.page import Page
 from armlab.front.paper_pages import POLICY as OF_PAPER
 from armlab.front.paper_pages import PaperPages, Printed, in_their_language
-from armlab.front.room import FORM, POLICY, Room
+from armlab.front.room import FORM, HIDDEN, POLICY, Room
 from armlab.front.tokens import Tokens
 from armlab.front.wishes import NAME, PAPERS, ROUTES, Wishes, refused
 from armlab.session.saved_up import SavedUpEach
@@ -180,14 +181,20 @@ class Front:
     def _asked_for_code(self, request: web.Request) -> web.Response | None:
         """Return the form for the code of the room, a redirect after the right code, or None for somebody inside."""
         room = self._room
-        if room is None or room.is_in(request.cookies.get(room.cookie)):
+        if room is None:
             return None
+        kept = {key: value for key, value in request.query.items() if key != "code"}
+        if room.is_in(request.cookies.get(room.cookie)):
+            if "code" not in request.query or "Upgrade" in request.headers:
+                return None
+            # The address is seen on a projector, and copied: it does not tell the code.
+            return web.Response(status=303, headers={"Location": str(request.rel_url.with_query(kept))})
         why = room.refusal(request.query.get("code"), request.remote or "")
         if why:
-            page = web.Response(status=401, text=FORM.format(said=why), content_type="text/html")
+            fields = "".join(HIDDEN.format(escape(key), escape(value)) for key, value in kept.items())
+            page = web.Response(status=401, text=FORM.format(said=why, kept=fields), content_type="text/html")
             page.headers["Content-Security-Policy"] = POLICY
             return page
-        kept = {key: value for key, value in request.query.items() if key != "code"}
         on = web.Response(status=303, headers={"Location": str(request.rel_url.with_query(kept))})
         secure = request.headers.get("X-Forwarded-Proto", request.scheme) == "https"
         on.set_cookie(

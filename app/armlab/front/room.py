@@ -27,10 +27,13 @@ p {{ line-height: 1.5 }}
 </style>
 <h1>Armlab</h1>
 <p>{said}</p>
-<form>
+<form>{kept}
 <input name="code" aria-label="Room code" autofocus autocomplete="off" maxlength="100"> <button>Enter the lab</button>
 </form>
 """
+HIDDEN = '<input type="hidden" name="{}" value="{}">'
+"""What the address has besides the code, which goes along with it."""
+
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; form-action 'self'; base-uri 'none'; frame-ancestors 'self'"
 
 ASKED = "This lab asks for the room code. Your teacher knows it."

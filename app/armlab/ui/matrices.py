@@ -146,8 +146,13 @@ def as_latex(values: Matrix) -> str:
     >>> print(as_latex(np.array([[1.0, 0.5]])))
     \begin{bmatrix} 1 & 0.5 \end{bmatrix}
     """
-    rows = r" \\ ".join(" & ".join(f"{_plain(value):.6g}" for value in row) for row in values)
+    rows = r" \\ ".join(" & ".join(_in_latex(_plain(value)) for value in row) for row in values)
     return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
+
+
+def _in_latex(value: float) -> str:
+    mantissa, _, exponent = f"{value:.6g}".partition("e")
+    return rf"{mantissa}\cdot 10^{{{int(exponent)}}}" if exponent else mantissa
 
 
 def _plain(value: float) -> float:

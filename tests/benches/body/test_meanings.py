@@ -23,6 +23,7 @@ from armlab.benches.body.meanings.ui.scene import picture_of, steps
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.selection import Select
 from armlab.session.session import Asked
 from armlab.session.state import State, apply
@@ -88,6 +89,8 @@ def test_an_entry_is_the_cosine_of_the_angle_that_is_drawn():
         assert start @ end / (np.linalg.norm(start) * np.linalg.norm(end)) == pytest.approx(R[i, j], abs=1e-12)
         text, _ = picture.labels[1]
         assert math.cos(math.radians(float(text[:-1]))) == pytest.approx(R[i, j], abs=1e-3)
+    state = apply(shown("orientation", Select(MATRIX, 0, 1)), Set(Notation, "angle", "rad"))
+    assert picture_of(state).labels[1][0].endswith(" rad")
     # Of two equal or opposite axes no arc is drawn.
     assert picture_of(shown("orientation", PlaceBody("none"), Select(MATRIX, 0, 0))).fine == []
 

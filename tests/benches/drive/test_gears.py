@@ -197,6 +197,8 @@ def test_what_is_drawn_turns_with_the_ratio_and_the_sense_that_the_page_says():
         assert moved[0] / moved[-1] == pytest.approx(part.train.ratio)
     backwards = apply(opened(), Set(Gears, "speed", -10.0))[Gears]
     assert angles_at(backwards, 1.0)[0] < 0.0
+    still = apply(opened(), Set(Gears, "speed", 0.0))[Gears]
+    assert (angles_at(still, 1.0) == angles_at(still, 0.0)).all()
     assert slowed(EXAMPLES["pair"].part) == pytest.approx(200.0)
 
 

@@ -161,6 +161,8 @@ def test_the_page_says_the_worst_case_its_direction_and_who_contributes_most():
     assert "6 joints contribute most to the orientation, 0.0009° each" in text
     assert "0.00374 mm" in str(joined(shares_markup(state, units)))
     both = str(compared_markup(state, units))
+    assert "within 360°/(n N) with the encoder at the motor, within 360°/N" in both
+    assert "slides" not in both
     assert "2⁶ = 64 corners" in both
     assert "by J: exactly" in both
     assert "at least" in both
@@ -175,6 +177,9 @@ def test_positions_and_orientations_keep_their_units():
     assert value("worst_position", state) == pytest.approx(math.sqrt(3.0) * 2.5e-8)
     assert small(units, 2.5e-8, False) == "2.5·10⁻⁵ mm"
     assert small(units, 1e-19, True) == "0°"
+    shown = str(compared_markup(state, units))
+    assert "slides is within p/(n N) with the encoder at the motor" in shown
+    assert "360°" not in shown
 
 
 def test_a_tool_on_the_axis_of_the_only_joint_is_known_exactly():

@@ -86,6 +86,9 @@ def test_a_current_the_other_way_round_turns_it_back():
 
 
 def test_what_is_said_of_a_turn():
+    back = str(joined(turn_markup(opened(Set(Torque, "current", -2.0)))))
+    assert "mean −63.66 mN m" in back
+    assert "between −100 mN m and 0 N m" in back
     assert "Ripple 157.1 %, mean 63.66 mN m" in str(joined(turn_markup(opened())))
     assert "at every multiple of π" in str(joined(turn_markup(opened())))
     assert "Mean torque of a turn: 0 N m" in str(joined(turn_markup(opened(ChooseTorqueExample("unswitched")))))

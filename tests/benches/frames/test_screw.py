@@ -24,8 +24,8 @@ from armlab.benches.frames.screw.ui.page import around
 from armlab.benches.frames.screw.ui.scene import axis_ends, ways_lines
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.kin.rotations import axis_angle, skew
-from armlab.kin.transforms import inverse
+from armlab.kin.rotations import axis_angle, rotation_about, skew
+from armlab.kin.transforms import inverse, transform
 from armlab.session.fields import Set
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import State, apply
@@ -64,6 +64,15 @@ def test_the_screw_is_the_exponential_of_its_twist_and_turns_as_slerp_does(rng):
     for share, on_screw, straight in zip(s, found.at(s), found.straight(s), strict=True):
         np.testing.assert_allclose(on_screw, expm(share * bracket) @ found.first, rtol=0, atol=1e-10)
         np.testing.assert_allclose(straight[:3, :3], on_screw[:3, :3], rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("yaws", [(30.0, 210.0), (90.0, -90.0), (180.0, 0.0), (-30.0, 150.0)])
+def test_by_half_a_turn_both_ways_turn_in_the_same_sense(yaws):
+    poses = (transform(rotation_about("z", math.radians(yaw)), [0.3 * k, 0.0, 0.1]) for k, yaw in enumerate(yaws))
+    found = opened(*(DragPose(name, pose, 1) for name, pose in zip(("first", "second"), poses, strict=True)))
+    ways, s = found.derived(ways_of), np.linspace(0.0, 1.0, 9)
+    np.testing.assert_allclose(ways.straight(s)[:, :3, :3], ways.at(s)[:, :3, :3], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(ways.straight(1.0), found[Screw].pose("second"), rtol=0, atol=1e-9)
 
 
 def test_the_way_of_the_origin_is_as_long_as_its_strokes(rng):

@@ -98,6 +98,9 @@ def test_the_arm_follows_what_is_typed_and_dragged_only_when_it_is_told_to():
     dragged = apply(state, DragObject(place, 1))
     assert asked_of(dragged).away < 1e-3
     assert not apply(state, FollowObject(False))[TableTask].follows
+    for key in EXAMPLES:
+        there = apply(state, ChooseTableExample(key))
+        np.testing.assert_allclose(target_pose(there), task_of(there).T_we, rtol=0, atol=1e-9)
 
 
 def test_what_is_dragged_stays_on_the_table_and_the_table_stays_level():

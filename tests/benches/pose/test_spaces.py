@@ -1,6 +1,7 @@
 """The page of spaces: n and m of every arm, the stick by two numbers and by one, and the arms of one r."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -21,9 +22,13 @@ from armlab.benches.pose.spaces.state import (
 )
 from armlab.benches.pose.spaces.ui.arms import arms_markup
 from armlab.benches.pose.spaces.ui.maps import maps_markup
+from armlab.benches.pose.spaces.ui.scene import point_of
 from armlab.benches.pose.spaces.ui.stick import CIRCLE, HIGH, WIDE, others_markup, stick_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
+from armlab.kin.rotations import rotation_about
+from armlab.kin.transforms import transform
+from armlab.session.edits import SetLimits
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.robot import ChooseRobot
@@ -219,6 +224,23 @@ def test_a_typed_r_moves_the_arm_to_the_nearest_configuration():
         SetR(0, 3.0).apply(state)
     with pytest.raises(InputError, match="component: expected 0 to 2"):
         SetR(3, 0.0).apply(state)
+
+
+def test_limits_beyond_half_a_turn_keep_no_arm_from_its_own_r():
+    state = opened(ChooseSpacesExample("two_arms"), SetLimits(0, 0.0, math.radians(360.0)))
+    state = apply(state, MoveJoint(0, math.radians(200.0)))
+    again = apply(state, SetR(0, float(fact("r", state)[0])))
+    np.testing.assert_allclose(again[Joints].q, state[Joints].q, rtol=0, atol=1e-9)
+    there = apply(apply(state, GoToTwin()), GoToTwin())
+    np.testing.assert_allclose(there[Joints].q, state[Joints].q, rtol=0, atol=1e-9)
+
+
+def test_the_point_of_joint_3_is_drawn_where_it_is_whatever_the_base():
+    state = opened(ChooseSpacesExample("two_arms"))
+    for turn in (0.0, math.radians(90.0)):
+        arm = replace(state[Joints].arm, base=transform(rotation_about("x", turn), [0.1, 0.2, 0.3]))
+        height = point_of(arm, twins_of(state).r, arm.fk(state[Joints].q))
+        np.testing.assert_allclose(height, arm.frames(state[Joints].q)[2][:3, 3], rtol=0, atol=1e-9)
 
 
 def test_the_other_arm_is_a_press_away_and_back():

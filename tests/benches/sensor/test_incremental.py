@@ -153,6 +153,9 @@ def test_turning_goes_on_where_the_disk_stands():
     state = apply(state, BeginAgain())
     assert state[Incremental].start == pytest.approx(1.3 - TURN / 32)
     assert (state[Incremental].moves, fact(state, "count")) == ((), 0)
+    film = opened(BeginAgain(), TurnBy(1.0), OpenClip(CLIP_KEY))
+    half = apply(film, Seek(0.5 * film[Incremental].motion.duration))
+    assert apply(half, BeginAgain())[Incremental].start == pytest.approx(0.5)
     shaken = apply(example("trembling"), TurnBy(0.1))
     assert shaken[Incremental].shakes == 0
     assert apply(state, TurnBy(0.0)) is state

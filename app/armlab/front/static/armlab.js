@@ -56,11 +56,14 @@
   const copy = async text => {
     if (navigator.clipboard) return navigator.clipboard.writeText(text);
     const area = document.createElement('textarea');
+    const focused = document.activeElement;
     area.value = text;
-    document.body.append(area);
+    (document.querySelector('dialog[open]') ?? document.body).append(area); // what lies behind a dialog gets no focus
     area.select();
-    document.execCommand('copy');
+    const copied = document.execCommand('copy');
     area.remove();
+    focused?.focus?.({ preventScroll: true });
+    if (!copied) throw new Error('nothing was copied');
   };
   document.addEventListener('click', event => {
     const button = event.target.closest?.('button[data-copy]');
@@ -83,7 +86,7 @@
   // <button data-key=CODE> is pressed by that key when no control has the focus.
   document.addEventListener('keydown', event => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
-    const control = event.target.closest?.('input, select, textarea, button, [role=slider], [role=combobox], [contenteditable]');
+    const control = event.target.closest?.('input, select, textarea, button, summary, [role=slider], [role=combobox], [contenteditable]');
     if (control && !control.matches('.al-time input')) return; // the thumb of the timeline needs none of these keys
     if (event.target.closest?.('[role=tab]:not([aria-selected=true])')) return; // it is opened by them
     const seen = button => !button.disabled && button.getClientRects().length > 0;
@@ -109,6 +112,7 @@
     }
   });
   document.addEventListener('click', event => {
+    if (event.detail) event.target.closest?.('summary')?.blur(); // so that the space bar plays after a press of the mouse
     const button = event.target.closest?.('button[data-chan]');
     if (!button || button.disabled) return;
     send(button, '');

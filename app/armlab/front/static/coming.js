@@ -5,6 +5,7 @@
 
   const LOOK = 150; // ms between two looks
   const LONG = 400; // ms after which another figure counts as taking long
+  const SILENT = 30000; // ms after which a lab that has said nothing has probably refused the page
   const MOST = 5000; // ms for which the page may take to put up what the lab has sent
 
   const word = document.createElement('p');
@@ -22,6 +23,7 @@
 
   const look = () => {
     const said = document.getElementById('al-notes')?.dataset.notes;
+    if (!said && performance.now() > SILENT) say('The lab does not answer. If it is open in many windows, close some and load this page again.');
     if (!said) return;
     if (said !== text) notes = JSON.parse(text = said);
     const now = performance.now();

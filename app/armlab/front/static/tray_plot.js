@@ -100,6 +100,12 @@
     }
 
     set(picture, code) {
+      const quantities = JSON.stringify([picture.title, picture.x]); // with their units: a zoom is in these
+      if (this.quantities !== quantities) {
+        this.quantities = quantities;
+        this.zoom = null;
+        this.hidden.clear();
+      }
       this.picture = picture;
       this.curves = numbersOf(code, picture);
       this.box.querySelector('h3').innerHTML = picture.title;

@@ -62,6 +62,8 @@
   const takeValue = (stays, comes) => {
     if (stays.matches('select')) {
       if (stays.innerHTML !== comes.innerHTML) stays.replaceChildren(...comes.childNodes);
+      // What was chosen and refused says so no longer; what is still on its way stays.
+      else if (!sent.has(nameOf(stays)) && stays.value !== comes.value) stays.value = comes.value;
     } else if (stays.matches('button')) {
       stays.replaceChildren(...comes.childNodes);
     } else if (stays.matches('[type=range]')) {

@@ -28,7 +28,7 @@ def film_time(state: State) -> float:
 
 def turned_at(part: Gears, time: float) -> float:
     """Return by how much the first wheel is turned, radians, in the sense of the motor."""
-    return math.copysign(2.0 * math.pi * time / TURN, part.speed)
+    return math.copysign(2.0 * math.pi * time / TURN, part.speed) if part.speed else 0.0
 
 
 def angles_at(part: Gears, time: float) -> NDArray[np.float64]:

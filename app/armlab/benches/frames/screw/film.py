@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.benches.frames.screw.state import CLIP_KEY, Screw
-from armlab.kin.quaternions import slerp
-from armlab.kin.rotations import quaternion_from_rotation, rotation_from_quaternion
 from armlab.kin.screw_motion import ScrewMotion, screw_motion
 from armlab.kin.transforms import inverse, transform
 from armlab.session.parts.timeline import Timeline
@@ -47,16 +44,10 @@ class Ways:
         return np.asarray(self.screw.at(s) @ self.first)
 
     def straight(self, s: ArrayLike) -> Floats:
-        """Return the poses (..., 4, 4) of the straight way, which turns at an even rate about one axis."""
+        """Return the poses (..., 4, 4) of the straight way, which turns as the screw does, also by half a turn."""
         share = np.asarray(s, dtype=float)
-        p, R = self._ends
-        turned = rotation_from_quaternion(slerp(R[0], R[1], share))
-        return np.asarray(transform(turned, p[0] + share[..., None] * (p[1] - p[0])))
-
-    @cached_property
-    def _ends(self) -> tuple[Floats, tuple[Floats, Floats]]:
-        one, other = (quaternion_from_rotation(T[:3, :3]) for T in (self.first, self.second))
-        return np.array([self.first[:3, 3], self.second[:3, 3]]), (np.asarray(one), np.asarray(other))
+        p, end = self.first[:3, 3], self.second[:3, 3]
+        return np.asarray(transform(self.at(share)[..., :3, :3], p + share[..., None] * (end - p)))
 
     @property
     def foot(self) -> Floats:

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from armlab.benches.frames.table.commands import followed
 from armlab.benches.frames.table.place import rounded_length
 from armlab.benches.frames.table.state import SHARES, TableTask
 from armlab.registry import Registry
@@ -103,7 +104,8 @@ class ChooseTableExample(Command):
     def apply(self, state: State) -> State:
         """Return the state with table and object of the example."""
         scale = state[RobotPart].robot.arm.length_scale
-        return put(state, state[TableTask].with_values(EXAMPLES[self.key].values(scale)))
+        state = put(state, state[TableTask].with_values(EXAMPLES[self.key].values(scale)))
+        return followed(state) if state[TableTask].follows else state
 
 
 BENCH = Bench("table_task", 17, EXAMPLES, ChooseTableExample)

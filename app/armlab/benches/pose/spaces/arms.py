@@ -14,6 +14,7 @@ from armlab.benches.pose.spaces.state import Spaces
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.ik.solutions import wrapped_rows
 from armlab.kin.ik.solve_all import solve_all
 from armlab.kin.representations import arms_by_third_joint, by_third_joint, third_joint_misfit
 from armlab.kin.task import task_named
@@ -70,7 +71,7 @@ def r_of(arm: Arm, q: Floats, described: str) -> Floats:
 def arms_of(arm: Arm, r: Floats, described: str) -> Floats:
     """Return all configurations of this r, shape (k, 3)."""
     if described == "joint3":
-        return arms_by_third_joint(arm, r)
+        return wrapped_rows(arm, np.asarray(arms_by_third_joint(arm, r)).reshape(-1, arm.n))
     cosine, sine = math.cos(r[2]), math.sin(r[2])
     T = np.eye(4)
     T[:2, :2], T[:2, 3] = [[cosine, -sine], [sine, cosine]], r[:2]

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
-from armlab.benches.sensor.incremental.state import CLIP_KEY, Incremental
+from armlab.benches.sensor.incremental.state import CLIP_KEY, Incremental, present_time
 from armlab.errors import InputError
 from armlab.kin.sensors.absolute import TURN
 from armlab.kin.sensors.quadrature import turned_on
@@ -101,5 +101,5 @@ class BeginAgain(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the disk where it is, and no moves."""
-        angle = float(state[Incremental].motion.angles[-1]) % TURN
+        angle = float(state[Incremental].motion.at(present_time(state))) % TURN
         return setting(state, Incremental, {"start": angle, "moves": (), "shakes": 0})

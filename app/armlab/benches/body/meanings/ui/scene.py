@@ -14,16 +14,18 @@ from armlab.benches.body.forms.ui.base import BaseFrame
 from armlab.benches.body.forms.ui.handle import body_handle
 from armlab.benches.body.meanings.state import MATRIX, Meanings, image_of
 from armlab.session.parts.display import Display
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.selection import Selection
 from armlab.session.state import State
 from armlab.ui.colours import AXES, INK, ORANGE, PURPLE, Rgb
 from armlab.ui.drawing import LayerCanvas
-from armlab.ui.format import components, number
+from armlab.ui.format import components
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.scene._block import Block
 from armlab.ui.scene._marks import Marks, Named, Segment, Sketch, arc
 from armlab.ui.switches import DARK
+from armlab.ui.units import units_of
 
 Floats = NDArray[np.float64]
 
@@ -85,7 +87,7 @@ def _orientation(state: State) -> Picture:
             normal = across / np.linalg.norm(across)
             picture.fine += arc(np.zeros(3), ARC * base, normal, angle, ORANGE)
             middle = base + axis if np.linalg.norm(base + axis) > STILL else np.cross(normal, base)
-            picture.labels.append((f"{number(np.degrees(angle), 1)}°", 1.15 * ARC * middle / np.linalg.norm(middle)))
+            picture.labels.append((units_of(state).angle(angle), 1.15 * ARC * middle / np.linalg.norm(middle)))
     return picture
 
 
@@ -159,7 +161,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 LAYER = Layer(
     "meanings",
     order=69,
-    watches=(Body, Meanings, Selection, Display, RobotPart),
+    watches=(Body, Meanings, Selection, Display, RobotPart, Notation),
     build=build,
     panel="meanings",
 )

@@ -13,7 +13,7 @@ from armlab.benches.velocity.api import balance, speeds_of
 from armlab.kin.arm import Arm
 from armlab.session.state import State
 from armlab.ui.colours import css, joint_colour
-from armlab.ui.format import dot, mathml, number, subscript
+from armlab.ui.format import dot, mathml, number
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import fold, verdict_box
 from armlab.ui.tables import head_line, line
@@ -116,7 +116,7 @@ def compared_markup(state: State, units: Units) -> Markup:
             f"All {corners} of the box of joint errors, and {both.inside} points inside it. To first order the largest "
             f"error is at a corner, since a length is convex. The difference is of second order.{drawn}",
         ),
-        box_markup(),
+        box_markup(state[Drives].arm, units),
     )
 
 
@@ -146,10 +146,13 @@ def motors_markup(state: State, units: Units) -> Markup:
     )
 
 
-def box_markup() -> Markup:
+def box_markup(arm: Arm, units: Units) -> Inside:
     """Return what a joint may be off by."""
-    return tag(
-        "p.dim",
-        f"A joint is within one count of what is read: {subscript('Δq', 1)[:-1]} = 360°/(n N) with the encoder at the "
-        "motor, 360°/N at the joint. At the motor half the backlash is added, which the encoder does not see.",
-    )
+    turn = "360°" if units.in_degrees else "2π"
+    turns = f"A joint that turns is within {turn}/(n N) with the encoder at the motor, within {turn}/N at the joint."
+    slides = "A joint that slides is within p/(n N) with the encoder at the motor, within p/N at the joint."
+    said = [text for text, is_there in ((turns, arm.revolute.any()), (slides, not arm.revolute.all())) if is_there]
+    return [
+        tag("p.dim", text)
+        for text in (*said, "At the motor half the backlash is added, which the encoder does not see.")
+    ]

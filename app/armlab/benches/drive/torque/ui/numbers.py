@@ -53,8 +53,9 @@ def turn_markup(state: State) -> Markup:
         )
     head = f"Ripple {amount(100.0 * ripple(part.coils))} %, mean {prefixed(math.copysign(mean, part.coil.peak), 'N m')}"
     zero = f" It is zero {found.zeros} times a turn, at every multiple of π." if found.zeros else ""
+    low, high = (least, largest) if part.coil.peak > 0.0 else (-largest, -least)
     body = (
-        f"The torque is between {prefixed(least, 'N m')} and {prefixed(largest, 'N m')}.{zero} For each ampere the "
+        f"The torque is between {prefixed(low, 'N m')} and {prefixed(high, 'N m')}.{zero} For each ampere the "
         f"mean is k = {prefixed(mean / abs(part.current), 'N m/A')}, the constant of the motor."
     )
     kind = "warn" if part.coils < 3 else "ok"

@@ -63,7 +63,7 @@ class _Picture:
             canvas.path("coordinates/point"), 1.0, cast_shadow=False, receive_shadow=False
         )
         self._handle: Handle | None = None
-        self._unit = 0.0
+        self._unit = self._handle_unit = 0.0
         self._handles = 0
 
     def show(self, state: State) -> None:
@@ -97,10 +97,11 @@ class _Picture:
         self._axes.draw(Marks([(np.zeros(3), end, colour) for end, colour in ends]))
 
     def _show_handle(self, found: Where, unit: float) -> None:
-        if self._handle is None or (unit != self._unit and not self._handle.held):
+        if self._handle is None or (unit != self._handle_unit and not self._handle.held):
             if self._handle is not None:
                 self._handle.remove()
             self._handles += 1
+            self._handle_unit = unit
             path = self._canvas.path(f"coordinates/handle{self._handles}")
             self._handle = Handle(self._canvas, path, self._dragged, scale=1.6 * unit / self._canvas.size)
         self._unit = unit

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from armlab.benches.pose.spaces.arms import SYMBOLS, GoToTwin, misfit, twins_of
 from armlab.benches.pose.spaces.state import Spaces
+from armlab.kin.arm import Arm
+from armlab.kin.transforms import inverse
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import ORANGE, PURPLE
@@ -14,8 +17,16 @@ from armlab.ui.plugin import Layer, Show
 from armlab.ui.scene._nodes import move, seen, write
 from armlab.ui.scene._sticks import Sticks, corners_of
 
+Floats = NDArray[np.floating]
+
 BALL = 0.02
 """Radius of the ball at the point that r names, in sizes of the arm."""
+
+
+def point_of(arm: Arm, r: Floats, tool_pose: Floats) -> Floats:
+    """Return the point in the world, (3,), that the first two components of r name, in the plane of the tool."""
+    height = float((inverse(arm.base) @ tool_pose)[2, 3])
+    return np.asarray((arm.base @ np.array([*r[:2], height, 1.0]))[:3])
 
 
 class Other:
@@ -44,10 +55,9 @@ class Other:
         self._sticks.show(corners, [ORANGE] * len(others))
         if twins is None:
             return
-        p = arm.base @ np.array([*twins.r[:2], 0.0, 1.0])
-        p[2] = float(state[Joints].tool_pose[2, 3])
-        move(self._ball, p[:3])
-        move(self._point, p[:3])
+        point = point_of(arm, twins.r, state[Joints].tool_pose)
+        move(self._ball, point)
+        move(self._point, point)
         first, second, third = (symbol.replace("_", "") for symbol in SYMBOLS[state[Spaces].described])
         write(self._point, f"({first}, {second}), same {third}")
         if len(others):
