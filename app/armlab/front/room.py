@@ -32,7 +32,7 @@ p {{ line-height: 1.5 }}
 </form>
 """
 HIDDEN = '<input type="hidden" name="{}" value="{}">'
-"""What the address has besides the code, which goes along with it."""
+"""Field of the form that takes along what the address has besides the code, by name and value."""
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; form-action 'self'; base-uri 'none'; frame-ancestors 'self'"
 

@@ -116,7 +116,7 @@ def compared_markup(state: State, units: Units) -> Markup:
             f"All {corners} of the box of joint errors, and {both.inside} points inside it. To first order the largest "
             f"error is at a corner, since a length is convex. The difference is of second order.{drawn}",
         ),
-        box_markup(state[Drives].arm, units),
+        box_markup(units),
     )
 
 
@@ -146,13 +146,12 @@ def motors_markup(state: State, units: Units) -> Markup:
     )
 
 
-def box_markup(arm: Arm, units: Units) -> Inside:
+def box_markup(units: Units) -> Inside:
     """Return what a joint may be off by."""
     turn = "360°" if units.in_degrees else "2π"
-    turns = f"A joint that turns is within {turn}/(n N) with the encoder at the motor, within {turn}/N at the joint."
-    slides = "A joint that slides is within p/(n N) with the encoder at the motor, within p/N at the joint."
-    said = [text for text, is_there in ((turns, arm.revolute.any()), (slides, not arm.revolute.all())) if is_there]
-    return [
-        tag("p.dim", text)
-        for text in (*said, "At the motor half the backlash is added, which the encoder does not see.")
-    ]
+    said = (
+        f"A joint that turns is within {turn}/(n N) with the encoder at the motor, within {turn}/N at the joint.",
+        "A joint that slides is within p/(n N) with the encoder at the motor, within p/N at the joint.",
+        "At the motor half the backlash is added, which the encoder does not see.",
+    )
+    return [tag("p.dim", each) for each in said]
