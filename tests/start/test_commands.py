@@ -1,5 +1,6 @@
 """The commands beside the lab: how they are found, and what a person sees when something goes wrong."""
 
+import io
 import os
 import signal
 from pathlib import Path
@@ -92,6 +93,18 @@ def test_what_goes_wrong_in_a_command_is_one_line(capsys, error, status, says):
 
     assert run_command(["x"], {"x": CommandType("x", 1, "X.", run=fail)}) == status
     assert capsys.readouterr() == ("", says)
+
+
+@pytest.mark.parametrize(("variables", "written"), [({}, "−30° θ"), ({"PYTHONIOENCODING": "cp1252"}, "?30° ?")])
+def test_a_file_gets_the_letters_that_the_machine_has_not(monkeypatch, variables, written):
+    monkeypatch.delenv("PYTHONIOENCODING", raising=False)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    file = io.BytesIO()
+    stream = io.TextIOWrapper(file, encoding="cp1252")
+    monkeypatch.setattr("sys.stdout", stream)
+    assert run_command(["x"], {"x": CommandType("x", 1, "X.", run=lambda _: print("−30° θ") or 0)}) == 0
+    assert file.getvalue().decode(stream.encoding).strip() == written
 
 
 LOADED = "print(*(name for name in sys.modules if name.split('.')[0] == 'viser' or name.startswith('armlab.commands')))"

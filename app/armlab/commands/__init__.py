@@ -11,6 +11,7 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from typing import TextIO
 
 from armlab.errors import ArmlabError, suggestion
 from armlab.plugins import discover
@@ -96,13 +97,22 @@ def listing(types: Mapping[str, CommandType], before: str = "armlab") -> str:
     return f"commands (each has --help):\n{''.join(lines)}"
 
 
+def _prepare(stream: TextIO) -> None:
+    """Let a stream take all letters: into a file they go as they are, and no terminal without them stops a command."""
+    reconfigure = getattr(stream, "reconfigure", None)
+    if reconfigure is None:
+        return
+    if stream.isatty() or "PYTHONIOENCODING" in os.environ:
+        reconfigure(errors="replace")
+    else:
+        # Windows has neither minus signs nor Greek letters in files, unless it is told.
+        reconfigure(encoding="utf-8", errors="replace")
+
+
 def _run(command: CommandType, options: argparse.Namespace) -> int:
     """Run a command; of what a person can do wrong one line is said."""
     for stream in (sys.stdout, sys.stderr):
-        reconfigure = getattr(stream, "reconfigure", None)
-        if reconfigure is not None:
-            # Names of students in a terminal that has no letters for them are no reason to stop.
-            reconfigure(errors="replace")
+        _prepare(stream)
     try:
         status = command.run(options)
         sys.stdout.flush()
