@@ -67,6 +67,7 @@ def test_saved_work_in_a_variant_that_nobody_has_seen_unbroken_is_read(own):
     read = saved(state)
     assert (read[LessonPart].open, read[LessonPart].lesson.variant) == ("v/2", 0)
     assert kept_lesson("v", 2) is lesson("v")
+    assert json.loads(hand_in(read))["variant"] == 2, "what is handed in is judged once the file is mended"
     assert done(read, CloseLesson())[LessonPart].open == ""
 
 

@@ -55,7 +55,7 @@ def hand_in(state: State) -> str:
     if assigned is not None and work is not None:
         data = {**signed_by, **of_assignment(assigned, work), "works": [*_works(part, assigned, work)]}
         return json.dumps(data, indent=1, ensure_ascii=False)
-    data = {**signed_by, **_of_lesson(found, part.progress)}
+    data = {**signed_by, **_of_lesson(part.open, found, part.progress)}
     # Before a prediction the state would tell what is to be predicted; of progress it has that of its lesson only.
     parts = {} if part.hides else {k: each for k, each in state.to_json().items() if k not in STAYS}
     whole = json.dumps({**data, "parts": parts}, indent=1, ensure_ascii=False)
@@ -73,9 +73,10 @@ def hand_in_name(state: State) -> str:
     return "_".join(filter(None, (what, who, attempt))) + ".json"
 
 
-def _of_lesson(found: Lesson, progress: Progress) -> dict[str, Json]:
-    written_down = written(progress)
-    return {"lesson": named(found.key), "variant": found.variant, "digest": found.digest, "progress": written_down}
+def _of_lesson(place: str, found: Lesson, progress: Progress) -> dict[str, Json]:
+    # The number is that of the student, also where another variant stands for one that is broken for a while.
+    number = int(place.partition("/")[2] or 0)
+    return {"lesson": named(found.key), "variant": number, "digest": found.digest, "progress": written(progress)}
 
 
 def _works(part: LessonPart, assigned: Assignment, work: Work) -> Iterator[Json]:
@@ -83,7 +84,7 @@ def _works(part: LessonPart, assigned: Assignment, work: Work) -> Iterator[Json]
     for task in assigned.tasks:
         place = place_of(task.lesson, task.number(work.number))
         progress = part.progress_of.get(where_in(assigned.key, place), Progress())
-        yield _of_lesson(kept_at(place), progress)
+        yield _of_lesson(place, kept_at(place), progress)
 
 
 @dataclass(frozen=True)
