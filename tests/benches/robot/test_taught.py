@@ -49,6 +49,15 @@ def test_an_arm_without_errors_misses_nothing(robot):
     assert fact("entered", state) == 30
 
 
+@pytest.mark.parametrize("taught", [False, True])
+def test_without_scatter_every_visit_ends_at_the_same_point(robot, taught):
+    still = (Set(TaughtGoal, "scatter", 0.0), Set(TaughtGoal, "slide_scatter", 0.0), Set(TaughtGoal, "taught", taught))
+    state = opened(*still, robot=robot.key)
+    assert (fact("repeatability", state), fact("ratio", state)) == (0.0, None)
+    assert said_of(visits_of(state)) == "Every visit ends at the same point: no scatter at all."
+    assert (fact("accuracy", state) == 0.0) == taught
+
+
 def test_longer_links_alone_make_an_error_that_is_known_by_hand():
     """A planar 2R stretched along x with links of 1 m, one part in a thousand longer: 2 mm, every time."""
     state = opened(*PERFECT, Set(TaughtGoal, "longer", 1e-3), robot="planar_2r")

@@ -74,6 +74,7 @@ def scatter_of(attained: ArrayLike, commanded: ArrayLike) -> Scatter:
     if points.ndim != 2 or points.shape[1:] != (3,) or len(points) < 2 or not np.isfinite(points).all():
         raise InputError(f"attained: expected at least two positions of three finite numbers, got shape {points.shape}")
     goal = finite_floats(commanded, "commanded", (3,), "three finite numbers")
-    middle = points.mean(axis=0)
+    # From the first one on, so that equal positions have no distance by rounding.
+    middle = points[0] + (points - points[0]).mean(axis=0)
     distances = np.linalg.norm(points - middle, axis=1)
     return Scatter(middle, float(np.linalg.norm(middle - goal)), distances)

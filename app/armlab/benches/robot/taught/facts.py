@@ -8,6 +8,11 @@ from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
 
+def _ratio(state: State) -> float | None:
+    scatter = visits_of(state).scatter
+    return scatter.accuracy / scatter.repeatability if scatter.repeatability else None
+
+
 def _entered(state: State) -> int:
     part = state[TaughtGoal]
     return visits_of(state).entered(part.clearance, part.yields)
@@ -19,10 +24,7 @@ FACTS = Facts(
     {
         "accuracy": Fact("the accuracy AP", lambda s: visits_of(s).scatter.accuracy, "m"),
         "repeatability": Fact("the repeatability RP", lambda s: visits_of(s).scatter.repeatability, "m"),
-        "ratio": Fact(
-            "how many times the repeatability the accuracy is",
-            lambda s: visits_of(s).scatter.accuracy / visits_of(s).scatter.repeatability,
-        ),
+        "ratio": Fact("how many times the repeatability the accuracy is", _ratio),
         "taught": Fact("whether the goal was taught", lambda s: s[TaughtGoal].taught, kind="truth"),
         "entered": Fact("the number of pegs that find their hole", _entered, kind="count"),
         "clearance": Fact("the clearance of the hole", lambda s: s[TaughtGoal].clearance, "m"),

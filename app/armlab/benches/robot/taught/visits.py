@@ -55,6 +55,8 @@ def _visits(arm: Arm, q: tuple[float, ...], part: TaughtGoal) -> Visits:
     rng = np.random.default_rng(part.seed)
     stops = commanded + zero + spread * rng.standard_normal((part.visits + 1, arm.n))
     reached = np.asarray(real.position(stops), dtype=np.float64)
+    if not spread.any():
+        reached[:] = reached[0]  # processors may round places in a row differently
     # The first one is the visit at which the goal is taught.
     goal = reached[0] if part.taught else np.asarray(arm.position(commanded), dtype=np.float64)
     points = reached[1:]
