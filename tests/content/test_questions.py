@@ -159,6 +159,11 @@ def test_one_choice():
         assert question.judge(text).name == "unreadable"
 
 
+def test_the_right_option_may_follow_from_the_variant():
+    assert ask(OPTIONS + "answer = 2.0", "choice").judge("2").right
+    assert ask(OPTIONS + "answer = [1.0, 3]", "choice").judge("1,3").right
+
+
 def test_several_choices():
     text = 'answer = [1, 3]\n[[wrong]]\nanswer = 2\nsays = "not two"\n[[wrong]]\nanswer = [1, 2]\nsays = "exactly"'
     question = ask(OPTIONS + text, "choice")

@@ -45,9 +45,9 @@ class Rank:
 def read(table: Table, robot: Robot) -> Rank:
     """Read ``value`` and ``sigma`` (0.02), the limit below which a singular value counts as zero."""
     value, most = table.value("value"), min(robot.arm.task.m, robot.arm.n)
-    if type(value) is not int or not 0 <= value <= most:
+    if type(value) not in (int, float) or value not in range(most + 1):
         raise table.fail("value", f"expected a whole number from 0 to {most}, got {shown(value)}")
-    return Rank(value, read_sigma(table))
+    return Rank(int(value), read_sigma(table))
 
 
 CHECK = CheckType("rank", 45, read)

@@ -119,9 +119,10 @@ def _options(table: Table, count: int) -> frozenset[int]:
     """Take ``answer``: an option, or a list of them."""
     given = table.value("answer")
     numbers = given if isinstance(given, list) else [given]
-    if not numbers or not all(type(number) is int and 1 <= number <= count for number in numbers):
+    # What follows from values of the variant is 2.0.
+    if not numbers or not all(type(each) in (int, float) and each in range(1, count + 1) for each in numbers):
         raise table.fail("answer", f"expected options from 1 to {count}, got {shown(given)}")
-    return frozenset(numbers)
+    return frozenset(map(int, numbers))
 
 
 QUESTION = QuestionType("choice", 20, read)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TypeGuard
 
 import numpy as np
 
@@ -192,7 +193,7 @@ def _mapping(table: Table, key: str, default: object = None) -> Mapping[str, obj
 
 def _shape(table: Table, name: str, value: object) -> Shape:
     if isinstance(value, list) and len(value) in (0, 2) and all(_is_size(each) for each in value):
-        return tuple(value)
+        return tuple(map(int, value))
     raise table.fail(
         f"names.{name}", f"expected rows and columns such as [2, 3], or [] for a number, got {shown(value)}"
     )
@@ -201,12 +202,11 @@ def _shape(table: Table, name: str, value: object) -> Shape:
 def _size(table: Table, name: str, value: object) -> int:
     if not _is_size(value):
         raise table.fail(f"identities.{name}", f"expected a size from 1 to {MOST_ROWS}, got {shown(value)}")
-    assert isinstance(value, int)
-    return value
+    return int(value)
 
 
-def _is_size(value: object) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool) and 1 <= value <= MOST_ROWS
+def _is_size(value: object) -> TypeGuard[float]:
+    return type(value) in (int, float) and value in range(1, MOST_ROWS + 1)
 
 
 QUESTION = QuestionType("matrix_formula", 45, read)
