@@ -97,6 +97,7 @@ def test_random_formulas_have_python_s_values(rng):
         ("(" * (DEEPEST + 1) + "1" + ")" * (DEEPEST + 1), "nested too deep"),
         ("-" * 100 + "1", "nested too deep"),
         ("1^" * 100 + "1", "nested too deep"),
+        ("1" + "°" * (LONGEST - 1), "'°' cannot stand after '°'"),
         ("1" + "+1" * LONGEST, f"at most {LONGEST} characters"),
         ("³" * LONGEST, "characters"),
         ("q1" * (LONGEST_TOGETHER // 2 + 1), "unknown name"),

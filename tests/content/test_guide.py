@@ -7,10 +7,10 @@ from armlab.commands._guides import mistakes_in_guide
 from armlab.content.guide import parse_guide
 from armlab.content.guidebook import Guidebooks
 from armlab.content.lesson_lines import LessonError
-from armlab.content.lesson_mistakes import mistakes_of
+from armlab.content.lesson_mistakes import Mistakes, mistakes_of
 from armlab.content.lessons import lessons
 from armlab.window.guide_page import MOST, printed
-from support.own_lessons import lesson, write
+from support.own_lessons import ARM, lesson, write
 
 GUIDE = """about = "A word."
 
@@ -146,6 +146,12 @@ def test_chapters_and_links_that_are_not_there_have_their_lines(tmp_path):
     assert told[2].startswith("guide.toml, line 13: chapters[2].discuss[1]: link: unknown page 'gone'")
     assert told[3].startswith("guide.toml, line 13: chapters[2].discuss[1]: link: unknown place 'gone' of the lab")
     assert len(told) == 4
+
+
+def test_titles_and_mistakes_have_the_values_of_the_lesson():
+    step = '## Reach {{=m}} m\n\n```question\nkind = "number"\ntext = "?"\n[[wrong]]\nsays = "Not {{=m}}."\n```\n'
+    found = mistakes_of("own", lesson(step, ARM + "[variants]\nm = { choose = [3] }\n"), "own.md")
+    assert found.steps == (Mistakes("Reach 3 m", ("<p>Not 3.</p>",)),)
 
 
 def test_a_broken_lesson_says_where_its_words_are_wrong():

@@ -79,6 +79,8 @@ def test_mistakes_are_named(question, text, name, says):
         (INVERSE, "1/J", "Matrices cannot be divided by"),
         (INVERSE, "2^J", "Expected a number, -1 or T behind ^, got 2 × 3"),
         (INVERSE, "(J J^T)^0.5", "Expected -1 or a whole number up to 20 behind ^, got 0.5"),
+        (INVERSE, "(J J^T)^1e999", "Expected -1 or a whole number up to 20 behind ^, got inf"),
+        (INVERSE, "(J J^T)^(1e999-1e999)", "Expected -1 or a whole number up to 20 behind ^, got nan"),
         (INVERSE, "(J J^T)^99", "Expected -1 or a whole number up to 20 behind ^, got 99"),
         (INVERSE, "sqrt(J)", "Expected a number in sqrt, got 2 × 3"),
         (INVERSE, "J/0", "Division by zero"),

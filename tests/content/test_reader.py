@@ -56,6 +56,10 @@ def test_a_good_file_is_read():
     assert robot.home.tolist() == pytest.approx([0.17453293, 0.2])
 
 
+def test_a_byte_order_mark_is_no_part_of_a_file():
+    assert parse_robot("two", "\ufeff" + GOOD).name == parse_robot("two", GOOD).name
+
+
 @pytest.mark.parametrize(
     ("pairs", "text"),
     [

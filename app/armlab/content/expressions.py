@@ -320,7 +320,7 @@ class _Reader:
 
     def _raised(self) -> _Node:
         base = self._factor()
-        while self._at("°"):
+        if self._at("°"):
             self._take()
             base = _Node("rad", (base,))
         if not self._at("^"):

@@ -13,7 +13,7 @@ from armlab.content.lesson_values import filled
 from armlab.content.markdown import to_html, tokens_of
 from armlab.content.reader import Table
 from armlab.content.variants import Value
-from armlab.errors import InputError
+from armlab.errors import ContentError, InputError
 
 if TYPE_CHECKING:
     from markdown_it.token import Token
@@ -68,8 +68,15 @@ def mistakes_of(key: str, text: str, file: str) -> Named:
         del heading
         says = tuple(dict.fromkeys(_said(blocks, values, file, f"step {number}")))
         if says:
-            found.append(Mistakes(title.content, says))
+            found.append(Mistakes(_title(title.content, values, file, f"step {number}"), says))
     return Named(varies, tuple(found))
+
+
+def _title(text: str, values: Mapping[str, Value], file: str, step: str) -> str:
+    try:
+        return filled(text, values)
+    except InputError as error:
+        raise ContentError(file, f"{step}.title", str(error)) from None
 
 
 def _said(blocks: list[Token], values: Mapping[str, Value], file: str, step: str) -> Iterator[str]:

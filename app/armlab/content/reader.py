@@ -38,9 +38,9 @@ class Table:
 
     @classmethod
     def parse(cls, file: str, text: str) -> Self:
-        """Parse a whole file; broken TOML is reported with its line."""
+        """Parse a whole file, with or without a byte order mark; broken TOML is reported with its line."""
         try:
-            return cls(file, tomllib.loads(text))
+            return cls(file, tomllib.loads(text.removeprefix("\ufeff")))
         except tomllib.TOMLDecodeError as error:
             raise ContentError(file, "", f"not valid TOML: {error}") from None
         except ValueError:  # Python does not convert more than 4300 digits

@@ -51,7 +51,8 @@ class Algebra:
         InputError
             Sizes that do not fit, a matrix without an inverse, an operation that matrices do not have.
         """
-        found = formula.folded(self)
+        with np.errstate(all="ignore"):  # what is not finite is said by whoever asks
+            found = formula.folded(self)
         if isinstance(found, _Marker):
             raise _alone()
         return found
@@ -132,9 +133,9 @@ def _power(a: Value, b: Value) -> Value:
     rows, columns = shape_of(a)
     if rows != columns:
         raise InputError(f"only a square matrix has powers and an inverse, got {_said(a)}")
-    whole = int(b)
-    if whole != b or not -1 <= whole <= LARGEST_POWER:
+    if not -1 <= b <= LARGEST_POWER or b != int(b):
         raise InputError(f"expected -1 or a whole number up to {LARGEST_POWER} behind ^, got {float(b):g}")
+    whole = int(b)
     if whole == -1 and np.linalg.cond(a) > INVERTIBLE:
         raise InputError(f"a {_said(a)} matrix in the formula has no inverse: its rank is {np.linalg.matrix_rank(a)}")
     return _plain(np.linalg.matrix_power(a, whole))
