@@ -30,6 +30,9 @@ _UNIT = re.compile(r"(?<=[\d.)])\s+(?=[a-zA-Z°][\w/^°]*$)")
 """Spaces between a number and its unit."""
 
 _DECIMAL = re.compile(r"(?<=\d),(?=\d)")
+_SEVERAL_VALUES = re.compile(r"(atan2|min|max)\s*\(", re.IGNORECASE)
+"""Functions between whose values a comma stands."""
+
 _PARTING = re.compile(r"[\s;,]+")
 _IN_BRACKETS = re.compile(r"\([^()]*\)")
 
@@ -94,11 +97,11 @@ class Draft:
 def _entry(text: str) -> str:
     """Return an entry of a matrix in a form that cannot be read as several entries.
 
-    >>> _entry(" 1 / 2 "), _entry("0,5"), _entry("atan2(1, 2)"), _entry("1 0; 0 1"), _entry("50 cm")
-    ('1/2', '0.5', 'atan2(1,2)', '(1,0,0,1)', '50cm')
+    >>> _entry(" 1 / 2 "), _entry("sqrt(0,5)"), _entry("atan2(1, 2)"), _entry("1 0; 0 1"), _entry("50 cm")
+    ('1/2', 'sqrt(0.5)', 'atan2(1,2)', '(1,0,0,1)', '50cm')
     """
     text = _UNIT.sub("", _NEEDLESS.sub("", text.strip()))
-    if "(" not in text:
+    if not _SEVERAL_VALUES.search(text):
         text = _DECIMAL.sub(".", text)
     if _PARTING.search(_IN_BRACKETS.sub("", text)):
         # Several numbers in one field: kept together, so that the verdict names this field.
