@@ -9,7 +9,7 @@ import socket
 import pytest
 
 from armlab.front import lock, page
-from armlab.front.addresses import addresses, own_addresses, served_names
+from armlab.front.addresses import addresses, hosts_of, own_addresses
 from armlab.front.limits import Limits, Meter
 from armlab.front.lock import FolderInUse, FolderLock
 from armlab.front.tokens import Tokens, kept_secret
@@ -220,9 +220,19 @@ def test_addresses_people_can_type():
 
 
 def test_names_the_lab_answers_to():
-    assert served_names("127.0.0.1") == {"localhost", "127.0.0.1", "::1"}
-    assert "lab.school" in served_names("Lab.School")
-    assert set(own_addresses(socket.AF_INET)) <= served_names("0.0.0.0")
+    assert hosts_of("127.0.0.1", ["Lab.School"]) == {"localhost", "127.0.0.1", "::1", "lab.school"}
+    assert "lab.school" in hosts_of("Lab.School")
+    assert "192.168.1.5" not in hosts_of("10.0.0.5")
+
+
+@pytest.mark.parametrize("host", ["0.0.0.0", "::"])
+def test_a_lab_for_all_addresses_answers_to_those_that_its_machine_will_get(host, monkeypatch):
+    monkeypatch.setattr(socket, "gethostname", lambda: "Desk")
+    found = hosts_of(host, ["Lab.School"])
+    assert all(
+        name in found for name in ("localhost", "lab.school", "desk", "desk.local", "192.168.7.20", "2001:db8::7")
+    )
+    assert not any(name in found for name in ("evil.example", "192.168.7.20.evil.example", "", "192.168.7"))
 
 
 def test_of_addresses_those_people_can_reach_are_kept(monkeypatch):
@@ -230,4 +240,3 @@ def test_of_addresses_those_people_can_reach_are_kept(monkeypatch):
     monkeypatch.setattr("armlab.front.addresses._addresses_of", lambda _family: names)
     assert own_addresses(socket.AF_INET) == ["192.168.1.5", "2001:db8::7"]
     assert addresses("::", 1)[1] == ["http://192.168.1.5:1/", "http://[2001:db8::7]:1/"]
-    assert {"192.168.1.5", "2001:db8::7"} <= served_names("::")

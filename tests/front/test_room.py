@@ -5,6 +5,7 @@ from html import unescape
 
 import pytest
 
+from armlab.front.addresses import network_of
 from armlab.front.room import ASKED, TOO_OFTEN, TRIES, WRONG, Room
 from armlab.front.start import Settings, start
 from support.student import run, student
@@ -117,3 +118,10 @@ def test_who_guesses_has_to_wait_and_others_do_not():
 
 def test_a_long_word_is_only_wrong():
     assert Room("blue elbow", b"secret").refusal("x" * 1_000_000, "10.0.0.1") == WRONG
+
+
+def test_who_has_a_network_of_addresses_is_counted_once():
+    assert len({network_of(f"2001:db8:1:2::{k:x}") for k in range(300)}) == 1
+    assert network_of("2001:db8:1:3::1") != network_of("2001:db8:1:2::1")
+    assert network_of("fe80::1%eth0") == network_of("fe80::2")
+    assert network_of("::ffff:10.0.0.1") == "10.0.0.1" != network_of("::ffff:10.0.0.2")

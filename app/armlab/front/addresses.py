@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import ipaddress
 import socket
+from collections.abc import Collection, Container
 
 LOCAL_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
 _BOTH = (socket.AF_INET, socket.AF_INET6)
@@ -22,11 +23,44 @@ def addresses(host: str, port: int) -> tuple[str, list[str]]:
     return own, [] if host in LOCAL_NAMES else [own]
 
 
-def served_names(host: str) -> frozenset[str]:
-    """Return the host names by which a browser may address the lab."""
-    if host in EVERYWHERE:
-        return LOCAL_NAMES | {socket.gethostname().lower(), *own_addresses(*EVERYWHERE[host])}
-    return LOCAL_NAMES | {host.lower()}
+class AnyAddress:
+    """Names, and every address in numbers: those of a machine change when it joins another network.
+
+    Another site cannot make a browser call it by an address, as it can by a name of its own that points here.
+
+    Parameters
+    ----------
+    names : collection of str
+    """
+
+    def __init__(self, names: Collection[str]) -> None:
+        self._names = frozenset(names)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._names or _is_address(str(name))
+
+
+def hosts_of(host: str, names: Collection[str] = ()) -> Container[str]:
+    """Return what a browser may call the lab: by this machine, by its host, and by names that somebody has given it."""
+    found = LOCAL_NAMES | {name.lower() for name in names}
+    if host not in EVERYWHERE:
+        return found | {host.lower()}
+    machine = socket.gethostname().lower()
+    return AnyAddress(found | {machine, f"{machine.removesuffix('.local')}.local"})
+
+
+def network_of(address: str) -> str:
+    """Return what an address is counted by: itself, or of IPv6 the network of 64 bits, all of which one machine has.
+
+    Examples
+    --------
+    >>> network_of("192.168.1.5"), network_of("::ffff:192.168.1.5"), network_of("2001:db8::7"), network_of("")
+    ('192.168.1.5', '192.168.1.5', '2001:db8::/64', '')
+    """
+    if ":" not in address:
+        return address
+    found = ipaddress.IPv6Address(address)
+    return str(found.ipv4_mapped or ipaddress.ip_network((found.packed[:8] + bytes(8), 64)))
 
 
 def own_addresses(*families: socket.AddressFamily) -> list[str]:
@@ -44,6 +78,14 @@ def _addresses_of(family: socket.AddressFamily) -> list[str]:
     with contextlib.suppress(OSError):
         found += [str(info[4][0]) for info in socket.getaddrinfo(socket.gethostname(), None, family)]
     return found
+
+
+def _is_address(name: str) -> bool:
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True
 
 
 def _can_be_typed(address: ipaddress.IPv4Address | ipaddress.IPv6Address) -> bool:

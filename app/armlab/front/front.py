@@ -7,7 +7,7 @@ import contextlib
 import hashlib
 import io
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Container, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache, partial
 from html import escape
@@ -15,6 +15,7 @@ from typing import TypeVar
 
 from aiohttp import web
 
+from armlab.front.addresses import network_of
 from armlab.front.browsers import Browsers
 from armlab.front.doors import Doors
 from armlab.front.limits import Limits
@@ -68,7 +69,7 @@ class Front:
     ----------
     page : Page
     tokens : Tokens
-    hosts : frozenset of str, or None
+    hosts : container of str, or None
         Names this front is addressed by; None accepts every name.
     limits : Limits
     room : Room, optional
@@ -81,7 +82,7 @@ class Front:
         self,
         page: Page,
         tokens: Tokens,
-        hosts: frozenset[str] | None,
+        hosts: Container[str] | None,
         limits: Limits | None = None,
         room: Room | None = None,
         papers: PaperPages | None = None,
@@ -131,7 +132,7 @@ class Front:
 
     async def _unhurried(self, request: web.Request) -> None:
         """Let whoever asks too often wait a little, so that the others' sockets have most of the time."""
-        address = request.remote or ""
+        address = _network(request)
         self._asked.note(address)
         if (wait := self._asked.wait(address)) > 0.0:
             await asyncio.sleep(min(wait, self._limits.request_wait))
@@ -189,7 +190,7 @@ class Front:
                 return None
             # The address is seen on a projector, and copied: it does not tell the code.
             return web.Response(status=303, headers={"Location": str(request.rel_url.with_query(kept))})
-        why = room.refusal(request.query.get("code"), request.remote or "")
+        why = room.refusal(request.query.get("code"), _network(request))
         if why:
             fields = "".join(HIDDEN.format(escape(key), escape(value)) for key, value in kept.items())
             page = web.Response(status=401, text=FORM.format(said=why, kept=fields), content_type="text/html")
@@ -258,7 +259,7 @@ class Front:
         finally:
             self._browsers.go(token)
         if ended.was_nonsense:
-            self._lapsed.note(request.remote or "")
+            self._lapsed.note(_network(request))
         return ended.response
 
     async def _labs_for(self, request: web.Request) -> None:
@@ -272,11 +273,16 @@ class Front:
     async def _newcomer(self, token: str, request: web.Request) -> None:
         """Wait before a browser that was not here before, if others at its address were let go for what they sent."""
         if not self._browsers.knows(token):
-            await asyncio.sleep(min(self._lapsed.wait(request.remote or ""), self._limits.newcomers_wait))
+            await asyncio.sleep(min(self._lapsed.wait(_network(request)), self._limits.newcomers_wait))
 
     def _line_of(self, token: str) -> Line:
         number = int(hashlib.sha256(token.encode()).hexdigest(), 16)
         return self._lines[number % len(self._lines)]
+
+
+def _network(request: web.Request) -> str:
+    """Return what the address of a browser is counted by."""
+    return network_of(request.remote or "")
 
 
 def _opens_a_socket(request: web.Request) -> bool:

@@ -18,7 +18,7 @@ from aiohttp import web
 
 from armlab import resources
 from armlab.errors import ArmlabError, InputError
-from armlab.front.addresses import served_names
+from armlab.front.addresses import hosts_of
 from armlab.front.doors import Site, let_open_many_files
 from armlab.front.front import Front
 from armlab.front.handover import HandOver
@@ -148,9 +148,9 @@ def start(settings: Settings, on_served: Callable[[int], None] = lambda port: No
         loop = opened.enter_context(running_loop("armlab-loop"))
         behind = opened.enter_context(ExitStack())  # closed after the front, which says goodbye to the pages
         room = Room(settings.code, kept) if settings.code else None
-        names = served_names(settings.host) | {name.lower() for name in settings.names}
+        hosts = hosts_of(settings.host, settings.names)
         papers = PaperPages(settings.lessons)
-        front = Front(make_page(), Tokens(kept), names, room=room, papers=papers)
+        front = Front(make_page(), Tokens(kept), hosts, room=room, papers=papers)
         port = _open_front(front, settings, loop, opened)
         on_served(port)
         lab, lines = _open_processes(settings, behind) if settings.labs else _open_lab(settings, loop, behind)
