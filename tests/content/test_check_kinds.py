@@ -190,6 +190,7 @@ def test_the_rank():
     assert not one.is_met(seen([20, 50]))
     assert two.is_met(seen([20, 50]))
     assert "is 2 and should be 1: one more singular value must become zero" in one.says(seen([20, 50]))
+    assert check('kind = "rank"\nvalue = 1.0') == one  # as a variant gives it
     assert two.says(seen([20, 0])) == "The rank of the task Jacobian is 1 and should be 2."
     # A wrist with axes 4 and 6 in one line and a stretched elbow: two ranks lost.
     arm = check('kind = "rank"\nvalue = 5', "puma560")
@@ -346,6 +347,7 @@ def test_all_of_several():
 
 def test_what_was_looked_at():
     asked = check('kind = "looked_at"\npanel = "table"\nswitch = "common_normal"\nfilm = "moves"')
+    assert (asked.panels, asked.switches) == (("table",), ("common_normal",))
     assert asked.says(seen([0, 0])) == "Open the panel “table”."
     assert asked.says(seen([0, 0], panel="table")) == "Switch on “common normal”."
     opened = {"panel": "table", "switches": frozenset({"common_normal", "x"})}

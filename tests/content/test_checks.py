@@ -83,6 +83,12 @@ def test_a_joint_at_a_value():
     assert across.is_met(seen([-179.5, 0]))
 
 
+def test_a_joint_that_an_edited_table_has_no_more():
+    asked = check('kind = "joint_at"\njoint = 3\nvalue_deg = 10\ntolerance_deg = 1', "planar_3r")
+    assert not asked.is_met(seen([10, 10]))
+    assert asked.says(seen([10, 10])) == "The arm has no joint 3."
+
+
 def test_degrees_taken_for_radians():
     asked = check('kind = "joint_at"\njoint = 2\nvalue_deg = 60\ntolerance_deg = 1')
     assert asked.says(seen([0, math.radians(60)])).endswith(" That is the number of radians, taken for degrees.")

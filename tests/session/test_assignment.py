@@ -17,9 +17,11 @@ from armlab.session.hand_in_open import OpenWork
 from armlab.session.hand_in_reports import Judged, gradescope, rows, table
 from armlab.session.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson, SignAs, UnlockHint
 from armlab.session.panel_commands import hidden_panels
+from armlab.session.parts.display import SYSTEM_DARK, Show
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.shelf import ToSandbox
+from armlab.session.parts.timeline import OpenClip, Timeline
 from armlab.session.share import short
 from armlab.session.state import apply
 from armlab.window.lesson.assigned import Sheet
@@ -99,7 +101,18 @@ def test_an_exam_is_silent_gives_no_hints_and_counts_what_stands_last(fresh):
     back = done(moved, MoveJoint(0, np.radians(goal(state))))
     assert points(done(back, HandIn())) == 7.0
     # Passing by at another step takes nothing away.
-    assert points(done(state, GoToStep(2), MoveJoint(0, 0.1), GoToStep(0), HandIn())) == 7.0
+    passed = done(state, GoToStep(2), MoveJoint(0, 0.1), GoToStep(0))
+    assert points(done(passed, HandIn())) == 7.0
+
+
+def test_who_only_looks_back_in_an_exam_keeps_what_was_met(fresh):
+    state = done(solved(exam(fresh)), GoToStep(2), MoveJoint(0, 0.1), OpenClip("motion", play=True))
+    assert state[Timeline].playing
+    state = done(state, GoToStep(0))
+    assert not state[Timeline].playing
+    for look in (Show("dark", True), Show(SYSTEM_DARK, True), Show("frames", True)):
+        state = done(state, look)
+    assert points(done(state, HandIn())) == 7.0
 
 
 def test_a_wrong_prediction_gives_no_points_in_an_exam(fresh):

@@ -7,7 +7,7 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.session.edits import AddJoint, SetCell
+from armlab.session.edits import AddJoint, RemoveJoint, SetCell, SetLimits
 from armlab.session.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson, TakeLessonArm, UnlockHint
 from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
@@ -207,6 +207,22 @@ def test_a_locked_joint_stays_and_cannot_be_freed(fresh, own):
     dragged = done(state, PlaceTarget(MOVED_TARGET))
     assert dragged[Joints].q[1] == state[Joints].q[1]
     assert done(state, CloseLesson())[Joints].locked == (False, False)
+
+
+def test_a_locked_joint_stays_on_an_edited_table_and_another_arm_has_none(fresh, own):
+    own(t=locked("locked_joints = [2]"))
+    state = done(fresh, OpenLesson("t"), MoveJoint(0, 0.3))
+    for edit in (SetLimits(1, -0.2, 0.0), RemoveJoint(0), AddJoint(1)):
+        with pytest.raises(InputError, match="keeps joint 2 where it stands"):
+            done(state, edit)
+    longer = done(state, SetCell(0, "a", 1.5))
+    assert done(longer, MoveJoint(1, 0.0)) is longer
+    other = done(state, ChooseRobot("planar_3r"))
+    assert done(other, MoveJoint(1, 0.4))[Joints].q[1] == 0.4
+    own(t=locked("locked_joints = [2]"))
+    short = done(apply(other, RemoveJoint(0)), RemoveJoint(0), Show("dark", True))
+    assert short[Joints].arm.n == 1
+    assert short[Display].switches["dark"]
 
 
 def test_an_undo_does_not_go_round_a_lock(own):

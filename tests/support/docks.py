@@ -198,8 +198,8 @@ def of_a_test(listener: Listener) -> None:
         dock.do(Answer("1"))
     for i in range(len(LOCKED)):
         dock = BareDock(listener)
-        dock.do(OpenLesson(f"locked{i}"), MoveJoint(0, 0.1), MoveJoint(1, 0.1), ChooseRobot("scara"))
-        dock.do(RemoveJoint(0), LockJoint(0, False), PlaceTarget(np.eye(4)))
+        dock.do(OpenLesson(f"locked{i}"), MoveJoint(0, 0.1), MoveJoint(1, 0.1), LockJoint(0, False))
+        dock.do(ChooseRobot("scara"), RemoveJoint(0), PlaceTarget(np.eye(4)))
     all_done(listener)
     for key in ("exam", "homework", *ASSIGNMENTS):
         on_assignment(listener, key)

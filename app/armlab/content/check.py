@@ -195,6 +195,12 @@ class StateCheck:
         return tuple(getattr(self.check, "panels", ()))
 
     @property
+    def switches(self) -> tuple[str, ...]:
+        """Names of the switches that the check or a named mistake looks at."""
+        checks = (self.check, *(each.check for each in self.wrong))
+        return tuple(name for check in checks for name in getattr(check, "switches", ()))
+
+    @property
     def goals(self) -> tuple[Goal, ...]:
         """Goals that the lesson marks in the scene."""
         return tuple(getattr(self.check, "goals", ()))

@@ -21,6 +21,7 @@ from armlab.session.parts.lesson import LessonPart, signed
 from armlab.session.parts.own_lessons import OwnLessons
 from armlab.session.parts.preview import Preview
 from armlab.session.parts.shelf import own_work
+from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, State
 
 MOST_VARIANT = 9999
@@ -188,6 +189,8 @@ class GoToStep(Command):
             return state
         shown = replace(part.progress, step=step_names(lesson)[self.step]).anew()
         gone = state.replace(part.with_progress(shown))
+        if part.silent:  # a film that plays on would change what the other step is judged by
+            gone = gone.replace(replace(gone[Timeline], playing=False))
         put = gone_to(gone, lesson, part.index, self.step)
         if put is not gone:
             put = put.replace(replace(put[LessonPart], set_up=part.set_up + 1))

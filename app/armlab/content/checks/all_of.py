@@ -42,6 +42,11 @@ class AllOf:
         return tuple(key for check in self.checks for key in getattr(check, "panels", ()))
 
     @property
+    def switches(self) -> tuple[str, ...]:
+        """Names of the switches that they look at."""
+        return tuple(name for check in self.checks for name in getattr(check, "switches", ()))
+
+    @property
     def goals(self) -> tuple[Goal, ...]:
         """Goals of the checks that are marked in the scene."""
         return tuple(goal for check in self.checks for goal in getattr(check, "goals", ()))

@@ -23,10 +23,12 @@ class JointAt:
 
     def is_met(self, observation: Observation) -> bool:
         """Return whether the joint is within the tolerance."""
-        return abs(self._missing(observation)) <= self.within
+        return self.number <= len(observation.q) and abs(self._missing(observation)) <= self.within
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return a sentence with actual and required value; it names a wrong sign, and degrees taken for radians."""
+        if len(observation.q) < self.number:
+            return f"The arm has no joint {self.number}."
         written = words.angle if self.revolute else words.length
         now = float(observation.q[self.number - 1])
         if self.is_met(observation):

@@ -33,6 +33,11 @@ class LookedAt:
         """Key of the panel that it asks to open."""
         return (self.panel,) if self.panel else ()
 
+    @property
+    def switches(self) -> tuple[str, ...]:
+        """Name of the switch that it asks to be on."""
+        return (self.switch,) if self.switch else ()
+
     def is_met(self, observation: Observation) -> bool:
         """Return whether all conditions are met."""
         return not self._missing(observation)

@@ -236,9 +236,15 @@ class LessonPart(Part):
         if (was.open, was.set_up, was.progress.step) != (self.open, self.set_up, self.progress.step):
             return False
         of_benches = (part for found in benches_of(self.facts) for part in found.parts)
-        looked_at = (Joints, Target, RobotPart, Display, Timeline, *of_benches)
+        looked_at = (Joints, Target, RobotPart, Timeline, *of_benches)
         changed = any(now[kind] is not before[kind] for kind in looked_at)
-        return changed or any(each.changed(before, now) for each in taught())
+        return changed or self._switched(before, now) or any(each.changed(before, now) for each in taught())
+
+    def _switched(self, before: State, now: State) -> bool:
+        """Return whether a switch that the check looks at is another way; a browser may have changed others itself."""
+        was, switches, step = before[Display].switches, now[Display].switches, self.step
+        asked = () if step is None or step.check is None else step.check.switches
+        return any(was.get(name) != switches.get(name) for name in asked)
 
     def with_progress(self, progress: Progress) -> Self:
         """Return the part with another progress in the open lesson, which then is the one last worked on."""
@@ -314,7 +320,7 @@ def has_its_arm(state: State) -> bool:
     if not robot.own:
         return robot.robot.key == found.robot
     arm, own = robot.robot.arm, found.robot_used.arm
-    return same_table(arm, own) and bool(np.all(np.abs(arm.limits - own.limits) <= BEYOND))
+    return arm.task == own.task and same_table(arm, own) and bool(np.all(np.abs(arm.limits - own.limits) <= BEYOND))
 
 
 def observed(state: State) -> Observation:
