@@ -26,6 +26,7 @@ from support.own_lessons import (
     PWN,
     in_lesson,
     lesson,
+    load,
     notes,
     piece,
     to_step,
@@ -71,6 +72,13 @@ Well done.
 """
 
 
+EXAM = """title = "Exam"
+exam = true
+[[tasks]]
+lesson = "marked"
+"""
+
+
 @pytest.fixture(scope="module")
 def url(tmp_path_factory):
     folder = write(
@@ -82,6 +90,7 @@ def url(tmp_path_factory):
         varied=lesson(STEP, VARIED),
         hostile=lesson(HOSTILE, HOSTILE_ARM, f"Title {PWN}"),
     )
+    (folder / "exam.toml").write_text(EXAM, encoding="utf-8")
     with running_lab(lessons=folder) as address:
         yield address
 
@@ -256,6 +265,25 @@ def test_the_work_is_saved_under_any_name(url, typed, kept, file):
         assert data["lesson"] == "first_arm"
         assert data["digest"] == first_arm().digest
         assert data["progress"]["met"] == ["Stretch the arm along x"]
+        await browser.close()
+
+    run(main())
+
+
+def test_a_hand_in_right_after_the_name_saves_its_file(url):
+    """Leaving the field and the press come together, before the dock is shown again."""
+
+    async def main():
+        cookie = cookie_of(url)
+        load(url, cookie, "assignment/exam")
+        browser = await student(url, cookie, "/assignment/exam")
+        await browser.until(lambda: "assignment-hand-in" in browser.html())
+        await browser.press("lesson-name", "Ada")
+        await browser.press("assignment-hand-in")
+        await browser.until(lambda: "confirm-yes" in browser.html())
+        await browser.press("confirm-yes")
+        await browser.until(lambda: any(browser.downloads.values()))
+        assert list(browser.downloads) == ["exam_ada.json"]
         await browser.close()
 
     run(main())

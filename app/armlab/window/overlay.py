@@ -159,6 +159,7 @@ class Overlay:
             ),
             (history.undo_label, history.redo_label),
             (name_of(robot), robot.own, robot.robot.key, state[LessonPart].open, hidden_tabs(state)),
+            state[LessonPart].lesson,  # its file may be loaded again
             (self._tab, self._asked),
         )
 

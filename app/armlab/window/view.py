@@ -96,7 +96,7 @@ class View:
         self._refresh: asyncio.TimerHandle | None = None
         self._refreshed = 0.0
         self._turning = Turning(pace, self.show, session.token)
-        self._closed = False
+        self._closed, self._anew = False, False  # the latter once what is shown is to be shown again
         self._first = first_window(session.state)
         self._asked = 0
 
@@ -220,8 +220,8 @@ class View:
     def _showing(self) -> Generator[None, None, None]:
         """Show the present state, in pieces; those of the panels come soon, of another page with it."""
         state, before = self.session.state, self._shown
-        if state is not before:
-            self._shown = state
+        if state is not before or self._anew:
+            self._shown, self._anew = state, False
             with self.client.atomic():
                 if self._robot is None or state[RobotPart].robot is not self._robot.robot:
                     yield from self._change_robot(state)
@@ -329,7 +329,7 @@ class View:
         if self._making is arm:
             self._making = None
         if not self._closed and self._gallery.ready(self.session.robot.arm):
-            self._shown = None
+            self._anew = True
             self.show()
 
     def _later(self, seconds: float, call: Callable[[], object]) -> None:

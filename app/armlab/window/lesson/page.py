@@ -36,6 +36,9 @@ from armlab.window.lesson.end import with_end
 from armlab.window.lesson.text import step_text, with_values, words_of
 
 STEP = "lesson-step-"
+SOON = 5.0
+"""Time within which a press has its work handed in, seconds; without a name, for one, it has not."""
+
 _WHOLE = re.compile(r"[0-9]{1,9}")
 
 
@@ -58,7 +61,7 @@ class LessonPage:
         self._head = gui.form(post)
         self._text, self._task, self._question, self._foot = (gui.form(post) for _ in range(4))
         self._more = gui.form(post, MOST)
-        self._saves = False  # whether the file is to be saved as soon as the work is handed in
+        self._saves = 0.0  # time until which the file is saved as soon as the work is handed in
 
     @property
     def stale(self) -> bool:
@@ -98,9 +101,9 @@ class LessonPage:
         """Show how the assignment is handed in; the file is saved when it has been, by this page's button."""
         name = _name(self._more, sheet.part)
         save = lambda: self._save(state)  # noqa: E731
-        self._more.show(assigned.hand_in_form(self._more, sheet, name, lambda: self._hand_in(sheet.part), save, now()))
-        if self._saves and sheet.part.rests:
-            self._saves = False
+        self._more.show(assigned.hand_in_form(self._more, sheet, name, self._hand_in, save, now()))
+        if sheet.part.rests and now() < self._saves:
+            self._saves = 0.0
             self._save(state)
 
     def fail(self) -> None:
@@ -154,9 +157,9 @@ class LessonPage:
         )
         return ()
 
-    def _hand_in(self, part: LessonPart) -> Wish:
+    def _hand_in(self) -> Wish:
         def hand_in_now() -> None:
-            self._saves = bool(part.student)  # without a name it is refused
+            self._saves = now() + SOON
             self._post(HandIn())
 
         says = "Your work can then not be changed any more in this attempt, and a file is saved for your teacher."
