@@ -11,8 +11,11 @@ import pytest
 from armlab import resources
 from armlab.content.check import check_types
 from armlab.content.lesson_folder import sources_of
+from armlab.content.lessons import lesson as variant_of
 from armlab.content.lessons import lessons, parse_lesson
 from armlab.content.observation import Observation
+from armlab.content.questions.matrix import MatrixQuestion
+from armlab.content.questions.number import NumberQuestion
 from armlab.content.robots import catalogue
 from armlab.errors import ContentError
 from armlab.session.plain_text import plain
@@ -81,6 +84,16 @@ def test_every_fenced_example_of_the_readme_is_valid():
 def test_the_wheel_takes_the_lessons():
     project = tomllib.loads((Path(resources.checkout()) / "pyproject.toml").read_text(encoding="utf-8"))
     assert project["tool"]["hatch"]["build"]["targets"]["wheel"]["force-include"]["lessons"] == "armlab/_data/lessons"
+
+
+@pytest.mark.parametrize("key", lessons().lessons)
+def test_three_digits_of_the_right_answer_are_enough_where_no_number_of_them_is_asked_for(key):
+    for number in range(4):
+        for step in variant_of(key, number).steps:
+            if isinstance(step.question, NumberQuestion | MatrixQuestion) and "decimal" not in step.html:
+                rows = np.atleast_2d(step.question.answer).tolist()
+                text = "; ".join(" ".join(f"{x:.0f}" if abs(x) >= 100 else f"{x:.3g}" for x in row) for row in rows)
+                assert step.question.judge(text).right, f"variant {number}, {step.title}: {text}"
 
 
 # --- The format

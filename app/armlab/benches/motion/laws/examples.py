@@ -100,8 +100,8 @@ EXAMPLES: Registry[Example] = Registry(
             "Bang-bang, cubic and quintic in the same time",
             (("bang_bang", {}), *_REST),
             Timing(False, 2.0, 1.0, None, None, None),
-            "In the same time the smoother law needs the larger peaks: T²·max|s̈|/L is 4, 6 and 5.77, T·max|ṡ|/L is 2, "
-            "1.5 and 1.875.",
+            "In the same time bang-bang needs the smallest acceleration, and the highest speed: T²·max|s̈|/L is 4, 6 "
+            "and 5.77, T·max|ṡ|/L is 2, 1.5 and 1.875.",
         ),
         Example(
             "smoothness",
