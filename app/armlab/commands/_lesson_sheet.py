@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("lesson", metavar="LESSON", help="its name, or its file or folder; or that of an assignment")
     which = parser.add_mutually_exclusive_group()
     which.add_argument("--variants", metavar="N-M", default=VARIANTS, help=f"such as 0-30 or 1,4,7-9 ({VARIANTS})")
-    which.add_argument("--students", type=Path, metavar="FILE", help="names, one a line: line 1 has variant 1")
+    which.add_argument("--students", type=Path, metavar="FILE", help="names, one a line: the first has variant 1")
     add_lessons_option(parser)
 
 

@@ -42,7 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--students",
         type=Path,
         metavar="FILE",
-        help="names, one a line, as for `lesson sheet`: line 1 was given variant 1; other work does not count",
+        help="names, one a line, as for `lesson sheet`: the first was given variant 1; other work does not count",
     )
     parser.add_argument("--verbose", action="store_true", help="in the table, also what is missing to each step")
     add_lessons_option(parser)

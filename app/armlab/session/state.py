@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, ClassVar, Self, TypeVar
 
 from armlab.content.robots import Robot
@@ -121,7 +121,7 @@ class State:
     @classmethod
     def initial(cls, robot: Robot) -> State:
         """Return the state in which an arm opens."""
-        return cls(kind.initial(robot) for kind in part_types())
+        return cls(_initial_parts(robot))
 
     def __getitem__(self, kind: type[P]) -> P:
         part: Any = self._parts[self._places[kind]]
@@ -180,6 +180,12 @@ class State:
             kind.from_json(data[kind.key], robot) if kind.saved and kind.key in data else kind.initial(robot)
             for kind in part_types()
         )
+
+
+@lru_cache(maxsize=4)
+def _initial_parts(robot: Robot) -> tuple[Part, ...]:
+    """Return the parts with which an arm opens, one set for all students who have changed none of them."""
+    return tuple(kind.initial(robot) for kind in part_types())
 
 
 @cache

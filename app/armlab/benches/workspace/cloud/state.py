@@ -137,7 +137,7 @@ class ClearWorkspace(Command):
 
     def apply(self, state: State) -> State:
         """Return the state without a workspace."""
-        return state.replace(replace(state[Workspace], asked=None, found=None, chosen=None))
+        return state.replace(replace(state[Workspace], asked=None, found=None, chosen=None, example=""))
 
 
 @dataclass(frozen=True)

@@ -64,7 +64,11 @@ def _diagram(state: State, found: Maps, units: Units) -> Markup:
     r = [(each.symbol, _value(each, units)) for each in components_of(state)]
     return tag(
         "div.sp-diagram",
-        _space("Actuation space", f"{found.n} motors", tag("p.dim", "A motor drives each joint, most through gears.")),
+        _space(
+            "Actuation space",
+            "1 motor" if found.n == 1 else f"{found.n} motors",
+            tag("p.dim", "A motor drives each joint, most through gears."),
+        ),
         _arrow(tag("b", "gears"), "here the lab commands q itself"),
         _space("Joint space", f"n = {found.n}", _values(q)),
         _arrow(tag("b", "r = f", tag("sub", "r"), "(q)"), "direct kinematics; the way back is inverse"),
@@ -118,12 +122,12 @@ def _card(found: Maps) -> Markup:
 def _said(found: Maps) -> str:
     n, m = found.n, found.m
     if found.kind == "square":
-        return f"{n} joints and {m} numbers: most r have a few solutions q, or none. The page Solutions lists them."
+        return f"n = {n}, m = {m}: most r have a few solutions q, or none. The page Solutions lists them."
     if found.kind == "redundant":
         what = "a curve" if found.spare == 1 else f"a set of dimension {found.spare}"
-        return f"{n} joints and {m} numbers: to one r within reach belongs {what} of q, and the arm may choose."
+        return f"n = {n}, m = {m}: to one r within reach belongs {what} of q, and the arm may choose."
     if found.kind == "more":
-        return f"{n} joints and {m} numbers: r = f_r(q) fills at most {n} of {m} dimensions, so most r belong to no q."
+        return f"n = {n}, m = {m}: r = f_r(q) fills at most {n} of {m} dimensions, so most r belong to no q."
     return f"Moving the joints changes r in {found.generic} of {m} dimensions only, so most r belong to no q."
 
 
