@@ -23,6 +23,8 @@ from armlab.session.state import State, apply
 from armlab.ui.html import joined
 from armlab.ui.units import units_of
 
+FREE = Set(Torque, "motion", "free")
+
 
 def opened(*commands):
     state = State.initial(catalogue()["planar_2r"])
@@ -161,6 +163,9 @@ def test_an_example_is_in_place_until_something_is_typed(key):
         ([Set(Torque, "coils", 13)], "coils: expected a whole number, at most 12"),
         ([Set(Torque, "B", 0.0)], "B"),
         ([Set(Torque, "motion", "free"), Set(Torque, "duration", 60.0)], "expected at most 40; take a shorter time"),
+        ([Set(Torque, "friction", 1.0), Set(Torque, "inertia", 1e-5), FREE], r"about 1\.25e\+07 steps"),
+        ([FREE, Set(Torque, "switched", False), Set(Torque, "inertia", 1e-7)], "shorter time, or more inertia$"),
+        ([FREE, Set(Torque, "current", 0.0), Set(Torque, "friction", 1e3)], "expected at most 20000"),
         ([Set(Torque, "start", math.nan)], "start"),
     ],
 )

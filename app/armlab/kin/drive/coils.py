@@ -226,6 +226,19 @@ STEP = 0.08
 """Largest step of a rotor that is let go, radians of its turn and of its own swing."""
 
 
+def quickness(peak: float, inertia: float, friction: float, coils: int = 1) -> float:
+    """Return a rate that neither the swing of a rotor nor the decay of its speed exceeds: sqrt(|peak| N / J) + F / J.
+
+    `let_go` takes at least duration times quickness over `STEP` steps. See there for the parameters.
+
+    Returns
+    -------
+    float
+        1/s.
+    """
+    return math.sqrt(abs(peak) * coils / inertia) + friction / inertia
+
+
 @dataclass(frozen=True)
 class _Rotor:
     """A rotor with the torque of its coils and with friction."""
@@ -240,7 +253,7 @@ class _Rotor:
         """Yield angle and speed at rising times, from rest at an angle."""
         omega, part = 0.0, math.pi / self.coils
         branch = math.floor(theta / part) if self.switched else 0
-        swing = math.sqrt(abs(self.peak) * self.coils / self.J) + self.F / self.J
+        swing = quickness(self.peak, self.J, self.F, self.coils)
         yield theta, omega
         for start, stop in pairwise(times):
             left = stop - start

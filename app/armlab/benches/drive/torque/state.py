@@ -10,7 +10,7 @@ from typing import ClassVar
 import numpy as np
 
 from armlab.errors import InputError
-from armlab.kin.drive.coils import MOST_COILS, Coil, Released, extremes, let_go
+from armlab.kin.drive.coils import MOST_COILS, STEP, Coil, Released, extremes, let_go, quickness
 from armlab.session.fields import FieldPart, choice, flag, number, text, whole
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import PartType, State
@@ -24,6 +24,9 @@ TURN = 8.0
 
 MOST_TURNS = 40.0
 """Largest number of turns of a rotor that is let go."""
+
+MOST_STEPS = 2e4
+"""Largest number of steps in which the motion of a rotor that is let go is found: a tenth of a second of work."""
 
 
 @dataclass(frozen=True)
@@ -92,10 +95,23 @@ class Torque(FieldPart):
         return float(np.interp(time, self.released.t, self.released.theta))
 
     def check(self) -> None:
-        """Refuse a rotor that would turn too often to be followed."""
-        mean = self.torques[2]
-        if self.motion != "free" or mean == 0.0:
+        """Refuse a rotor that would turn too often, or swing or settle too quickly, to be followed."""
+        if self.motion != "free":
             return
+        self._check_steps()
+        if self.switched and self.current != 0.0:
+            self._check_turns()
+
+    def _check_steps(self) -> None:
+        steps = self.duration * quickness(self.coil.peak, self.inertia, self.friction, self.coils) / STEP
+        if steps > MOST_STEPS:
+            raise InputError(
+                f"rotor let go: it swings or settles so quickly that {self.duration:g} s would take about {steps:.3g} "
+                f"steps, expected at most {MOST_STEPS:g}; take a shorter time, or more inertia"
+            )
+
+    def _check_turns(self) -> None:
+        mean = self.torques[2]
         run_up = mean * self.duration**2 / (2.0 * self.inertia)
         steady = math.inf if self.friction == 0.0 else mean * self.duration / self.friction
         turns = min(run_up, steady) / (2.0 * math.pi)
