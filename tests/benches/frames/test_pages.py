@@ -1,4 +1,4 @@
-"""The fields of the pages of frames, filled without a browser, and what they say."""
+"""The fields of the pages of frames, filled without a browser, what they say, and a drag beside a second page."""
 
 import math
 
@@ -28,6 +28,7 @@ from armlab.session.session import Asked
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
 from support.forms import BareForm
+from support.student import run, settled, student
 
 ROBOT = catalogue()["puma560"]
 MATRIX = Set(Chain, "written", "matrix")
@@ -181,3 +182,39 @@ def test_a_solution_is_chosen_by_its_name_and_misses_its_angle_in_degrees():
     text = said(solutions_markup, ChooseTwoExample("position"))
     assert "144.604" in text
     assert "–" not in text
+
+
+@pytest.mark.parametrize(
+    ("key", "choice", "handle", "held", "other"),
+    [
+        ("frame_chain", "frame A", "chain/handle", "chain/frame2", "chain/frame1"),
+        ("two_robots", "handle A", "two/handle", "two/B", "two/A"),
+        ("screw", "select first", "screw/handle", "screw/posesecond", "screw/posefirst"),
+    ],
+)
+def test_a_drag_moves_what_the_hand_holds_whatever_another_page_selects(url, key, choice, handle, held, other):
+    async def main():
+        first = await student(url)
+        second = await student(url, first.cookie)
+        await first.open(key)
+        await second.open(key)
+        await settled(first)
+
+        def named(part):
+            return next(name for name in first.nodes if f"/{part}" in name)
+
+        node, moving, resting = map(named, (handle, held, other))
+        hand, *before = (np.array(first.nodes[name]["position"]) for name in (node, moving, resting))
+        await first.drag("start", node=node)
+        await first.drag("update", hand + [0.05, 0.0, 0.0], node=node)
+        await second.press(choice)
+        await settled(first)
+        await first.drag("update", hand + [0.1, 0.0, 0.0], node=node)
+        await first.drag("end", node=node)
+        await settled(first)
+        moved = [np.array(first.nodes[name]["position"]) for name in (moving, resting)]
+        np.testing.assert_allclose(np.subtract(moved, before), [[0.1, 0.0, 0.0], [0.0, 0.0, 0.0]], rtol=0, atol=1e-6)
+        # When the hand has let go, the handle goes to what is selected by now.
+        np.testing.assert_allclose(first.nodes[named(handle)]["position"][:2], moved[1][:2], rtol=0, atol=1e-6)
+
+    run(main())

@@ -158,6 +158,8 @@ class _Picture:
                 self._drop_handle()
                 self._make_handle(unit)
         assert self._handle is not None
+        if self._handle.held and part.selected != self._selected:
+            return  # another frame was selected elsewhere: the hand keeps the one it holds
         self._selected = part.selected
         found = state.derived(poses_of)
         if part.selected == POINT:

@@ -121,10 +121,11 @@ class _Picture:
         self._straight.show("straight" if straight and apart > NAMED else "", found.straight(0.75)[:3, 3])
 
     def _show_handle(self, part: Screw) -> None:
+        if self._handle.held and part.selected != self._selected:
+            return  # another pose was selected elsewhere: the hand keeps the one it holds
         self._selected = part.selected
         if part.selected == NONE:
-            if not self._handle.held:
-                self._handle.remove()
+            self._handle.remove()
             return
         T = part.pose(part.selected)
         if part.handle == "turn":

@@ -105,10 +105,11 @@ class _Picture:
         self._said.show(text, 0.5 * (start + stop) + np.array([0.0, -0.5 * AXES, 0.0]))
 
     def _show_handle(self, part: TwoRobots) -> None:
+        if self._handle.held and part.selected != self._selected:
+            return  # another robot was selected elsewhere: the hand keeps the one it holds
         self._selected = part.selected
         if part.selected == NONE:
-            if not self._handle.held:
-                self._handle.remove()
+            self._handle.remove()
             return
         base = np.array(part.base(part.selected))
         base[:3, 3] = _lifted(base[:3, 3])
