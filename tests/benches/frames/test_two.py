@@ -116,6 +116,18 @@ def test_links_that_could_be_folded_on_their_base_have_infinitely_many_solutions
     assert "Infinitely many solutions" in str(verdict(state))
 
 
+def test_a_whole_pose_on_the_base_has_the_one_folded_solution():
+    on_base = (Set(TwoRobots, "q_a", (0.0, 0.0)), Set(TwoRobots, "base_b", (-0.5, 1.0)), TurnRobotBase("B", 0.3))
+    state = opened(ChooseTwoExample("two"), *on_base)
+    now = state.derived(meeting_of)
+    assert now.distance == pytest.approx(0.0, abs=1e-12)
+    (way,) = now.solutions
+    # The tool points at A, half a turn from x of the world, and so does joint 1 with half a turn more in joint 2.
+    np.testing.assert_allclose(way.q, [-0.3, math.pi], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(end_of_b(state), now.T_w_eb, rtol=0, atol=1e-12)
+    assert "equal links are folded there" in str(verdict(state))
+
+
 # --- what is moved
 
 

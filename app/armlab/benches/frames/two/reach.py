@@ -21,6 +21,9 @@ Floats = NDArray[np.float64]
 SAME = 1e-6
 """Angle, radians, and length, metres, up to which the tool of B is as it has to be."""
 
+FOLDED = "folded"
+"""Name of the configuration with the tool on the base."""
+
 
 @lru_cache(maxsize=64)
 def planar(links: int, length: float) -> Arm:
@@ -133,6 +136,9 @@ def meeting(part: TwoRobots) -> Meeting:
     arm = planar(joints, part.link)
     found = ik.solve_all(arm, T_b_eb)
     ways = tuple(_way(arm, q, name, T_b_eb) for q, name in zip(found.q, found.names, strict=True))
+    if part.version == "two_links" and np.linalg.norm(p) < SAME:
+        # Of the folded arms, which all have the position, those found are samples: the one with the angle is made here.
+        ways = (_way(arm, np.array([math.remainder(angle - math.pi, 2.0 * math.pi), math.pi]), FOLDED, T_b_eb),)
     wrist = p - part.link * T_b_eb[:2, 0] if joints == 3 else p
     towards = math.atan2(float(wrist[1]), float(wrist[0]))
     nearest = [towards, 0.0] if joints == 2 else [towards, 0.0, math.remainder(angle - towards, 2.0 * math.pi)]

@@ -36,6 +36,8 @@ def verdict(state: State) -> Markup:
 def _why_some(found: Meeting) -> str:
     if found.joints == 3:
         return "Three joints, and three numbers to reach: x, y and the angle of the tool."
+    if found.needs_angle and found.distance < SAME:
+        return "The tool has to be on the base: equal links are folded there, and joint 1 gives it any angle."
     if found.needs_angle:
         return "Two joints, and three numbers to reach: it is the length of the links that makes it possible."
     return "Two joints, and two numbers to reach: x and y. The angle of the tool comes out as it may."
