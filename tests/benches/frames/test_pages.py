@@ -206,10 +206,10 @@ def test_a_drag_moves_what_the_hand_holds_whatever_another_page_selects(url, key
         node, moving, resting = map(named, (handle, held, other))
         hand, *before = (np.array(first.nodes[name]["position"]) for name in (node, moving, resting))
         await first.drag("start", node=node)
-        await first.drag("update", hand + [0.05, 0.0, 0.0], node=node)
+        await first.drag("update", np.add(hand, [0.05, 0.0, 0.0]), node=node)
         await second.press(choice)
         await settled(first)
-        await first.drag("update", hand + [0.1, 0.0, 0.0], node=node)
+        await first.drag("update", np.add(hand, [0.1, 0.0, 0.0]), node=node)
         await first.drag("end", node=node)
         await settled(first)
         moved = [np.array(first.nodes[name]["position"]) for name in (moving, resting)]

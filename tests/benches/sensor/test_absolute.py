@@ -152,9 +152,14 @@ def test_what_is_said_of_the_readings():
     assert "180°" in verdict(part, UNITS)
     table = readings_markup(part, UNITS)
     assert re.findall(r"[01]{4}", table) == ["1100", "1111"]
-    assert "−8" in table
+    assert "±8" in table
     assert "+1" in table
     assert "off by 1 sector at most" in verdict(example("safe")[Absolute], UNITS)
+    for offset, sense in ((0.3, "22.5° too far."), (-0.3, "22.5° too little.")):
+        assert sense in verdict(opened(Set(Absolute, "offset", offset))[Absolute], UNITS)
+    # In plain binary the last bit alone, seen too early, makes 1 of 0 and 0 of 1.
+    last = opened(Set(Absolute, "code", "binary"), Set(Absolute, "track", 4), Set(Absolute, "offset", 0.3))[Absolute]
+    assert "22.5° too far or too little." in verdict(last, UNITS)
     straight = opened(Set(Absolute, "code", "binary"))[Absolute]
     assert "up to 4 bits change at once" in verdict(straight, UNITS)
     assert label(part) == "1111 = sector 15"

@@ -220,6 +220,10 @@ def test_what_is_said_of_a_count():
     assert "Wrong by +10 counts, 450°" in verdict(trembling[Incremental], trembling.derived(now), UNITS)
     state = opened(SetMoves((-30.0 * DEG,)))
     assert "−3 counts of 11.25° are −33.75°" in verdict(state[Incremental], state.derived(now), UNITS)
+    one = opened(BeginAgain(), StepQuarter(-1))
+    assert "−1 count of 11.25° is −11.25°" in verdict(one[Incremental], one.derived(now), UNITS)
+    alone = opened(BeginAgain(), Set(Incremental, "decoder", "alone"), StepQuarter(1), StepQuarter(-1))
+    assert "Wrong by +1 count, 45°" in verdict(alone[Incremental], alone.derived(now), UNITS)
 
 
 def test_moves_are_read_in_the_unit_of_the_person():

@@ -47,7 +47,9 @@ def test_the_examples_of_throws_are_what_they_are_called():
     assert fact(found["spread"], "bias_share") < 0.3
     assert not fact(found["spread"], "settled")
     assert 0.2 < fact(found["both"], "bias_share") < 0.8
-    assert fact(found["good"], "hits") > 15 > fact(found["spread"], "hits")
+    assert fact(found["good"], "hits") > 15
+    assert "four of twenty" in EXAMPLES["spread"].says
+    assert (fact(found["spread"], "hits"), found["spread"][Throws].count) == (4, 20)
     assert not fact(found["good"], "settled")
     few = found["few"][Throws].found
     assert few.high / few.low > 3.0
@@ -126,7 +128,8 @@ def test_calibration_leaves_what_the_sentences_say():
     assert left(opened(ChooseCalibrationExample("straight")), "between") < 1e-9
     bent = opened(ChooseCalibrationExample("bent"))
     assert left(bent, "linearity") > 2.0
-    assert left(bent, "between") < 0.15 * left(bent, "linearity")
+    assert left(bent, "after") == pytest.approx(0.1 * left(bent, "linearity"), rel=0.1)
+    assert left(apply(bent, Set(Curve, "degree", 5)), "after") < 4.0 * bent[Curve].noise
     play = opened(ChooseCalibrationExample("play"))
     assert left(play, "hysteresis") == pytest.approx(3.0, abs=1e-6)
     assert left(play, "after") > 1.4
@@ -156,6 +159,11 @@ def test_the_page_of_calibration_says_what_is_left():
     assert "raise the degree" in page.text
     page.fill("degree", "3")
     assert "no function of the output takes them away" in page.text
+    page.fill("example", "bent")
+    assert "degree 5 leaves little more than noise" in page.text
+    assert "A polynomial of degree 3 does not follow the curve closely enough: raise the degree" in page.text
+    page.fill("degree", "5")
+    assert "raise the degree" not in page.text
     page.fill("example", "straight")
     assert "The polynomial is the curve" in page.text
     assert re.search(r"u = −0\.03125 \+ 1\.042 y", page.text)  # (y - 0.03) / 0.96

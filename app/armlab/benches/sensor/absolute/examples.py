@@ -34,7 +34,7 @@ EXAMPLES = part_examples(
         "A sensor out of line, plain binary",
         Absolute(code="binary", offset=0.3, angle=BEFORE_HALF),
         "The sensor of track 1 sees the edge 0.3 sectors too early: just before half a turn 0111 reads as 1111, which "
-        "is 15 in place of 7.",
+        "is 15 in place of 7: wrong by half a turn.",
     ),
     PartExample(
         "safe",

@@ -23,8 +23,8 @@ EXAMPLES = part_examples(
         "spread",
         "Accurate on the mean, not repeatable",
         Throws(right=0.0, up=0.0, spread=0.045),
-        "The centre of the throws is the middle, as far as they can tell, and hardly one of them hits. No correction "
-        "helps here, only a steadier hand: better components.",
+        "The centre of the throws is the middle, as far as they can tell, and yet only four of twenty hit. No "
+        "correction helps here, only a steadier hand: better components.",
     ),
     PartExample(
         "both",

@@ -26,8 +26,14 @@ def sectors(count: int) -> str:
     return f"{abs(count)} sector{'' if abs(count) == 1 else 's'}"
 
 
-def off(error: int) -> str:
-    """Return an error in sectors, with its sign."""
+def off(error: int, count: int) -> str:
+    """Return an error in sectors of some number of them, with its sign; half a turn is as far in either sense.
+
+    >>> off(-3, 16), off(-8, 16), off(0, 16)
+    ('−3', '±8', '0')
+    """
+    if 2 * abs(error) == count:
+        return f"±{abs(error)}"
     return f"{error:+d}".replace("-", "−") if error else "0"
 
 
@@ -36,7 +42,12 @@ def readings_markup(part: Absolute, units: Units) -> Markup:
     rows = []
     for code, disk in part.disks.items():
         word, read, error = (int(each(part.angle)) for each in (disk.word, disk.read, disk.error))
-        cells = [f"{word:0{disk.tracks}b}", str(read), units.constant(read * disk.width, True), off(error)]
+        cells = [
+            f"{word:0{disk.tracks}b}",
+            str(read),
+            units.constant(read * disk.width, True),
+            off(error, 2**disk.tracks),
+        ]
         wrong = [classes("td", **{"ab-wrong": k == len(cells) - 1 and error != 0}) for k in range(len(cells))]
         row = [
             tag(kind, tag("b", text) if code == part.code else text) for kind, text in zip(wrong, cells, strict=True)
@@ -57,13 +68,23 @@ def verdict(part: Absolute, units: Units) -> Markup:
     far = units.constant(worst * disk.width, True)
     if worst == 1:
         return verdict_box(
-            "warn", f"{capitalised(name)}: off by 1 sector at most", f"A neighbour is read, on {share}: {far} too far."
+            "warn",
+            f"{capitalised(name)}: off by 1 sector at most",
+            f"A neighbour is read, on {share}: {far} {_towards(disk)}.",
         )
     return verdict_box(
         "no",
         f"{capitalised(name)}: off by up to {sectors(worst)}",
         f"That is {far}; another sector than the true one is read on {share}.",
     )
+
+
+def _towards(disk: Disk) -> str:
+    """Return in which sense the readings of a turn are off."""
+    ahead, behind = bool((disk.pieces.errors > 0).any()), bool((disk.pieces.errors < 0).any())
+    if (ahead and behind) or disk.tracks == 1:  # of two sectors the other one is as far in either sense
+        return "too far or too little"
+    return "too far" if ahead else "too little"
 
 
 def _apart(disk: Disk) -> str:

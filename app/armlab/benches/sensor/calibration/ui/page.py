@@ -185,7 +185,7 @@ def _verdict(part: Curve) -> Markup:
         return verdict_box(
             "warn",
             head,
-            f"A polynomial of degree {part.degree} does not have the shape of the curve: raise the degree.",
+            f"A polynomial of degree {part.degree} does not follow the curve closely enough: raise the degree.",
         )
     if floor < 1e-9:
         return verdict_box("ok", head, "The polynomial is the curve.")

@@ -29,6 +29,15 @@ def signed(count: int) -> str:
     return f"{count:+d}".replace("-", "−") if count else "0"
 
 
+def counts(number: str) -> str:
+    """Return a number of counts in words.
+
+    >>> counts("+1"), counts("−3")
+    ('+1 count', '−3 counts')
+    """
+    return f"{number} count{'' if number.lstrip('+−') == '1' else 's'}"
+
+
 def rules_markup(form: Form, part: Incremental, found: Now, units: Units) -> Markup:
     """Return the rules with D, AR, the gaps between counts, the present count, and what is wrong with it."""
     rows = []
@@ -63,10 +72,12 @@ def verdict(part: Incremental, found: Now, units: Units) -> Markup:
     """Return whether the chosen count is right, and why not."""
     counted, decoder = found.counted[part.decoder], DECODERS[part.decoder]
     angle = units.constant(counted.angle, True, 2)
-    told = f"{counted.count} counts of {units.constant(counted.resolution, True, 3)} are {angle}.".replace("-", "−")
+    are = "is" if abs(counted.count) == 1 else "are"
+    number = str(counted.count).replace("-", "−")
+    told = f"{counts(number)} of {units.constant(counted.resolution, True, 3)} {are} {angle}."
     if counted.missed:
         by = units.constant(counted.missed * counted.resolution, True, 2)
-        return verdict_box("no", f"Wrong by {signed(counted.missed)} counts, {by}", f"{told} {_why(part)}")
+        return verdict_box("no", f"Wrong by {counts(signed(counted.missed))}, {by}", f"{told} {_why(part)}")
     if decoder.unevenness:
         gaps = " and ".join(units.constant(gap, True, 0) for gap in decoder.gaps)
         more = trimmed(1.0 + decoder.unevenness, 2)
