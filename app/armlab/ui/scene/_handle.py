@@ -34,6 +34,8 @@ class Handle:
         Called when a hand takes hold.
     scale : float
         Length of the arrows in sizes of the arm.
+    on_let_go : callable
+        Called when a hand has let go, after the last event of its drag, also when there was none.
     """
 
     def __init__(
@@ -43,9 +45,10 @@ class Handle:
         on_drag: Callable[[Floats, object, bool], None],
         on_start: Callable[[], None] = lambda: None,
         scale: float = HANDLE,
+        on_let_go: Callable[[], None] = lambda: None,
     ) -> None:
         self._canvas, self._path, self._on_drag, self._on_start = canvas, path, on_drag, on_start
-        self._scale = scale
+        self._scale, self._on_let_go = scale, on_let_go
         self._made_for: tuple[str, str, str] | None = None
         self._controls: list[viser.TransformControlsHandle] = []
         self._held: viser.TransformControlsHandle | None = None
@@ -130,15 +133,16 @@ class Handle:
             self._held, self._drag, self._pulled = control, object(), False
             self._start = rotation_from_quaternion(control.wxyz), self._pose[:3, :3]
             return
-        if phase == "end" and not self._pulled:
-            self._held = None  # a mere click
-            return
-        self._pulled = True
-        turned, began = self._start
-        R = rotation_from_quaternion(control.wxyz) @ turned.T @ began
-        if phase == "end":
+        ends = phase == "end"
+        if ends:
             self._held = None
-        self._on_drag(transform(R, control.position), self._drag, phase == "end")
+        if self._pulled or not ends:  # else a mere click
+            self._pulled = True
+            turned, began = self._start
+            R = rotation_from_quaternion(control.wxyz) @ turned.T @ began
+            self._on_drag(transform(R, control.position), self._drag, ends)
+        if ends:
+            self._on_let_go()
 
 
 def _along_tool(arm: Arm, handle: str, axes: str) -> bool:

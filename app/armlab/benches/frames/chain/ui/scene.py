@@ -87,6 +87,7 @@ class _Picture:
         self._handles = 0
         self._shown: tuple[str, ...] = ()
         self._selected = ""
+        self._last: tuple[State, float] | None = None
 
     def _chooser(self, k: int) -> Callable[[], None]:
         def choose() -> None:
@@ -148,7 +149,7 @@ class _Picture:
         return thickness * unit / (FRAME_LENGTH * self._canvas.size)
 
     def _show_handle(self, state: State, unit: float) -> None:
-        part = state[Chain]
+        part, self._last = state[Chain], (state, unit)
         if not part.selected:
             self._drop_handle()
             return
@@ -173,13 +174,19 @@ class _Picture:
     def _make_handle(self, unit: float) -> None:
         self._handles += 1
         path = self._canvas.path(f"chain/handle{self._handles}")
-        self._handle = Handle(self._canvas, path, self._dragged, scale=HANDLE * unit / self._canvas.size)
+        self._handle = Handle(
+            self._canvas, path, self._dragged, scale=HANDLE * unit / self._canvas.size, on_let_go=self._let_go
+        )
         self._handle_unit = unit
 
     def _drop_handle(self) -> None:
         if self._handle is not None and not self._handle.held:
             self._handle.remove()
             self._handle = None
+
+    def _let_go(self) -> None:
+        if self._last is not None and self._last[0][Chain].selected != self._selected:
+            self._show_handle(*self._last)
 
     def _dragged(self, pose: NDArray[np.floating], drag: object, ends: bool) -> None:
         if self._selected == POINT:
