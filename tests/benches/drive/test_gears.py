@@ -137,7 +137,12 @@ def test_the_residual_of_the_printed_derivative_is_seen(truth):
 
 
 def test_the_card_says_when_there_is_no_best_ratio():
-    assert "No best ratio" in said(best_of, opened(Set(Gears, "load_torque", 5.0), Set(Gears, "acceleration", 0.0)))
+    steady = opened(Set(Gears, "load_torque", 5.0), Set(Gears, "acceleration", 0.0))
+    assert "at rest or at constant speed: the larger n, the smaller" in said(best_of, steady)
+    # 0.7 kg m² times 0.1 rad/s² are 0.07 N m, but for rounding.
+    load = (Set(Gears, "load_inertia", 0.7), Set(Gears, "acceleration", 0.1), Set(Gears, "load_torque", -0.07))
+    assert value("best_ratio", opened(*load)) == 0.0
+    assert "The load moves by itself: the smaller n, the smaller" in said(best_of, opened(*load))
     assert "Nothing is accelerated" in said(best_of, opened(Set(Gears, "acceleration", 0.0)))
     assert "n* = 17.32: no torque at all" in said(best_of, opened(ChooseGearExample("falling")))
     with pytest.raises(InputError, match="ratio"):

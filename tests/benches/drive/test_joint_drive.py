@@ -1,11 +1,12 @@
 """The page of joint drives: resolutions, the errors they leave at the tool, and the motors behind them."""
 
 import math
+import re
 
 import numpy as np
 import pytest
 
-from armlab.benches.drive.joint.errors import DRAWN, INSIDE, box, cloud_at, errors_at, levers, magnified
+from armlab.benches.drive.joint.errors import DRAWN, INSIDE, box, cloud_at, compared, errors_at, levers, magnified
 from armlab.benches.drive.joint.examples import EXAMPLES, ChooseDriveExample
 from armlab.benches.drive.joint.facts import FACTS
 from armlab.benches.drive.joint.state import (
@@ -97,6 +98,11 @@ def test_sentences_of_examples_are_true():
     joint = opened(ChooseDriveExample("at_joint"))
     assert math.degrees(value("half_widths", joint)[0]) == pytest.approx(0.09)
     assert math.degrees(value("counts", opened(ChooseDriveExample("coarse")))[0]) == pytest.approx(4.0)
+    # Those numbers are of joints that turn; where all slide, J is enough even with the coarse drive.
+    for key in ("servo", "play", "at_joint", "coarse"):
+        assert re.search(r"joint that turns|[wW]here (a joint turns|joints turn)", EXAMPLES[key].says)
+    sliding = opened(ChooseDriveExample("coarse"), arm="cartesian_3p")
+    assert sliding.derived(compared).position_apart == pytest.approx(0.0, abs=1e-15)
 
 
 @pytest.mark.parametrize("arm", KINDS)
@@ -188,6 +194,15 @@ def test_a_tool_on_the_axis_of_the_only_joint_is_known_exactly():
     assert found.orientation.size == pytest.approx(2.0 * math.pi / 4e5)
     assert _where(found, arm).startswith("No joint moves the tool point")
     assert _most(found, arm, units_of(opened())) is None
+
+
+def test_one_joint_errs_and_several_err():
+    arm = Arm.from_dh([("R", 0.3, 0.0, 0.5, 0.0)])
+    found = errors_at(Drives(arm, (100.0,), (4000.0,), ("motor",), (0.0,), (0.01,)), np.zeros(1))
+    assert _where(found, arm).endswith("when joint 1 errs in one sense.")
+    folded = opened(MoveJoint(0, 0.3), MoveJoint(1, math.pi), arm="planar_2r")
+    assert "when joint 2 errs in one sense" in str(worst_markup(folded, units_of(folded)))
+    assert "when all joints err in one sense" in str(worst_markup(opened(arm="planar_2r"), units_of(folded)))
 
 
 def test_very_many_corners_are_thinned_out():

@@ -11,7 +11,7 @@ from armlab.benches.drive.power.facts import FACTS
 from armlab.benches.drive.power.state import SHOWN, Power
 from armlab.benches.drive.power.ui.chain import table_markup
 from armlab.benches.drive.power.ui.comparison import comparison_markup
-from armlab.benches.drive.power.ui.holding import holding_markup
+from armlab.benches.drive.power.ui.holding import holding_markup, why_markup
 from armlab.benches.drive.power.ui.sankey import sankey
 from armlab.benches.drive.power.ui.system import robot_system
 from armlab.benches.drive.quantities import prefixed, rpm
@@ -107,6 +107,10 @@ def test_a_load_that_is_held_heats_the_motor_and_costs_the_others_nothing():
 def test_a_leaking_valve_lets_the_load_sink():
     part = opened(Set(Power, "leak", 0.5))[Power]
     assert part.sinks * part.load == pytest.approx(10e6 * 0.5e-6)
+    # Twice the mass in the same cylinder makes twice the pressure, and sinks as fast.
+    heavy = opened(Set(Power, "leak", 0.5), Set(Power, "mass", 4.0), Set(Power, "pressure", 20.0))[Power]
+    assert heavy.sinks == pytest.approx(part.sinks)
+    assert "a heavier load has a larger one and sinks more slowly" in str(why_markup())
 
 
 @pytest.mark.parametrize("key", COMPARISONS)

@@ -13,6 +13,9 @@ Floats = NDArray[np.float64]
 STEP = 1e-5
 """Step of the central difference of the torque, as a share of the ratio."""
 
+ROUNDING = 1e-12
+"""Relative difference of two torques below which they are equal."""
+
 
 class Load(NamedTuple):
     """A motor and what it accelerates, with an ideal gear between them.
@@ -35,7 +38,9 @@ class Load(NamedTuple):
     @property
     def resistance(self) -> float:
         """Torque that the load needs at its own shaft, ``J_u a + tau_L``, N m."""
-        return self.load_inertia * self.acceleration + self.torque
+        inertial = self.load_inertia * self.acceleration
+        # A load that moves by itself needs nothing, and not what rounding leaves of two equal torques.
+        return 0.0 if math.isclose(inertial, -self.torque, rel_tol=ROUNDING) else inertial + self.torque
 
 
 class Best(NamedTuple):
@@ -87,7 +92,8 @@ def best_ratio(load: Load) -> Best:
     The derivative is zero where ``J_m a n² = J_u a + tau_L``: at ``n = sqrt(J_u/J_m + tau_L/(J_m a))``, which is
     ``sqrt(J_u/J_m)`` of notes 2.39 for a load without torque. There the motor spends as much on itself as on the load.
     If the torque of the load drives it by more than ``J_u a``, both terms have opposite signs and there is a ratio with
-    which the motor needs no torque at all.
+    which the motor needs no torque at all. If it drives it by just that, the torque falls with the ratio all the way to
+    zero.
 
     Examples
     --------

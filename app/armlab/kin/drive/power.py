@@ -149,6 +149,9 @@ def holding(load: float, ratio: float, k: float, R: float, thermal: float = 0.0)
 def sinking(load: float, pressure: float, leak: float) -> float:
     """Return the angular speed, rad/s, at which a load sinks on a shut valve: p Q = tau omega, paid by the load.
 
+    The pressure is the one that this load makes, so that the cylinder gives way by tau / p for each radian. In the same
+    cylinder a heavier load makes more pressure, and the speed depends on the leakage alone.
+
     Parameters
     ----------
     load : float

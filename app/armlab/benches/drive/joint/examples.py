@@ -54,16 +54,16 @@ EXAMPLES = Registry(
         DriveExample(
             USUAL,
             "Gear of 100, 4000 counts at the motor",
-            "The gear divides every count by 100: a joint is known to a thousandth of a degree, and the tool to some "
-            "hundredths of a millimetre.",
+            "The gear divides every count by 100: a joint that turns is known to a thousandth of a degree, and the "
+            "tool behind such joints to some hundredths of a millimetre.",
             100.0,
             4000.0,
         ),
         DriveExample(
             "play",
             "The same with backlash",
-            "An encoder at the motor sees nothing of the backlash behind it: 0.05° of play are 55 counts, and the tool "
-            "may be some thirty times as far off.",
+            "An encoder at the motor sees nothing of the backlash behind it: where joints turn, 0.05° of play are 55 "
+            "counts, and the tool may be some thirty times as far off.",
             100.0,
             4000.0,
             backlash=math.radians(0.05),
@@ -72,7 +72,8 @@ EXAMPLES = Registry(
         DriveExample(
             "at_joint",
             "The same encoder at the joint",
-            "Now the encoder sees the backlash, but the gear no longer divides its counts: 0.09° each.",
+            "Now the encoder sees the backlash, but the gear no longer divides its counts: 0.09° each "
+            "where a joint turns.",
             100.0,
             4000.0,
             "joint",
@@ -93,8 +94,8 @@ EXAMPLES = Registry(
         DriveExample(
             "coarse",
             "90 counts, no gear: J is not enough",
-            "Four degrees a count: the cloud is bent, and forward kinematics leaves the body that J predicts. What is "
-            "missing grows with the square of the count.",
+            "Where joints turn, four degrees a count: the cloud is bent, and forward kinematics leaves the body that J "
+            "predicts. What is missing grows with the square of the count. Where all joints slide, nothing is missing.",
             1.0,
             90.0,
         ),

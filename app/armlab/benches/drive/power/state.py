@@ -36,7 +36,7 @@ class Power(FieldPart):
     given : "supply" or "load"
         Where the power of the chain is typed.
     pressure : float
-        MPa, of the oil in the chain and below a load that is held.
+        MPa, of the oil in the chain, and of that in the cylinder of a load that is held, which the load makes.
     eta_amplifier, eta_motor, ... : float
         Efficiencies.
     mass, arm : float
@@ -103,7 +103,7 @@ class Power(FieldPart):
 
     @property
     def sinks(self) -> float:
-        """How fast the load sinks on a shut valve, rad/s."""
+        """How fast the load sinks on a shut valve, rad/s, in a cylinder of the size in which it makes the pressure."""
         return sinking(self.load, MEGA * self.pressure, CUBIC_CENTIMETRES * self.leak)
 
     @property

@@ -169,10 +169,14 @@ def _verdict(part: Gears) -> Markup:
     load, best = part.load, part.best
     if best.ratio == math.inf:
         return verdict_box(
-            "warn", "No best ratio", tag("p", "a = 0: the larger n, the smaller τₘ. The load only rests.")
+            "warn", "No best ratio", tag("p", "a = 0, at rest or at constant speed: the larger n, the smaller τₘ.")
         )
     if load.acceleration == 0.0:
         return verdict_box("ok", "No torque", tag("p", "Nothing is accelerated and nothing resists."))
+    if best.ratio == 0.0:
+        return verdict_box(
+            "warn", "No best ratio", tag("p", "The load moves by itself: the smaller n, the smaller τₘ.")
+        )
     if best.torque == 0.0:
         return verdict_box(
             "ok",

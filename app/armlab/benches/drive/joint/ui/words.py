@@ -35,6 +35,10 @@ def _joints(numbers: list[str]) -> str:
     return f"joint{'s' if len(numbers) > 1 else ''} {', '.join(numbers)}"
 
 
+def _err(numbers: list[str]) -> str:
+    return f"{_joints(numbers)} err{'' if len(numbers) > 1 else 's'}"
+
+
 def _where(found: ToolErrors, arm: Arm) -> str:
     if found.position.size <= NOTHING:
         return "No joint moves the tool point here: its position is known exactly."
@@ -43,10 +47,10 @@ def _where(found: ToolErrors, arm: Arm) -> str:
     one = [str(i + 1) for i in range(arm.n) if moving[i] and found.position.signs[i] > 0]
     other = [str(i + 1) for i in range(arm.n) if moving[i] and found.position.signs[i] < 0]
     if not one or not other:
-        every = "all joints" if moving.all() else _joints(one or other)
-        sides = f"{every} err in one sense"
+        every = "all joints err" if moving.all() and arm.n > 1 else _err(one or other)
+        sides = f"{every} in one sense"
     else:
-        sides = f"{_joints(one)} err in one sense and {_joints(other)} in the other"
+        sides = f"{_err(one)} in one sense and {_joints(other)} in the other"
     return f"The position is off most along ({towards}) or the opposite direction, when {sides}."
 
 
