@@ -82,6 +82,16 @@ def test_a_tenth_of_the_angles_leaves_a_hundredth_between_the_ends():
     assert "The order counts" in said(state)
 
 
+def test_a_hundredth_is_promised_only_where_a_tenth_of_the_angles_leaves_it():
+    for degrees, promised in ((90.0, True), (350.0, False)):
+        angle = math.radians(degrees)
+        state = opened(SetOrderAngle(0, angle), SetOrderAngle(1, angle))
+        left = ends_of(apply(state, ScaleAngles(0.1))).apart / ends_of(state).apart
+        assert (left < 0.02) == promised
+        assert ("leaves about a hundredth of this" in said(state)) == promised
+        assert ("where the angles are small" in said(state)) != promised
+
+
 def test_the_curve_has_slope_two_and_goes_through_the_present_angle():
     part = Order(angles=(0.3, -0.15))
     powers, apart, rule, beyond = curves(part)

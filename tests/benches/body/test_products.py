@@ -90,6 +90,8 @@ def test_the_verdict_says_where_a_formula_is_off():
     assert "Type one" in str(_verdict(state))
     assert "It agrees" in str(_verdict(apply(state, TypeEntry("-sa cb"))))
     assert "It is off by up to" in str(_verdict(apply(state, TypeEntry("sa cb"))))
+    constant = opened(Set(Products, "axes", "zx"), SelectEntry(3, 1), TypeEntry("1"))
+    assert ">It is 1, and the entry is 0.<" in str(_verdict(constant))
     assert "no value at any point" in str(_verdict(apply(state, TypeEntry("1/0"))))
     assert "It agrees" not in str(_verdict(apply(apply(state, TypeEntry("-sa cb")), SelectEntry(2, 2))))
 

@@ -83,7 +83,9 @@ def test_the_methods_that_fail_are_named(key, told, wrong):
 
 def test_no_rotation_and_one_on_which_the_slip_is_not_seen():
     assert "Without a rotation all agree" in _verdict(view("matrix", SetBodyTurn(0.0)))
-    assert "The slip is not seen here" in _verdict(view("matrix"))
+    assert "The slip is not seen here: both signs are the same" in _verdict(view("matrix"))
+    about_x = view("matrix", SetWholeAxis((1.0, 0.0, 0.0)), SetBodyTurn(1.0))
+    assert "The slip is not seen here: y is zero" in _verdict(about_x)
 
 
 def test_every_way_begins_at_p_and_ends_at_q():
@@ -117,6 +119,14 @@ def test_three_angles_turn_further_and_lerp_is_faster_in_its_middle():
     assert speed["line"].max() / found["line"] > 1.05
     assert "Three angles turn further" in _said(state)
     assert "Euler angles ZYX" in _table(state)
+
+
+def test_about_the_axis_of_one_angle_three_angles_turn_no_further():
+    from_none = Set(Quaternions, "p", (1.0, 0.0, 0.0, 0.0))
+    about_z = view("way", from_none, SetWholeQuaternion((math.cos(0.5), 0.0, 0.0, math.sin(0.5))))
+    assert turned_in_all(about_z, "euler") == pytest.approx(turned_in_all(about_z, "slerp"))
+    assert "Here the three angles turn about the same axis" in _said(about_z)
+    assert "nothing turns" in _said(view("way", from_none, SetWholeQuaternion((1.0, 0.0, 0.0, 0.0))))
 
 
 def test_the_shorter_way_is_to_minus_q_where_that_is_nearer():

@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -19,7 +20,8 @@ from armlab.benches.help.identities.state import (
     kinds_of,
 )
 from armlab.benches.help.identities.sweep import sweep_of
-from armlab.benches.help.identities.ui.verdict import value_text, verdict_markup
+from armlab.benches.help.identities.ui.page import _equation
+from armlab.benches.help.identities.ui.verdict import _agreed, _left_out, value_text, verdict_markup
 from armlab.content.expressions import FUNCTIONS, MORE_FUNCTIONS, parse
 from armlab.content.identity import read_formula
 from armlab.content.robots import catalogue
@@ -103,6 +105,29 @@ def test_the_verdict_says_what_was_found():
     ]
 
 
+@pytest.mark.parametrize(
+    ("left", "right", "sign"),
+    [
+        ("x + x", "2 x", "&#x0003D;"),
+        ("x", "x + 1", "&#x02260;"),
+        ("1/(10^5 - 10^5) + x", "1/(10^5 - 10^5) + x", "&#x0003F;"),
+        ("exp(1000 x^2)", "exp(1000 x^2)", "&#x0003F;"),
+    ],
+)
+def test_the_equation_says_equal_or_not_only_where_it_was_found(left, right, sign):
+    signs = re.findall(r"<mo>(&#x(?:0003D|02260|0003F);)</mo>", str(_equation(opened(SetIdentity(left, right)))))
+    assert signs[-1] == sign
+
+
+def test_one_point_is_said_to_be_one():
+    found = comparison_of(opened(SetIdentity("x", "x")))
+    one = replace(found, left=found.left[:1], drawn=2)
+    assert "At 1 more point a part of them" in _left_out(one)
+    few = comparison_of(opened(SetIdentity("exp(1000 x^2)", "exp(1000 x^2)")))
+    assert _agreed(1) == "They agree at the only point that there is"
+    assert _agreed(len(few.left)) in said(opened(SetIdentity("exp(1000 x^2)", "exp(1000 x^2)")))
+
+
 def test_sides_are_typed_one_by_one_and_kinds_follow_the_variables():
     state = opened(SetSide("left", "z + n"), SetSide("right", "n + z"))
     assert kinds_of(state) == {"n": "whole", "z": "complex"}
@@ -181,6 +206,9 @@ def test_what_cannot_be_is_refused_in_words_and_the_old_sides_stay(command, told
         ("e^(i θ)", r"{e}^{i\,\theta}"),
         ("e^ix", r"{e}^{i}\,x"),
         ("2*3", r"2\cdot 3"),
+        ("2*3^x", r"2\cdot {3}^{x}"),
+        ("2*(1/2)", r"2\cdot \frac{1}{2}"),
+        ("x*(1/2)", r"x\,\frac{1}{2}"),
         ("sqrt(x_1)", r"\sqrt{x_{1}}"),
         ("abs(z) conj(z)", r"\left|z\right|\,\overline{z}"),
         ("atan2(y, x)", r"\mathrm{atan2}(y,x)"),

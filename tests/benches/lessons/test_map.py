@@ -6,6 +6,7 @@ import re
 import pytest
 
 from armlab.benches.lessons.index.ui.map import SIGNS, Map
+from armlab.benches.lessons.index.ui.page import _told
 from armlab.content.course import Chapter, Course
 from armlab.content.lessons import lessons
 from armlab.session.lesson_commands import OpenLesson
@@ -55,6 +56,19 @@ def test_a_newcomer_sees_what_comes_next_and_what_needs_others_first():
     assert "2 lessons, 27 min" in markup
     form.press("lesson-begin")
     assert form.commands == (OpenLesson("first_arm"),)
+
+
+@pytest.mark.parametrize(
+    ("chapter", "done", "told"),
+    [
+        (("first_arm",), (), "1 lesson, 12 min"),
+        (("first_arm",), ("first_arm",), "1 of 1 lesson done"),
+        (("first_arm", "joint_types"), ("first_arm",), "1 of 2 lessons done, 15 min left"),
+    ],
+)
+def test_the_head_counts_lessons(chapter, done, told):
+    way = Way(Course("x", "X", "", (Chapter("All", "", chapter),)), "", dict.fromkeys(done, Standing(3, 3)), NEEDS)
+    assert _told(way, lessons()) == told
 
 
 def test_what_is_marked_early_can_be_opened_all_the_same():

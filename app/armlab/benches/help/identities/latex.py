@@ -80,7 +80,9 @@ def _bracketed(text: str) -> str:
 
 def _product(left: _Printed, right: _Printed) -> str:
     one, other = _held(left, _PRODUCT), _held(right, _PRODUCT)
-    between = r"\cdot " if other[:1].isdigit() else r"\,"
+    # Without a sign 2 times 3^x would be read as 23^x, and 2 times 1/2 as two and a half.
+    mixed = one[-1:].isdigit() and other.startswith(r"\frac")
+    between = r"\cdot " if mixed or other.lstrip("{")[:1].isdigit() else r"\,"
     return f"{one}{between}{other}"
 
 

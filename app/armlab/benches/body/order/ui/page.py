@@ -12,7 +12,7 @@ from armlab.benches.body.forms.ui.page import HIDES
 from armlab.benches.body.forms.ui.steps import factor, steps_bar
 from armlab.benches.body.order.examples import EXAMPLES, ChooseOrderExample, example_of
 from armlab.benches.body.order.facts import SAME
-from armlab.benches.body.order.film import curves, ends_of, pairs_of
+from armlab.benches.body.order.film import Ends, curves, ends_of, pairs_of
 from armlab.benches.body.order.state import (
     ABOUT,
     CLIP_KEY,
@@ -46,6 +46,9 @@ HEIGHT = 130
 
 SMALL = 1e-3
 """Angle, radians, below which it is written with a power of ten."""
+
+SECOND_ORDER = (0.5, 1.1)
+"""Bounds of the angle between the ends, in that of the rule of second order, between which the rule holds nearly."""
 
 CURVES = (
     Curve("between the ends", VERMILLION, width=3.0),
@@ -147,12 +150,20 @@ def ends_markup(state: State) -> Inside:
     if found.apart < SAME:
         box = verdict_box("ok", "Both orders end alike", tag("p", _alike(state)))
     else:
-        said = (
-            "The order counts, by terms of second order: a tenth of the angles leaves about a hundredth of this. "
-            "Displacements end alike in either order."
+        box = verdict_box(
+            "warn", joined("The ends are ", angle_text(found.apart, state), " apart"), tag("p", _counts(found))
         )
-        box = verdict_box("warn", joined("The ends are ", angle_text(found.apart, state), " apart"), tag("p", said))
     return pairs(rows), box
+
+
+def _counts(found: Ends) -> str:
+    """Return what is left of the angle between the ends as the angles fall: a hundredth only where the rule holds."""
+    low, high = SECOND_ORDER
+    if low < found.apart / found.rule < high:
+        falls = "a tenth of the angles leaves about a hundredth of this."
+    else:
+        falls = "where the angles are small, a tenth of them leaves about a hundredth between the ends."
+    return f"The order counts, by terms of second order: {falls} Displacements end alike in either order."
 
 
 def _alike(state: State) -> str:

@@ -146,7 +146,7 @@ def _verdict(state: State) -> Markup:
     at = ", ".join(f"{GREEK[ANGLES.index(name)]} = {units.angle(value)}" for name, value in places.items())
     here = tag(
         "p",
-        f"At {at} it is {readable(float(np.real(found.left[k])), 4)}, "
+        f"{f'At {at} it' if at else 'It'} is {readable(float(np.real(found.left[k])), 4)}, "
         f"and the entry is {readable(float(np.real(found.right[k])), 4)}.",
     )
     return verdict_box("no", f"It is off by up to {readable(float(found.difference[k]), 4)}", here)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from armlab.benches.body.forms.rotation import forms_of
 from armlab.benches.body.quaternion.film import second
@@ -85,5 +86,12 @@ def _verdict(state: State) -> Markup:
     if slip:
         why = "The sign of y is taken of r₁₃ − r₃₂ in place of r₁₃ − r₃₁⟦, as 3.78 prints it⟧: another rotation."
         return verdict_box("warn", "A wrong index gives another rotation", tag("p", why))
-    note = " The slip is not seen here: both signs are the same." if angle > EXACT else " Without a rotation all agree."
-    return verdict_box("ok", "All three are the quaternion of R", tag("p", note.strip()))
+    return verdict_box("ok", "All three are the quaternion of R", tag("p", _unseen(found["largest"].q, angle)))
+
+
+def _unseen(q: NDArray[np.float64], angle: float) -> str:
+    """Return why a wrong sign of y is not seen."""
+    if angle <= EXACT:
+        return "Without a rotation all agree."
+    same = "y is zero, so its sign does not count." if abs(q[2]) <= EXACT else "both signs are the same."
+    return f"The slip is not seen here: {same}"

@@ -29,6 +29,9 @@ HEIGHT = 114
 HALF = 1e-9
 """Scalar product of two unit quaternions below which they are half a turn apart."""
 
+ALIKE = 1e-6
+"""Difference of two turns, radians, up to which they are equal."""
+
 NONE = "–"
 
 
@@ -82,10 +85,18 @@ def _said(state: State) -> Markup:
         return tag("p", f"{along} is negative, so the way leads to {MINUS}q, which is the same orientation and nearer.")
     if found.along < 0.0:
         return verdict_box("warn", f"{along} is negative: the long way round", tag("p", f"{MINUS}q would be nearer."))
-    same = (
-        "Slerp and lerp turn about one axis; lerp is faster in its middle. Three angles turn further, about many axes."
-    )
-    return tag("p.dim", f"{along}. {same}")
+    return tag("p.dim", f"{along}. {_compared(state)}")
+
+
+def _compared(state: State) -> str:
+    """Return how the ways differ where q is as near to p as its opposite is, or nearer."""
+    least, angles = turned_in_all(state, "slerp") or 0.0, turned_in_all(state, "euler") or 0.0
+    if angles <= ALIKE:
+        return "Both orientations are the same, and nothing turns."
+    one = "Slerp and lerp turn about one axis; lerp is faster in its middle."
+    if angles <= least + ALIKE:
+        return f"{one} Here the three angles turn about the same axis."
+    return f"{one} Three angles turn further, about many axes."
 
 
 class Speeds:

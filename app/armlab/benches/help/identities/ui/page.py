@@ -83,7 +83,9 @@ def _side(form: Form, state: State, side: str) -> Markup:
 
 def _equation(state: State) -> Markup:
     left, right = (latex_of(side) for side in formulas_of(state))
-    sign = "=" if comparison_of(state).agrees else r"\neq"
+    found = comparison_of(state)
+    differ = len(found.left) > 0 and not found.close.all()
+    sign = "=" if found.agrees else r"\neq" if differ else r"\overset{?}{=}"
     return tag("div.eq.small.scroll", mathml(left), " ", mathml(sign), " ", mathml(right))
 
 

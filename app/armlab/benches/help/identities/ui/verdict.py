@@ -26,7 +26,7 @@ def verdict_markup(state: State) -> Markup:
         head = f"They agree at {POINTS} points to {_power(TOLERANCE)}"
         return verdict_box("ok", head, tag("p", said, " ", note), _left_out(found))
     if found.close.all():
-        return verdict_box("todo", f"They agree at the {count} points that there are", _left_out(found))
+        return verdict_box("todo", _agreed(count), _left_out(found))
     k = found.worst
     close = int(found.close.sum())
     head = f"They differ by up to {readable(float(found.difference[k]), 4)}"
@@ -42,6 +42,10 @@ def verdict_markup(state: State) -> Markup:
     )
 
 
+def _agreed(count: int) -> str:
+    return f"They agree at the {'only point that there is' if count == 1 else f'{count} points that there are'}"
+
+
 def _share(found: Comparison, close: int, count: int) -> str:
     if found.opposite:
         return "One is the other with the opposite sign."
@@ -54,7 +58,8 @@ def _left_out(found: Comparison) -> Markup | None:
     missing = found.drawn - len(found.left)
     if not missing:
         return None
-    return tag("p", f"At {missing} more points a part of them has no value, or one too large to compare.")
+    points = "1 more point" if missing == 1 else f"{missing} more points"
+    return tag("p", f"At {points} a part of them has no value, or one too large to compare.")
 
 
 def value_text(value: complex) -> str:

@@ -64,9 +64,10 @@ def _told(way: Way, found: Lessons) -> str:
     count = len(way.course.lessons)
     left = [key for key in way.course.lessons if key not in way.done]
     minutes = time_said(sum(found.lessons[key].minutes for key in left))
+    lessons = f"{count} lesson{'s' if count > 1 else ''}"
     if len(left) == count:
-        return ", ".join(filter(None, (f"{count} lesson{'s' if count > 1 else ''}", minutes)))
-    done = f"{count - len(left)} of {count} lessons done"
+        return ", ".join(filter(None, (lessons, minutes)))
+    done = f"{count - len(left)} of {lessons} done"
     return f"{done}, {minutes} left" if minutes else done
 
 
