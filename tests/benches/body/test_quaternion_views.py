@@ -84,8 +84,9 @@ def test_the_methods_that_fail_are_named(key, told, wrong):
 def test_no_rotation_and_one_on_which_the_slip_is_not_seen():
     assert "Without a rotation all agree" in _verdict(view("matrix", SetBodyTurn(0.0)))
     assert "The slip is not seen here: both signs are the same" in _verdict(view("matrix"))
-    about_x = view("matrix", SetWholeAxis((1.0, 0.0, 0.0)), SetBodyTurn(1.0))
-    assert "The slip is not seen here: y is zero" in _verdict(about_x)
+    for axis in ((1.0, 0.0, 0.0), (1.0, 0.0, 3.0), (2.0, 0.0, -1.0), (3.0, 0.0, 1.0)):
+        across_y = view("matrix", SetWholeAxis(axis), SetBodyTurn(1.0))
+        assert "The slip is not seen here: y is zero" in _verdict(across_y)
 
 
 def test_every_way_begins_at_p_and_ends_at_q():

@@ -75,7 +75,9 @@ def from_matrix_markup(state: State) -> Inside:
 def _verdict(state: State) -> Markup:
     """Return which methods fail here, and why."""
     found, angle = found_of(state), abs(state.derived(forms_of).angle)
-    signs, slip = found["signs"].off > EXACT, found["slip"].off > EXACT
+    q = found["largest"].q
+    # Where y is zero its root is rounding, which has no sign to be wrong.
+    signs, slip = found["signs"].off > EXACT, found["slip"].off > EXACT and abs(q[2]) > EXACT
     if signs:
         why = (
             "Near half a turn R is nearly symmetric: the differences of which the signs are taken are zero or rounding "
@@ -86,7 +88,7 @@ def _verdict(state: State) -> Markup:
     if slip:
         why = "The sign of y is taken of r₁₃ − r₃₂ in place of r₁₃ − r₃₁⟦, as 3.78 prints it⟧: another rotation."
         return verdict_box("warn", "A wrong index gives another rotation", tag("p", why))
-    return verdict_box("ok", "All three are the quaternion of R", tag("p", _unseen(found["largest"].q, angle)))
+    return verdict_box("ok", "All three are the quaternion of R", tag("p", _unseen(q, angle)))
 
 
 def _unseen(q: NDArray[np.float64], angle: float) -> str:
