@@ -25,7 +25,7 @@ from armlab.benches.motion.plan.points import (
 from armlab.benches.motion.plan.question import Feasible
 from armlab.benches.motion.plan.samples import fastest_tool
 from armlab.benches.motion.plan.state import Plan, planned_now
-from armlab.benches.motion.plan.words import judged
+from armlab.benches.motion.plan.words import judged, rounded_up
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import peaks
@@ -202,6 +202,15 @@ def test_the_fastest_time_is_enough_when_it_is_given(robot, law):
 def test_a_typed_ramp_shapes_the_law_in_a_given_time():
     state = after(opened(), LastFor(4.0), SetMoveOption(1, "law", "ramp", 0.25))
     assert worked_out(state).legs[0].trajectory.law.pieces.tolist() == pytest.approx([1.0, 3.0])
+
+
+def test_the_least_time_holds_for_the_ramps_that_are_typed():
+    state = after(opened("planar_2r"), SetMove(1, law="trapezoidal"), SetMoveOption(1, "law", "ramp", 0.1))
+    for given in (0.72, 1.0, 3.0):
+        least = worked_out(after(state, LastFor(given))).least
+        assert least == pytest.approx(1.1894, abs=1e-4)
+        assert judged(worked_out(after(state, LastFor(rounded_up(least))))).kind == "ok"
+        assert judged(worked_out(after(state, LastFor(least - 0.01)))).kind == "no"
 
 
 def test_removing_a_waypoint_keeps_the_selected_one():

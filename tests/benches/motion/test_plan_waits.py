@@ -11,14 +11,14 @@ from armlab.benches.motion.files.read import motion_csv, plan_json
 from armlab.benches.motion.files.script import motion_script
 from armlab.benches.motion.files.table import read_table
 from armlab.benches.motion.plan.clip import CLIP
-from armlab.benches.motion.plan.commands import AllMovesLike, SetMove
+from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import LastFor
 from armlab.benches.motion.plan.moves import LONGEST_WAIT, Waypoint
 from armlab.benches.motion.plan.points import AddWaypoint, CopyWaypoint, SelectWaypoint, SetAtWaypoint, SetWaypointJoint
 from armlab.benches.motion.plan.seen import seen_motion
 from armlab.benches.motion.plan.state import Plan, planned_now
-from armlab.benches.motion.plan.words import judged
+from armlab.benches.motion.plan.words import judged, rounded_up
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints, RandomPose
@@ -61,6 +61,15 @@ def test_the_arm_stands_still_for_every_wait_and_else_moves_as_before(robot):
     assert np.allclose(found.motion.at(arrivals[0] + 0.7 + moving), before.motion.at(first + moving), atol=1e-9)
     assert judged(found).kind == "ok"
     assert CLIP.stops(with_planned(waiting)) == pytest.approx((0.4, arrivals[0], arrivals[0] + 0.7, arrivals[1]))
+
+
+def test_the_least_time_of_a_typed_ramp_counts_with_the_waits_and_the_slowest_move():
+    state = after(opened("planar_2r"), SetMove(2, stop=True), SetMove(1, law="trapezoidal"))
+    state = after(state, SetMoveOption(1, "law", "ramp", 0.1), SetAtWaypoint(1, "wait", 0.5))
+    least = worked_out(after(state, LastFor(2.0))).least
+    assert least > worked_out(state).duration + 0.1
+    assert judged(worked_out(after(state, LastFor(rounded_up(least))))).kind == "ok"
+    assert judged(worked_out(after(state, LastFor(least - 0.01)))).kind == "no"
 
 
 def test_where_the_arm_rests_a_path_that_would_go_through_ends_and_the_next_begins():

@@ -102,6 +102,11 @@ def independent_motion(question: Question, stretch: Stretch, start: Floats, end:
     return scaled(motion, max(1.0, slack(question, motion)))
 
 
+def shaped_by_limits(stretch: Stretch) -> bool:
+    """Return whether the limits shape the law of a stretch also in a given time, and not typed ramps."""
+    return stretch.move.independent or not RAMPS & set(stretch.move.law.options)
+
+
 def lasting(stretch: Stretch, path: Path, motion: Motion, duration: float) -> Motion:
     """Return a motion of a stretch in another time: the same law scaled, or with the typed ramps.
 
@@ -110,7 +115,7 @@ def lasting(stretch: Stretch, path: Path, motion: Motion, duration: float) -> Mo
     InputError
         The typed law does not fit; the text names the move.
     """
-    if stretch.move.independent or not RAMPS & set(stretch.move.law.options):
+    if shaped_by_limits(stretch):
         return scaled(motion, duration / motion.duration)
     try:
         return Trajectory(path, law_types()[stretch.move.law.key].law(duration, **stretch.move.law.options))

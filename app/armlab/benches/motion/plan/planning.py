@@ -10,7 +10,15 @@ from itertools import takewhile
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.motion.plan.laws import bounds_of, fastest, independent_motion, lasting, unkept
+from armlab.benches.motion.plan.laws import (
+    bounds_of,
+    fastest,
+    independent_motion,
+    lasting,
+    shaped_by_limits,
+    slack,
+    unkept,
+)
 from armlab.benches.motion.plan.moves import Stretch
 from armlab.benches.motion.plan.paths import joint_path, shortfall, tool_path
 from armlab.benches.motion.plan.question import LONGEST, SHORTEST, Feasible, Leg, Planned, Question
@@ -168,7 +176,23 @@ def _together(question: Question, legs: Sequence[Leg]) -> Planned:
     spans = (*spans_of(over), *too_fast(samples, question.limits.tool_speed))
     drawn = [drawn_leg(question.arm, leg, spans) for leg in placed]
     every = (*drawn, *legs[len(running) :])
-    return Planned(question, every, motion, samples, over, within + first + sum(waits), unkept(question, motion))
+    waiting = first + sum(waits)
+    least = _least_in_shape(question, placed, within, waiting)
+    return Planned(question, every, motion, samples, over, within + waiting, unkept(question, motion), in_shape=least)
+
+
+def _least_in_shape(question: Question, placed: Sequence[Leg], within: float, waits: float) -> float | None:
+    """Return the least seconds of placed legs with their waits if typed ramps shape some of them, else None.
+
+    All legs are scaled together with the given time; those without typed ramps need ``within`` for it.
+    """
+    if question.duration is None:
+        return None
+    typed = [_motion(leg) for leg in placed if leg.stretch is not None and not shaped_by_limits(leg.stretch)]
+    moving = [slack(question, motion) * (question.duration - waits) for motion in typed]
+    if not moving:
+        return None
+    return max(moving if len(typed) == len(placed) else [within, *moving]) + waits
 
 
 def _wait(question: Question, leg: Leg) -> float:

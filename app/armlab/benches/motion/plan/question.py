@@ -220,13 +220,16 @@ class Planned:
     violations : tuple of Violation
         When which limit is exceeded.
     fastest : float
-        Seconds within the limits that can be kept, without those of `unkept`; nan when there is no motion.
+        Seconds as fast as allowed by the limits that can be kept, without those of `unkept`; nan when there is no
+        motion.
     unkept : tuple of str
         Limits that it cannot keep in any time, such as a velocity that would have to jump.
     overruns : tuple of Overrun
         The limits it exceeds, each once, in the order of time; that of the tool speed among them.
     figures : Figures or None
         The largest values of that motion; None when there is none. See `armlab.benches.motion.plan.measured`.
+    in_shape : float or None
+        Least seconds in the shape that typed ramps give the laws in a given time; None when the limits shape them.
     """
 
     question: Question
@@ -238,11 +241,14 @@ class Planned:
     unkept: tuple[str, ...] = ()
     overruns: tuple[Overrun, ...] = ()
     figures: Figures | None = None
+    in_shape: float | None = None
 
     @property
     def least(self) -> float:
         """Least duration within all limits, seconds; nan when there is no motion, and where no duration keeps them."""
-        return math.nan if self.unkept else self.fastest
+        if self.unkept:
+            return math.nan
+        return self.fastest if self.in_shape is None else self.in_shape
 
     @property
     def whole(self) -> bool:
