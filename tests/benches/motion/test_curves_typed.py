@@ -169,6 +169,20 @@ def test_an_answer_to_a_question_that_has_passed_is_let_go(state):
     assert with_fastest(moved) is moved
 
 
+@pytest.mark.parametrize(
+    "command", [SetOption(0, "path", "ends", "natural"), ChoosePath(0, "interpolating"), RemoveCurve(0)]
+)
+def test_fastest_intervals_for_other_ends_are_let_go(state, command):
+    state = apply(apply(state, ChooseExample("fastest")), AddCurve())
+    state = apply(apply(apply(state, ChoosePath(1, "spline")), SetOption(1, "path", "ends", "natural")), FindFastest())
+    assert state[Curves].asked.ends == "clamped"
+    found = with_fastest(state)
+    assert apply(found, RemoveCurve(1))[Curves].fastest == found[Curves].fastest is not None
+    for before in (state, found):
+        part = apply(before, command)[Curves]
+        assert (part.ends, part.asked, part.fastest) == ("natural", None, None)
+
+
 def test_the_fastest_intervals_need_limits_and_knots_that_move(state):
     with pytest.raises(InputError, match="need both v_max and a_max"):
         apply(state, FindFastest())

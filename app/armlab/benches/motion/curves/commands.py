@@ -45,7 +45,7 @@ def _with_curve(state: State, i: int, drawn: Drawn) -> State:
         return state
     made(part.knots, drawn)
     drawn = replace(drawn, dropped=False)
-    return state.replace(replace(part, curves=(*part.curves[:i], drawn, *part.curves[i + 1 :]), example=""))
+    return setting(state, Curves, {"curves": (*part.curves[:i], drawn, *part.curves[i + 1 :])})
 
 
 @dataclass(frozen=True)
@@ -124,7 +124,7 @@ class AddCurve(Command):
         drawn = Drawn(colour, Chosen(key))
         made(part.knots, drawn)
         more = (*part.curves, drawn)
-        return state.replace(replace(part, curves=more, selected=len(more) - 1, example=""))
+        return setting(state, Curves, {"curves": more, "selected": len(more) - 1})
 
 
 @dataclass(frozen=True)
@@ -142,7 +142,7 @@ class RemoveCurve(Command):
             raise InputError("curves: at least one")
         left = (*part.curves[: self.i], *part.curves[self.i + 1 :])
         selected = part.selected - (part.selected > self.i)
-        return state.replace(replace(part, curves=left, selected=min(selected, len(left) - 1), example=""))
+        return setting(state, Curves, {"curves": left, "selected": min(selected, len(left) - 1)})
 
 
 @dataclass(frozen=True)

@@ -125,9 +125,9 @@ class Curves(FieldPart):
             raise InputError(f"curve: expected 1 to {len(self.curves)}, got {self.selected + 1}")
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
-        """Return the part with fields set, without fastest intervals for other knots or limits."""
+        """Return the part with fields set, without fastest intervals for other knots, limits or ends."""
         part = super().with_values(values)
-        same = (part.knots, part.limits) == (self.knots, self.limits)
+        same = (part.knots, part.limits, part.ends) == (self.knots, self.limits, self.ends)
         return part if same else replace(part, asked=None, fastest=None)
 
     @property
