@@ -7,18 +7,25 @@ import pytest
 
 from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.files.script import motion_script
-from armlab.benches.motion.plan.commands import SetMoveOption
+from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption, refuse_pathless
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.moves import Move, Stretch, Waypoint
 from armlab.benches.motion.plan.paths import joint_path, joint_scales
-from armlab.benches.motion.plan.points import SetWaypointJoint
+from armlab.benches.motion.plan.points import (
+    AddWaypoint,
+    RemoveWaypoint,
+    SetAtWaypoint,
+    SetWaypointJoint,
+    ShiftWaypoint,
+)
 from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import path_types
-from armlab.session.parts.joints import Joints
+from armlab.session.parts.joints import Joints, RandomPose
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State, apply
+from support.plans import opened
 
 KINDS = path_types()
 
@@ -111,6 +118,54 @@ def test_an_option_that_cannot_be_used_is_refused_in_words():
     state = apply(state, SetMoveOption(1, "path", "ends", "natural"))
     state = apply(state, SetMoveOption(1, "path", "a_start", [0.1, 0.1]))
     assert apply(state, SetMoveOption(1, "path", "ends", "clamped"))[Plan].moves[0].path.options == {"ends": "clamped"}
+
+
+def with_list(path, name, value, points=3):
+    """Return a state with a path through waypoints with an option that lists values."""
+    state = opened("planar_2r", points)
+    return apply(apply(state, SetMove(1, path=path)), SetMoveOption(1, "path", name, value))
+
+
+@pytest.mark.parametrize("edit", [AddWaypoint(), RemoveWaypoint(1)])
+@pytest.mark.parametrize(
+    ("path", "name", "value"),
+    [
+        ("hermite", "velocities", [[0.0, 0.0], [0.1, 0.2], [0.3, 0.0], [0.0, 0.0]]),
+        ("spline", "times", [0.0, 1.0, 2.5, 3.0]),
+        ("overfly", "amount", [0.01, 0.02]),
+        ("overfly", "speed", [0.5, 0.6, 0.7]),
+        ("blends", "blend", [0.01, 0.02, 0.02, 0.01]),
+    ],
+)
+def test_values_for_another_number_of_waypoints_are_dropped(path, name, value, edit):
+    state = with_list(path, name, value, points=4)
+    assert name in state[Plan].moves[0].path.options
+    state = apply(apply(state, RandomPose()), edit)
+    refuse_pathless(state[Joints].arm, state[Plan])
+    assert name not in state[Plan].moves[0].path.options
+
+
+def test_moves_that_become_one_stretch_drop_what_was_listed_for_the_shorter():
+    state = apply(opened("planar_2r", 4), SetMove(2, stop=True))
+    state = apply(apply(state, SetMove(1, path="hermite")), SetMoveOption(1, "path", "velocities", [[0.0, 0.0]] * 3))
+    assert (
+        apply(state, AllMovesLike(1))[Plan].moves == (Move(path=Chosen("hermite"), law=state[Plan].moves[0].law),) * 3
+    )
+
+
+def test_a_wait_that_divides_a_path_elsewhere_drops_what_was_listed():
+    state = apply(opened("planar_2r", 5), SetAtWaypoint(2, "wait", 0.5))
+    state = apply(apply(state, SetMove(1, path="spline")), SetMoveOption(1, "path", "times", [0.0, 1.0, 3.0]))
+    shifted = apply(state, ShiftWaypoint(2, -1))[Plan]
+    assert "times" not in shifted.moves[0].path.options
+    assert apply(state, ShiftWaypoint(0, 1))[Plan].moves == state[Plan].moves
+
+
+def test_derivatives_at_the_ends_belong_to_no_waypoint_and_stay():
+    state = apply(opened("planar_2r", 2), SetMove(1, path="polynomial"))
+    state = apply(state, SetMoveOption(1, "path", "start", [[0.1, 0.1]]))
+    given = state[Plan].moves[0].path.options["start"]
+    assert apply(state, SetMove(1, law="cubic"))[Plan].moves[0].path.options["start"] == given
 
 
 @pytest.mark.parametrize(

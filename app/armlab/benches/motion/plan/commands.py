@@ -24,6 +24,12 @@ from armlab.kin.motion import law_types, path_type, path_types
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
 
+FEWER = {"times": 0, "velocities": 0, "blend": 0, "speed": 1, "amount": 2}
+"""Options of paths that list values for each waypoint, line or corner, with how many fewer these are than waypoints."""
+
+ONE_FOR_ALL = {"blend", "speed", "amount"}
+"""Those of them in which one value stands for all."""
+
 
 def with_plan(state: State, part: Plan) -> State:
     """Return the state with a changed plan, after a check that its paths exist.
@@ -176,7 +182,7 @@ class AllMovesLike(PlanCommand):
         part = state[Plan]
         first, _ = _moves_of(part, self.k)
         like = part.moves[first].through()
-        return with_plan(state, edited(part, moves=(like,) * len(part.moves)))
+        return with_plan(state, refitted(edited(part, moves=(like,) * len(part.moves))))
 
 
 def checked_index(part: Plan, k: int) -> int:
@@ -201,12 +207,14 @@ def refitted(part: Plan) -> Plan:
         count = stretch.last - stretch.first + 1
         for i in range(stretch.first, stretch.last):
             move = moves[i]
-            lists = {field.key for field in move.kind.fields if field.kind == "list"}
-            kept = tuple((name, value) for name, value in move.path.given if name not in lists or _fits(value, count))
+            lists = {field.key for field in move.kind.fields if field.kind == "list"} | set(FEWER)
+            kept = tuple(each for each in move.path.given if each[0] not in lists or _fits(*each, count))
             moves[i] = replace(move, path=Chosen(move.path.key, kept))
     return part if tuple(moves) == part.moves else replace(part, moves=tuple(moves))
 
 
-def _fits(value: Value, count: int) -> bool:
-    """Return whether a list has one value, or as many as there are waypoints, segments, or corners."""
-    return len(value) in (1, count, count - 1, count - 2)
+def _fits(name: str, value: Value, count: int) -> bool:
+    """Return whether a list has one value that stands for all, or as many as belong to so many waypoints."""
+    if name not in FEWER:
+        return len(value) in (1, count, count - 1, count - 2)
+    return len(value) == count - FEWER[name] or (name in ONE_FOR_ALL and len(value) == 1)

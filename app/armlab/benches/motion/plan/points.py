@@ -130,7 +130,7 @@ class ShiftWaypoint(PlanCommand):
             return state
         points = list(part.waypoints)
         points[k], points[other] = points[other], points[k]
-        return with_plan(state, edited(part, waypoints=tuple(points), selected=other))
+        return with_plan(state, refitted(edited(part, waypoints=tuple(points), selected=other)))
 
 
 @dataclass(frozen=True)
