@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.chosen import Chosen
+from armlab.benches.motion.plan.commands import SetMove
 from armlab.benches.motion.plan.figures import TOOL, Overrun
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import CompareMoves, LastFor
 from armlab.benches.motion.plan.moves import Move, Waypoint
 from armlab.benches.motion.plan.state import Plan
-from armlab.benches.motion.plan.words import listed, sentences
+from armlab.benches.motion.plan.words import listed, rounded_up, sentences
 from armlab.benches.motion.plots.drawn import compared
 from armlab.benches.motion.plots.ui.curves import POINTS, Line, MotionPlot, Times
 from armlab.benches.motion.plots.ui.lines import lines_of, most_of, slots
@@ -299,7 +300,8 @@ def test_the_page_says_what_keeps_a_motion_from_being_run_or_from_being_faster()
     assert re.search(r"None is reached: as fast as allowed, the motion would take \d\.\d\d s\.", slow)
     fast = said(state_of("puma560", None, LastFor(0.5)))
     assert "✕ Joints 1, 2, 3, 4, 5 and 6 exceed their acceleration limits from 0.00 to" in fast
-    assert "Within the limits this path takes" in fast
+    least = rounded_up(state_of("puma560")[Plan].planned.duration)
+    assert f"Within the limits this path takes {least:.2f} s." in fast
     for reached, head in ((0, "✕ There is nothing to plot."), (1, "✕ The motion cannot be run to its end")):
         blocked = out_of_reach(reached)
         assert head in said(blocked)
@@ -327,6 +329,11 @@ def test_the_comparison_says_who_is_faster_and_why():
 
     slides = said("cartesian_3p")
     assert "all joints are prismatic, so that a straight line in joint space is a straight line of the tool" in slides
+    assert re.search(r"<p>Both take [\d.]+ s: all", slides)
+    assert re.search(r"<p>Within the limits both take [\d.]+ s: all", said("cartesian_3p", LastFor(30.0)))
+    # The joint with the longest way keeps the time, and the others are done before it.
+    apart = said("cartesian_3p", SetMove(1, apart=True))
+    assert "joints are prismatic" not in apart
     puma = said("puma560")
     assert re.search(r"Joint moves are faster: [\d.]+ s instead of [\d.]+ s, although the tool goes farther\.", puma)
     assert "Cartesian moves are held back by the acceleration limit of joint" in puma

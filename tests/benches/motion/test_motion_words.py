@@ -187,6 +187,11 @@ def test_a_motion_that_runs():
         (RUNS, {"within": False}, "The motion exceeds a limit; within all limits it takes at least 1.20 s."),
         (
             RUNS,
+            {"within": False, "fastest": 1.2012},
+            "The motion exceeds a limit; within all limits it takes at least 1.21 s.",
+        ),
+        (
+            RUNS,
             {"within": False, "fastest": 0.0},
             "The motion exceeds a limit that these moves keep in no time: choose another law.",
         ),

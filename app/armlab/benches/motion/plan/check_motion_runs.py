@@ -14,6 +14,7 @@ from armlab.benches.motion.plan.seen_motion import (
     percent,
     seconds,
 )
+from armlab.benches.motion.plan.words import rounded_up
 from armlab.content.check import PLAIN, CheckType, Words, tolerance
 from armlab.content.lesson_fields import Fields
 from armlab.content.observation import Observation
@@ -64,7 +65,8 @@ class MotionRuns:
         if not motion.within and not motion.fastest:
             return "The motion exceeds a limit that these moves keep in no time: choose another law."
         if not motion.within:
-            return f"The motion exceeds a limit; within all limits it takes at least {seconds(motion.fastest)}."
+            least = seconds(rounded_up(motion.fastest))
+            return f"The motion exceeds a limit; within all limits it takes at least {least}."
         if motion.waypoints < self.waypoints:
             return f"The motion has {motion.waypoints} waypoints; at least {self.waypoints} are required."
         return self._wrong_time(motion) or self._too_much(motion, words)

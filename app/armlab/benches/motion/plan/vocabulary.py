@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from armlab.benches.motion.plan.actions import READERS
 from armlab.benches.motion.plan.seen_motion import KEY, motion_in, seconds
+from armlab.benches.motion.plan.words import rounded_up
 from armlab.content.check import Words
 from armlab.content.live_value import NONE, LiveValue, always
 from armlab.content.observation import Observation
@@ -18,10 +19,12 @@ def _duration(observation: Observation, words: Words) -> str:
 
 
 def _fastest(observation: Observation, words: Words) -> str:
-    """Return the least duration of the planned motion within its limits."""
+    """Return a duration that the planned motion can have within its limits, the least in hundredths."""
     del words
     motion = motion_in(observation)
-    return seconds(motion.fastest) if motion is not None and motion.whole and motion.fastest else NONE
+    if motion is None or not motion.whole or not motion.fastest:
+        return NONE
+    return seconds(rounded_up(motion.fastest))
 
 
 VOCABULARY = Vocabulary(

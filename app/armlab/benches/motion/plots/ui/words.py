@@ -5,7 +5,7 @@ from __future__ import annotations
 from armlab.benches.motion.plan.figures import TOOL, Binding, Figures, Overrun
 from armlab.benches.motion.plan.question import Planned
 from armlab.benches.motion.plan.ui.joint_marks import joint_mark
-from armlab.benches.motion.plan.words import exceeded_words
+from armlab.benches.motion.plan.words import exceeded_words, rounded_up
 from armlab.benches.motion.plots.drawn import Kind, kind_of, same_time
 from armlab.benches.motion.plots.ui.lines import DOTS, TIMES
 from armlab.ui.format import capitalised, number, trimmed
@@ -44,7 +44,7 @@ def status(planned: Planned | None, figures: Figures | None, found: tuple[Overru
             shown.append(tag("p", f"… and {len(every) - MOST_SENTENCES} more."))
         many = max(len(found), len(every))
         head = "A limit is exceeded." if many == 1 else f"{many} limits are exceeded."
-        within = None if planned.unkept else f"Within the limits this path takes {_seconds(planned.least)}."
+        within = None if planned.unkept else f"Within the limits this path takes {_seconds(rounded_up(planned.least))}."
         parts.append(verdict_box("no.mp-over", head, shown, within, sign=SIGNS["no"]))
     elif not why:
         parts.append(verdict_box("ok", "All limits are kept.", _kept(planned, figures)))
@@ -92,7 +92,7 @@ def comparison(
         _row("joint speed", [None if f is None else _fastest_joint(planned, f, units) for f in both]),
     ]
     if planned.question.duration is not None:
-        rows.insert(1, _row("within limits, s", [_time(planned.least), _time(other.least)]))
+        rows.insert(1, _row("within limits, s", [_allowed(planned), _allowed(other)]))
     return joined(title, tag("table.dh.mp-table", heads, rows), _who(planned, own, other, theirs))
 
 
@@ -120,12 +120,13 @@ def _who(planned: Planned, own: Figures | None, other: Planned, theirs: Figures 
             return tag("p.no", f"✕ {capitalised(name)} cannot be run through all waypoints: {each.trouble}.")
     if own is None or theirs is None or planned.unkept or other.unkept:
         return None  # where no time keeps the limits, none is the shortest
+    given = "Within the limits " if planned.question.duration is not None else ""
     if same_time(planned, other):
-        return tag("p", f"Both take {_seconds(planned.fastest)}{_affine(planned, own)}")
+        both = f"{given}both take {_seconds(planned.fastest)}{_affine(planned, other, own)}"
+        return tag("p", capitalised(both))
     first = planned.fastest < other.fastest
     every = ((planned, KINDS[kind], own), (other, OTHERS[kind], theirs))
     (quick, name, f), (slow, slow_name, g) = every if first else every[::-1]
-    given = "Within the limits " if planned.question.duration is not None else ""
     text = f"{given}{name} are faster: {_seconds(quick.fastest)} instead of {_seconds(slow.fastest)}"
     if f.way > g.way * LONGER:
         text += ", although the tool goes farther"
@@ -136,11 +137,12 @@ def _who(planned: Planned, own: Figures | None, other: Planned, theirs: Figures 
     return tag("p", text)
 
 
-def _affine(planned: Planned, figures: Figures) -> str:
-    arm = planned.question.arm
+def _affine(planned: Planned, other: Planned, figures: Figures) -> str:
+    # Joints that go each by itself leave the straight line of joint space.
+    apart = any(move.independent for each in (planned, other) for move in each.question.moves)
     known = figures.binding is not None and planned.question.duration is None
     held = f" {capitalised(holder(figures.binding))} holds both back." if known and figures.binding else ""
-    if arm.revolute.any():
+    if apart or planned.question.arm.revolute.any():
         return f".{held}"
     return (
         ": all joints are prismatic, so that a straight line in joint space is a straight line of the tool, "
@@ -196,6 +198,11 @@ def _percent(share: float) -> str:
 
 def _seconds(time: float) -> str:
     return f"{number(time, 2)} s"
+
+
+def _allowed(planned: Planned) -> str | None:
+    """Return the least time within the limits in the shape that these give the laws, as for the moves beside them."""
+    return None if planned.unkept else _time(planned.fastest)
 
 
 def _time(time: float) -> str | None:
