@@ -3,6 +3,7 @@
 import csv
 import io
 import re
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,6 +13,7 @@ from armlab.benches.motion.plan.commands import SetMove
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import SampleBy
 from armlab.benches.motion.plan.points import SetWaypointPose
+from armlab.benches.motion.plan.question import Feasible
 from armlab.benches.motion.plan.ui.joint_marks import joint_dots
 from armlab.benches.motion.steps.ui import words
 from armlab.benches.motion.steps.ui.formulas import formula_of, says_of
@@ -110,6 +112,49 @@ def test_a_joint_move_says_what_it_leaves_out():
     assert f"largest distance {1e3 * found.apart.distance.max():.1f} mm" in joints
     heads = [texts(words.head_of(k, found)) for k in (1, 2, 3, 4, 5)]
     assert ["left out" in head for head in heads] == [False, True, True, False, False]
+
+
+def test_joints_that_go_each_by_itself_share_no_path():
+    found, together = looked("scara", SetMove(1, apart=True)), looked("scara")
+    knots, *_, joints = (texts(each) for each in everything(found))
+    assert "joints independent: each by its own law" in knots
+    assert "joints coordinated: all share" in texts(words.knots(together, UNITS))
+    motion = found.leg.motion
+    way = found.arm.position(motion.at(np.linspace(0.0, motion.duration, 4001)))
+    length = np.linalg.norm(np.diff(way, axis=0), axis=1).sum()
+    assert found.tool_length == pytest.approx(length, rel=1e-6)
+    assert abs(length - together.tool_length) > 1e-3 * length
+    assert f"path of the tool {1e3 * length:.1f} mm" in joints
+    np.testing.assert_allclose(found.apart.q, motion.at(found.apart.s * motion.duration), rtol=0, atol=1e-12)
+    assert "s is the time, t/T" in joints
+    assert f"With the timing law of each joint the motion takes {motion.duration:.2f} s." in joints
+    assert "q(s(t))" not in joints
+    assert "Each coordinate changes in proportion" not in joints
+
+
+def test_the_tool_of_prismatic_joints_is_not_said_to_leave_the_straight_line():
+    slides = looked("cartesian_3p")
+    assert slides.apart.distance.max() < 1e-9
+    said = [texts(words.joints(found, UNITS, COLOURS)) for found in (slides, looked("scara"))]
+    assert ["the tool does not move along a straight line" in each for each in said] == [False, True]
+    assert ["All joints are prismatic" in each for each in said] == [True, False]
+
+
+def test_one_of_a_kind_is_named_in_the_singular():
+    two = texts(words.joints(looked("planar_2r", SetMove(1, space="cartesian"), SampleBy(2)), UNITS, COLOURS))
+    assert "A cubic from the first solution to the second is q(s). Only at" in two
+    three = texts(words.joints(looked("planar_2r", SetMove(1, space="cartesian"), SampleBy(3)), UNITS, COLOURS))
+    assert "through the 3 solutions is q(s): 2 pieces, equal" in three
+    found = broken()
+    for near, told in ((1, "1 sample, where"), (2, "2 samples, where")):
+        worth = np.full(len(found.samples), Feasible.YES)
+        worth[:near] = Feasible.NEAR_SINGULAR
+        found.__dict__["worth"] = worth
+        assert told in texts(words.inverse(found, UNITS))
+    stop = found.followed.stops[0]
+    for more, told in ((1, "and 1 more place."), (2, "and 2 more places.")):
+        followed = replace(found.followed, stops=(stop,) * (words.STOPS + more))
+        assert told in texts(words.inverse(replace(found, leg=replace(found.leg, followed=followed)), UNITS))
 
 
 def test_a_knot_that_is_reached_in_another_way_than_it_was_stored_is_told():

@@ -6,6 +6,7 @@ the result of each.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -217,13 +218,24 @@ class Steps:
             return np.linspace(0.0, 1.0, len(self.knot_q))
         return places(self.path, self.knot_q)
 
+    @property
+    def course(self) -> Callable[[Floats], Floats] | None:
+        """Joint values (k, n) at places s (k,) of step 5; None without any.
+
+        Joints that go each by itself have no path that they share: their s is t/T, the part of the time that is over.
+        """
+        motion = self.leg.motion
+        if not self.stretch.move.independent:
+            return None if self.path is None else self.path.at
+        return None if motion is None else lambda s: motion.at(s * motion.duration)
+
     @cached_property
     def apart(self) -> Apart | None:
         """Distance of the tool from its path, or for a joint move from the straight lines; None without a path."""
-        if self.path is None:
+        if self.path is None or self.course is None:
             return None
         if self.way is None or self.followed is None:
-            return _beside_lines(self.arm, self.path, self.knot_places, self.knot_poses[:, :3, 3])
+            return _beside_lines(self.arm, self.course, self.knot_places, self.knot_poses[:, :3, 3])
         return _beside_way(self.arm, self.path, self.way, between(self.followed.s))
 
     @cached_property
@@ -237,9 +249,9 @@ class Steps:
     @cached_property
     def tool_length(self) -> float:
         """Length of the tool's path while the joints follow theirs, metres; 0 without a path."""
-        if self.path is None:
+        if self.course is None:
             return 0.0
-        return length_of(np.asarray(self.arm.position(self.path.at(np.linspace(0.0, 1.0, FINE)))))
+        return length_of(np.asarray(self.arm.position(self.course(np.linspace(0.0, 1.0, FINE)))))
 
 
 def steps(state: State) -> Steps | None:
@@ -291,9 +303,9 @@ def _turn(arm: Arm, pose: Floats, wanted: Floats) -> Floats:
     return np.asarray(angle)
 
 
-def _beside_lines(arm: Arm, path: Path, knots: Floats, corners: Floats) -> Apart:
+def _beside_lines(arm: Arm, course: Callable[[Floats], Floats], knots: Floats, corners: Floats) -> Apart:
     s = np.union1d(np.linspace(0.0, 1.0, 2 * BETWEEN + 1), knots)
-    q = path.at(s)
+    q = course(s)
     tool = np.asarray(arm.position(q), dtype=np.float64)
     wanted = nearest_on(corners, tool)
     return Apart(s, q, tool, wanted, np.linalg.norm(tool - wanted, axis=1), np.zeros(len(s)))

@@ -140,7 +140,7 @@ def _list(found: Steps) -> Markup:
         ("task", "point to point" if count == 2 else f"multi-point, {count} knots"),
         ("path", lowered(move.kind.title)),
         ("timing law", lowered(law_types()[move.law.key].title)),
-        ("joints", "coordinated: all share s"),
+        ("joints", "independent: each by its own law" if move.independent else "coordinated: all share s"),
     ]
     return joined(tag("h3", "What has been chosen ", tag("small", "(page Plan)")), pairs(rows))
 
@@ -229,7 +229,7 @@ def inverse(found: Steps, units: Units) -> Markup:
         rows.append((with_indices("smallest σ_min/σ_max"), f"{number(least, 3)} at s = {number(s, 2)}"))
     near = int(np.sum(found.worth == Feasible.NEAR_SINGULAR))
     if near:
-        rows.append((f"below {NEAR:g}", f"{near} samples, where joints are fast"))
+        rows.append((f"below {NEAR:g}", f"{_counted(near, 'sample')}, where joints are fast"))
     said = (
         "One configuration for each sample. Each search begins at the solution before, so that the arm stays on one "
         "branch."
@@ -253,7 +253,7 @@ def _followed(found: Steps) -> Markup:
         return tag("p.ok", "✓ The whole path is followed on one branch.")
     stops = found.followed.stops
     said = [stop.sentence for stop in stops[:STOPS]] or [found.followed.reason]
-    more = tag("p.dim", f"… and {len(stops) - STOPS} more places.") if len(stops) > STOPS else None
+    more = tag("p.dim", f"… and {_counted(len(stops) - STOPS, 'more place')}.") if len(stops) > STOPS else None
     behind = tag("p.dim", "What is solved beyond does not form one motion with what comes before.")
     parts = behind if len(found.followed.parts) > 1 else None
     return joined([tag("p.no", f"✕ {capitalised(each)}") for each in said], more, parts)
@@ -285,21 +285,28 @@ def joints(found: Steps, units: Units, colours: tuple[str, str]) -> Markup:
 
 def _spline(found: Steps) -> Markup:
     count = len(found.samples)
-    return tag(
-        "p",
-        f"A cubic spline through the {count} solutions is q(s): {count - 1} pieces, equal velocities and accelerations "
-        "where two meet. Only at the samples is the tool sure to be on its path.",
-    )
+    if count == 2:
+        said = "A cubic from the first solution to the second is q(s)."
+    else:
+        said = (
+            f"A cubic spline through the {count} solutions is q(s): {count - 1} pieces, equal velocities and "
+            "accelerations where two meet."
+        )
+    return tag("p", f"{said} Only at the samples is the tool sure to be on its path.")
 
 
 def _laid(found: Steps) -> Markup:
     kind = found.stretch.move.kind
-    said = (
-        "The joint values of the knots are interpolated directly. No singularity can stop this, but the tool "
-        "does not move along a straight line."
-    )
+    if found.arm.revolute.any():
+        way = "No singularity can stop this, but in general the tool does not move along a straight line."
+    else:
+        way = "All joints are prismatic: where their values change in proportion, the tool moves along a straight line."
+    said = tag("p", f"The joint values of the knots are interpolated directly. {way}")
+    if found.stretch.move.independent:
+        apart = "Each joint goes by its own law, and the first ones wait for the last. Below, s is the time, t/T."
+        return joined(said, tag("p", apart))
     about = tag("p.dim", f"{kind.title}. {says_of(kind, found.path)}")
-    return joined(tag("p", said), _formula(kind, "q"), about)
+    return joined(said, _formula(kind, "q"), about)
 
 
 def _timing(found: Steps) -> str | None:
@@ -308,6 +315,8 @@ def _timing(found: Steps) -> str | None:
     if motion is None:
         return None
     lasts = f"{number(motion.duration, 2)}{NO_BREAK}s"
+    if found.stretch.move.independent:
+        return f"With the timing law of each joint the motion takes {lasts}."
     return f"With the timing law s(t) this becomes the motion q(s(t)), which takes {lasts}."
 
 
@@ -315,6 +324,11 @@ def _untimed(found: Steps) -> Markup | None:
     """Return why there is no timing law."""
     text = found.leg.trouble
     return tag("p.no", f"✕ The timing law: {text}.") if text else None
+
+
+def _counted(count: int, name: str) -> str:
+    """Return a number of things with their name, such as ``"1 sample"``."""
+    return f"{count} {name}{'' if count == 1 else 's'}"
 
 
 def _turn(value: float, units: Units) -> str:
