@@ -24,7 +24,7 @@ from armlab.benches.motion.pick.state import (
 from armlab.benches.motion.pick.table import MOST_BOXES, edge_of, table_of
 from armlab.benches.motion.pick.ui.words import told
 from armlab.benches.motion.plan.job import with_planned
-from armlab.benches.motion.plan.points import SetAtWaypoint, SetWaypointJoint
+from armlab.benches.motion.plan.points import CopyWaypoint, SetAtWaypoint, SetWaypointJoint
 from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.benches.motion.plan.words import judged
 from armlab.content.robots import catalogue
@@ -116,6 +116,20 @@ def test_a_hand_that_misses_says_by_how_far_and_carries_nothing():
     assert said.kind == "no"
     assert said.lines[0].endswith(f"closes on nothing: the middle of box 1 is {1020 * GRASP * edge:.1f} mm away")
     assert np.array_equal(places_at(missed, planned_now(missed).duration), np.array(missed[Pick].boxes))
+
+
+def test_a_gripper_that_is_closed_takes_a_box_only_when_it_has_opened_again():
+    state = set_up("puma560", SetAtWaypoint(0, "gripper", "close"))
+    assert [(each.taken, each.shut) for each in state.derived(course_of).tries] == [(False, False), (False, True)]
+    assert placed(state) == 0
+    said = told(state)
+    assert said.kind == "no"
+    assert said.lines[1].endswith(" s: the gripper is closed already; let it open before")
+    assert np.array_equal(places_at(state, planned_now(state).duration), np.array(state[Pick].boxes))
+    first = set_up()[Plan].waypoints[0].q[0]
+    opens = CopyWaypoint(0), SetWaypointJoint(1, 0, first + 0.1), SetAtWaypoint(1, "gripper", "open")
+    again = set_up("puma560", *opens, SetAtWaypoint(0, "gripper", "close"))
+    assert [(each.taken, each.shut) for each in again.derived(course_of).tries] == [(False, False), (True, False)]
 
 
 def test_without_closing_and_without_opening_the_words_say_what_to_do():

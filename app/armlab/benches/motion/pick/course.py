@@ -42,12 +42,15 @@ class Try(NamedTuple):
     distance : float
         Of its middle from the tool point, metres.
     taken : bool
+    shut : bool
+        Whether the gripper was closed already, so that it could take nothing.
     """
 
     grip: Grip
     nearest: int | None
     distance: float
     taken: bool
+    shut: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,10 +115,11 @@ def course(arm: Arm, planned: Planned | None, boxes: Sequence[Point], edge: floa
         return Course(tuple(map(tuple, spans)))
     tries: list[Try] = []
     held: int | None = None
+    shut = False
     for grip in planned.grips:
         tool = np.asarray(arm.fk(arm.clip(planned.motion.at(grip.time))), dtype=np.float64)
         if grip.closes and held is None:
-            tries.append(_try(grip, tool, spans, edge))
+            tries.append(_try(grip, tool, spans, edge, shut))
             if tries[-1].taken:
                 held = tries[-1].nearest
                 assert held is not None
@@ -123,13 +127,14 @@ def course(arm: Arm, planned: Planned | None, boxes: Sequence[Point], edge: floa
         elif not grip.closes and held is not None:
             spans[held].append(Span(grip.time, False, tool @ spans[held][-1].pose))
             held = None
+        shut = grip.closes
     return Course(tuple(map(tuple, spans)), tuple(tries), planned.grips)
 
 
-def _try(grip: Grip, tool: Floats, spans: Sequence[Sequence[Span]], edge: float) -> Try:
-    """Return what comes of closing the gripper with the boxes where they are."""
+def _try(grip: Grip, tool: Floats, spans: Sequence[Sequence[Span]], edge: float, shut: bool) -> Try:
+    """Return what comes of closing the gripper, which may be ``shut`` already, with the boxes where they are."""
     apart = [float(np.linalg.norm(each[-1].pose[:3, 3] - tool[:3, 3])) for each in spans]
     if not apart:
-        return Try(grip, None, np.inf, False)
+        return Try(grip, None, np.inf, False, shut)
     k = int(np.argmin(apart))
-    return Try(grip, k, apart[k], apart[k] <= GRASP * edge)
+    return Try(grip, k, apart[k], apart[k] <= GRASP * edge and not shut, shut)
