@@ -61,6 +61,10 @@ def test_the_card_says_which_joint_works_or_why_none_does():
     kind, head, said = verdict(state.derived(balance), state[Joints].arm.revolute)
     assert head == "Joint 3 needs the most"
     assert said == "τ₃ = 30.00 N. Joints 1, 2 and 4 need none."
+    planar = apply(State.initial(catalogue()["planar_2r"]), ReleaseWrench())
+    planar = apply(planar, SetComponent("moment", 2, -2.0))
+    kind, head, said = verdict(planar.derived(balance), planar[Joints].arm.revolute)
+    assert (head, said) == ("Joints 1 and 2 need the most", "τ₁ = −2.000 N m, τ₂ = −2.000 N m.")
     nothing = apply(state, ReleaseWrench())
     assert verdict(nothing.derived(balance), state[Joints].arm.revolute)[1] == "No wrench"
 

@@ -34,6 +34,9 @@ ALONG = 0.9995
 SAME_WORK = 1e-9
 """Difference over the larger work up to which both sides are equal up to rounding."""
 
+SAME_SIZE = 1e-9
+"""Difference over the largest torque up to which torques are equally large."""
+
 MILLI = 1e3
 
 LAW, TOOL_WORK, JOINT_WORK = r"\tau=J^TF", r"F^T(J\,\delta q)", r"\tau^T\delta q"
@@ -81,15 +84,20 @@ def verdict(found: Balance, revolute: NDArray[np.bool_]) -> tuple[str, str, str]
             "The structure carries this wrench: it does no work on any motion of the joints.",
         )
     idle = [i + 1 for i, value in enumerate(found.torques) if abs(value) <= found.least[i]]
-    best = int(np.argmax(np.abs(found.torques) / np.maximum(found.least, 1e-300)))
-    value, unit = float(found.torques[best]), "N m" if revolute[best] else "N"
+    sizes = np.abs(found.torques) / np.maximum(found.least, 1e-300)
+    most = np.flatnonzero(sizes >= (1.0 - SAME_SIZE) * sizes.max()).tolist()
     rest = (
         f" Joint{'s' if len(idle) > 1 else ''} {_listed(idle)} need{'s' if len(idle) == 1 else ''} none."
         if idle
         else ""
     )
-    said = f"{subscript('τ', best + 1)} = {number(value, _decimals(abs(value)))} {unit}.{rest}"
-    return "ok", f"Joint {best + 1} needs the most", said
+    said = f"{', '.join(_torque(i, float(found.torques[i]), bool(revolute[i])) for i in most)}.{rest}"
+    head = f"Joint{'s' if len(most) > 1 else ''} {_listed([i + 1 for i in most])} need{'s' if len(most) == 1 else ''}"
+    return "ok", f"{head} the most", said
+
+
+def _torque(i: int, value: float, turns: bool) -> str:
+    return f"{subscript('τ', i + 1)} = {number(value, _decimals(abs(value)))} {'N m' if turns else 'N'}"
 
 
 def _listed(numbers: list[int]) -> str:
