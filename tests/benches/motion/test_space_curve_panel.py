@@ -160,6 +160,15 @@ def test_what_is_typed_and_pressed_becomes_commands():
     assert turned == (SetAngle("B", 1, pytest.approx(np.pi / 2)),)
 
 
+def test_the_end_of_a_curve_is_typed_as_its_length_is_shown():
+    state = apply(apply(opened(), ChooseCurve("circle")), Set(SpaceCurve, "by_length", True))
+    assert 1e3 * state.derived(curve_of).arc.length == pytest.approx(961.0958, abs=1e-4)
+    assert typed(state, "sigma", "961.1") == (GoTo(1.0),)
+    for wrong in ("961.2", "-1"):
+        with pytest.raises(InputError, match=f"σ: expected a length from 0 to 961.1 mm, got '{wrong}'"):
+            typed(state, "sigma", wrong)
+
+
 def test_lengths_that_would_not_fit_are_written_with_a_power_of_ten():
     units = Units(Notation())
     assert length(28.4245, units) == "28424.5"

@@ -17,6 +17,7 @@ from armlab.benches.motion.space_curve.ui.words import (
     said,
     vectors,
 )
+from armlab.errors import InputError
 from armlab.kin.paths.circle import Arc
 from armlab.kin.paths.clothoid import Clothoid
 from armlab.kin.paths.helix import Helix
@@ -64,14 +65,25 @@ def at_present(form: Form, state: State) -> Markup:
 def _place(form: Form, now: Moment, found: Laid, units: Units) -> Markup:
     """Return the heading with the field of s."""
     if found.by_length:
-        whole = found.arc.length
+        full = found.arc.length
         gone = units.text(now.sigma, False)
-        cell = form.field("sigma", gone, "Arc length", lambda text: GoTo(units.read(text, False, "σ") / whole))
-        place = tag("label", "At σ = ", cell, " ", tag("small", f"of {units.length(whole)}"))
+        cell = form.field("sigma", gone, "Arc length", lambda text: GoTo(_share(text, full, units)))
+        place = tag("label", "At σ = ", cell, " ", tag("small", f"of {units.length(full)}"))
     else:
         cell = form.field("s", number(now.s, 3), "Parameter s, from 0 to 1", lambda text: GoTo(plain_number(text, "s")))
         place = tag("label", "At s = ", cell)
     return tag("h3.sc-at", place, tag("small.sc-t", f"t = {number(now.t, 2)} s"))
+
+
+def _share(text: str, full: float, units: Units) -> float:
+    """Return the part of the full length at a typed arc length."""
+    sigma = units.read(text, False, "σ")
+    # The end can be typed as it is shown, also where its last digit is rounded up.
+    if sigma > full and units.text(sigma, False) == units.text(full, False):
+        return 1.0
+    if not 0.0 <= sigma <= full:
+        raise InputError(f"σ: expected a length from 0 to {units.length(full)}, got {text.strip()[:40]!r}")
+    return sigma / full
 
 
 def _scalars(now: Moment, found: Laid, units: Units) -> Markup:
