@@ -29,6 +29,7 @@ from armlab.benches.control.follow.examples import EXAMPLES, ChooseControlExampl
 from armlab.benches.control.follow.job import with_outcomes
 from armlab.benches.control.follow.runs import SHOWN, reference_points
 from armlab.benches.control.follow.state import Control, fresh, questions
+from armlab.benches.motion.plan.limits import LastFor
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.control import FixedPose, LineReference, Settings, simulate
@@ -209,6 +210,17 @@ def test_too_many_steps_are_refused_whichever_is_changed_last():
     state = apply(opened(), SetValue("step", 2e-4))
     with pytest.raises(InputError, match="at most 60000 steps"):
         apply(state, SetValue("duration", 20.0))
+
+
+def test_the_steps_of_a_planned_motion_are_counted_by_its_own_duration():
+    fine = apply(apply(opened(), ChooseReference("planned")), SetValue("step", 1e-4))
+    long = apply(apply(opened(), SetValue("duration", 60.0)), ChooseReference("planned"))
+    long = apply(long, SetValue("step", 5e-4))
+    assert long[Control].run.step == 5e-4
+    with pytest.raises(InputError, match=r"at most 60000 steps, got 60 s / 0\.0005 s"):
+        apply(long, ChooseReference("line"))
+    outcome = done(apply(fine, LastFor(7.0)))[Control].outcome
+    assert (outcome.run, outcome.refused) == (None, "T / h: expected at most 60000 steps, got 7 s / 0.0001 s")
 
 
 def test_a_refusal_of_the_core_is_an_outcome_with_words():

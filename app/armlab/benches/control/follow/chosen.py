@@ -214,12 +214,17 @@ class Setup:
         if key == "wrong" and isinstance(value, float) and not abs(value) <= MOST_WRONG:
             raise InputError(f"{field.title}: expected at most {100.0 * MOST_WRONG:g} % more or less")
         checked = field.default if value is None else field.checked(value)
-        changed = replace(self, **{key: checked})
-        if changed.duration / changed.step > MOST_STEPS * (1.0 + 1e-9):
-            raise InputError(
-                f"T / h: expected at most {MOST_STEPS} steps, got {changed.duration:g} s / {changed.step:g} s"
-            )
-        return changed
+        return replace(self, **{key: checked})._not_too_long()
+
+    def with_reference(self, key: str) -> Self:
+        """Return the settings with another reference; `InputError` if it has too many steps."""
+        return replace(self, reference=checked_reference(key))._not_too_long()
+
+    def _not_too_long(self) -> Self:
+        # How long a planned motion lasts is known when it is run.
+        if self.reference != "planned":
+            refuse_steps(self.duration, self.step)
+        return self
 
     def with_law(self, key: str) -> Self:
         """Return the settings with another law, at its defaults."""
@@ -259,6 +264,12 @@ def options_of(owner: ControlLaw | RateInverse, given: Mapping[str, Any]) -> Pai
 
 def _kept(value: Any) -> Value:
     return tuple(value.tolist()) if isinstance(value, np.ndarray) else value
+
+
+def refuse_steps(duration: float, step: float) -> None:
+    """Raise `InputError` if a run of a duration, seconds, has too many steps."""
+    if duration / step > MOST_STEPS * (1.0 + 1e-9):
+        raise InputError(f"T / h: expected at most {MOST_STEPS} steps, got {duration:g} s / {step:g} s")
 
 
 def setup_of(robot: Robot, start: ArrayLike | None = None, colour: int = 0, **values: Any) -> Setup:

@@ -12,7 +12,6 @@ from armlab.benches.control.follow.chosen import (
     Setup,
     checked_name,
     checked_pushes,
-    checked_reference,
     free_colour,
     joint_values,
 )
@@ -95,7 +94,7 @@ class ChooseReference(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the reference chosen."""
-        return _with(state, replace(state[Control].run, reference=checked_reference(self.reference)))
+        return _with(state, state[Control].run.with_reference(self.reference))
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.control.follow.chosen import Setup
+from armlab.benches.control.follow.chosen import Setup, refuse_steps
 from armlab.benches.motion.api import Planned
 from armlab.benches.motion.api import Question as PlanQuestion
 from armlab.benches.motion.api import making as planning
@@ -137,6 +137,7 @@ def outcome_of(question: Question, known: Planned | None = None) -> Outcome:
 def _made(question: Question, known: Planned | None) -> Generator[None, None, Outcome]:
     arm, setup = question.arm, question.setup
     reference, start = yield from _reference(question, known)
+    refuse_steps(reference.duration, setup.step)
     q0 = start + np.array(setup.offset)
     run = yield from simulating(arm, setup.law, reference, q0, settings_of(arm, setup))
     yield
