@@ -1,16 +1,19 @@
 """The page of the sampled workspace as a browser gets it, and its points in the scene."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import trimesh
 
+from armlab.benches.workspace.cloud.cuts import FRONT
 from armlab.benches.workspace.cloud.job import sampled
 from armlab.benches.workspace.cloud.state import LookAtWorkspace, SampleWorkspace, Workspace
 from armlab.benches.workspace.cloud.ui.measured import DECADES
 from armlab.benches.workspace.cloud.ui.page import choices_markup
 from armlab.benches.workspace.cloud.ui.scene import outside, parts_of
 from armlab.benches.workspace.cloud.ui.voxels import CORNERS, SIDES
-from armlab.benches.workspace.cloud.ui.words import counted, scale
+from armlab.benches.workspace.cloud.ui.words import counted, facts, scale
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.workspace.measures import MEASURES
@@ -65,6 +68,22 @@ def test_where_nothing_is_left_to_draw_it_is_said(url):
         await browser.close()
 
     run(main())
+
+
+@pytest.mark.parametrize(
+    ("look", "says"),
+    [
+        ({"cut": "z", "offset": 50.0}, "No sample lies here: move the slice."),
+        ({"cut": "front"}, "The cut hides all samples: choose another."),
+    ],
+)
+def test_what_hides_all_samples_is_named(look, says):
+    state = sampled(apply(apply(State.initial(catalogue()["elbow_3r"]), LookAtWorkspace(**look)), SampleWorkspace()))
+    found = state[Workspace].found
+    before = found.shown.points[:, :2] @ [np.cos(FRONT), np.sin(FRONT)] > 0.0
+    shown = found.shown._replace(points=found.shown.points[before])
+    state = state.replace(replace(state[Workspace], found=replace(found, shown=shown)))
+    assert says in joined(facts(state, state[Workspace].found, units_of(state)))
 
 
 def test_an_example_brings_its_arm_and_says_what_to_look_at(url):

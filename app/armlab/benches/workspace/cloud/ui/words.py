@@ -7,6 +7,7 @@ from functools import partial
 
 import numpy as np
 
+from armlab.benches.workspace.cloud.cuts import AXES, cut_of
 from armlab.benches.workspace.cloud.samples import Sampled
 from armlab.benches.workspace.cloud.state import GoToSample, Workspace
 from armlab.benches.workspace.cloud.ui import measured
@@ -44,7 +45,15 @@ def facts(state: State, found: Sampled, units: Units) -> Inside:
     if drawing(state) == "cloud":
         rows.append(("Points drawn", f"{counted(left)} of the first {counted(len(found.shown.points))}"))
     rows.append(("Farthest sample, from frame 0", units.length(found.farthest)))
-    return None if left else tag("p.dim", "No sample lies here: move the slice."), pairs(rows)
+    return None if left else tag("p.dim", _hidden(state)), pairs(rows)
+
+
+def _hidden(state: State) -> str:
+    """Return why no sample is drawn."""
+    cut = cut_of(state[Workspace])
+    if cut in AXES and drawing(state) != "surface":
+        return "No sample lies here: move the slice."
+    return "The cut hides all samples: choose another." if cut == "front" else "No sample is near the boundary."
 
 
 def chosen(form: Form, state: State, units: Units, ways: Callable[[int], Command]) -> Inside:
