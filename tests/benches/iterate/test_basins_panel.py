@@ -107,6 +107,21 @@ def test_the_shares_of_the_legend_are_those_of_the_pixels(state):
     assert sum(shares) == pytest.approx(1.0, abs=1e-12)
 
 
+def test_one_step_is_in_the_singular_and_what_few_runs_do_is_not_said_of_every_run(state):
+    found = state[Basins].map
+    for steps, told in ((1, "1 step"), (2, "2 steps")):
+        every = found_of(np.zeros((10, 10), dtype=int), np.full((10, 10), steps))
+        every.iterations[0, 0] = 9
+        text = joined(legend(replace(found, found=every), units_of(state)))
+        assert f"Nearly every run that arrived took {told}." in text
+        same = replace(found, found=replace(found.found, iterations=np.full_like(found.found.iterations, steps)))
+        begun = apply(state.replace(replace(state[Basins], map=same)), StartInMap(0.25, 0.5))
+        assert here(begun).endswith(f" after {told}.")
+    assert scale_of(found_of([[0, 0]], [[1, 3]])) == (1, 3)
+    text = joined(legend(replace(found, found=found_of([[0, 0]], [[1, 3]])), units_of(state)))
+    assert "Bright: 1 step or fewer. Dark: 3 or more." in text
+
+
 def test_marks_follow_the_arm_and_the_map_of_another_target_says_so(state):
     before = places(state)
     moved = apply(state, MoveJoint(0, 1.5))

@@ -145,6 +145,14 @@ def test_every_example_shows_what_is_solved_for_it(key):
     assert "waypoint" not in said
 
 
+def test_a_spline_of_one_piece_is_one_cubic():
+    said = text_of(solved_markup(part_of("ends", SetKnots(((0.0, 0.0), (1.0, 1.0))))))
+    assert "1 cubic with 4(N−1) = 4·1 = 4 coefficients" in said
+    said = text_of(solved_markup(part_of("ends", SetKnots(((0.0, 0.0), (1.0, 1.0), (2.0, 0.0))))))
+    assert "2 cubics with 4(N−1) = 4·2 = 8 coefficients" in said
+    assert "the unknown is the velocity v₂." in said
+
+
 def test_a_curve_that_does_not_take_the_knots_has_nothing_to_solve():
     part = part_of("hermite", AddKnot(0))
     assert "There is no curve to look at." in solved_markup(part)

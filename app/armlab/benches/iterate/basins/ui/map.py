@@ -112,8 +112,12 @@ def _scale(found: Map) -> Markup | None:
     if not high:
         return None
     if low == high:
-        return tag("p.dim", f"Every run took {low} steps.")
-    return tag("p.dim", f"Bright: {low} steps or fewer. Dark: {high} or more.")
+        return tag("p.dim", f"Nearly every run that arrived took {_steps(low)}.")
+    return tag("p.dim", f"Bright: {_steps(low)} or fewer. Dark: {high} or more.")
+
+
+def _steps(count: int) -> str:
+    return f"{count} step{'' if count == 1 else 's'}"
 
 
 def _about(found: Map, units: Units) -> Markup:
@@ -188,7 +192,9 @@ def here(state: State) -> str:
     if index != FAILED and index < 0:
         return ""
     ends = (
-        f"no solution in {found.question.most} steps" if index == FAILED else f"ends in {index + 1} after {steps} steps"
+        f"no solution in {found.question.most} steps"
+        if index == FAILED
+        else f"ends in {index + 1} after {_steps(steps)}"
     )
     if _is_of_film(state, found.question):
         return f"◉ The arm. ◇ The film's start: {ends}."

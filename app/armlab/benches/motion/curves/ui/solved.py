@@ -99,14 +99,16 @@ def _spline(solved: SplineSolved, of: str) -> Inside:
     meaning = "; ".join(f"{count}: {words}" for count, words in solved.conditions)
     cubics = len(solved.times) - 1
     law = f"4(N+1) = 4·{cubics}" if solved.virtual else f"4(N−1) = 4·{cubics}"
-    equations = f"{cubics} cubics with {law} = {solved.unknowns} coefficients; as many equations: {counted} "
+    parted = "1 cubic" if cubics == 1 else f"{cubics} cubics"
+    equations = f"{parted} with {law} = {solved.unknowns} coefficients; as many equations: {counted} "
     parts.append(tag("p", equations, tag("span.dim", f"({meaning})"), "."))
     if n:
         edge = f" The first and last rows are in 1 and {unit(1, of)}." if solved.first == 1 else ""
         names = [subscript("v", solved.first + k) for k in range(n)]
         unknowns = ", ".join(names) if n < 4 else f"{names[0]} … {names[-1]}"
         augmented = np.column_stack([solved.matrix, solved.right])
-        shown = f"This is [ A | b ], A in s and b in {of}; the unknowns are the velocities {unknowns}.{edge} "
+        found = "the unknown is the velocity" if n == 1 else "the unknowns are the velocities"
+        shown = f"This is [ A | b ], A in s and b in {of}; {found} {unknowns}.{edge} "
         sure = "A is tridiagonal and diagonally dominant, so there is exactly one solution."
         parts += [_matrix("A(h) v = b", augmented, rule=n), tag("p.dim", shown, sure)]
     columns = (solved.times.tolist(), solved.positions.tolist(), solved.velocities.tolist())
