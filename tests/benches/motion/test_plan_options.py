@@ -161,6 +161,18 @@ def test_a_wait_that_divides_a_path_elsewhere_drops_what_was_listed():
     assert apply(state, ShiftWaypoint(0, 1))[Plan].moves == state[Plan].moves
 
 
+def test_times_of_virtual_knots_stay_as_long_as_they_fit_the_intervals():
+    state = with_list("spline", "ends", "both", points=6)
+    state = apply(state, SetMoveOption(1, "path", "spacing", "uniform"))
+    state = apply(
+        apply(state, SetMoveOption(1, "path", "duration", 5.0)), SetMoveOption(1, "path", "virtual", [0.9, 4.5])
+    )
+    for kept in (SetMove(1, law="cubic"), ShiftWaypoint(0, 1), AllMovesLike(1), RemoveWaypoint(5)):
+        assert apply(state, kept)[Plan].moves[0].path.options["virtual"] == (0.9, 4.5)
+    more = apply(apply(state, RandomPose()), AddWaypoint())[Plan].moves[0].path.options
+    assert more == {"ends": "both", "spacing": "uniform", "duration": 5.0}
+
+
 def test_derivatives_at_the_ends_belong_to_no_waypoint_and_stay():
     state = apply(opened("planar_2r", 2), SetMove(1, path="polynomial"))
     state = apply(state, SetMoveOption(1, "path", "start", [[0.1, 0.1]]))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import ClassVar, Literal
 
@@ -10,6 +11,7 @@ import numpy as np
 from armlab.benches.motion.chosen import Chosen, Value
 from armlab.benches.motion.plan.moves import (
     Move,
+    Stretch,
     checked_space,
     checked_turning,
     resting,
@@ -47,11 +49,15 @@ def refuse_pathless(arm: Arm, part: Plan) -> None:
     """Raise `InputError` if there is no path through the waypoints of a stretch."""
     refuse_coincident(arm, part.waypoints, part.parts)
     for stretch in part.parts:
-        points = part.waypoints[stretch.first : stretch.last + 1]
-        if stretch.move.space == "joint":
-            joint_path(arm, stretch, np.array([point.q for point in points]))
-        else:
-            tool_path(arm, stretch, np.array([point.wanted(arm) for point in points]))
+        _refuse_pathless(arm, part, stretch)
+
+
+def _refuse_pathless(arm: Arm, part: Plan, stretch: Stretch) -> None:
+    points = part.waypoints[stretch.first : stretch.last + 1]
+    if stretch.move.space == "joint":
+        joint_path(arm, stretch, np.array([point.q for point in points]))
+    else:
+        tool_path(arm, stretch, np.array([point.wanted(arm) for point in points]))
 
 
 def edited(part: Plan, **changes: object) -> Plan:
@@ -103,7 +109,7 @@ class SetMove(PlanCommand):
             moves[self.k - 1] = replace(moves[self.k - 1], stop=self.stop)
         if tuple(moves) == part.moves:
             return state
-        return with_plan(state, refitted(edited(part, moves=tuple(moves))))
+        return with_plan(state, refitted(state[Joints].arm, edited(part, moves=tuple(moves))))
 
     def _reached(self, part: Plan) -> tuple[int, int]:
         """Return the moves that get a new path: those of the stretch, and as many beside it as the path needs.
@@ -182,7 +188,7 @@ class AllMovesLike(PlanCommand):
         part = state[Plan]
         first, _ = _moves_of(part, self.k)
         like = part.moves[first].through()
-        return with_plan(state, refitted(edited(part, moves=(like,) * len(part.moves))))
+        return with_plan(state, refitted(state[Joints].arm, edited(part, moves=(like,) * len(part.moves))))
 
 
 def checked_index(part: Plan, k: int) -> int:
@@ -200,21 +206,40 @@ def _moves_of(part: Plan, k: int) -> tuple[int, int]:
     return stretch.first, stretch.last
 
 
-def refitted(part: Plan) -> Plan:
-    """Return a plan without the options that list values for another number of waypoints."""
+def refitted(arm: Arm, part: Plan) -> Plan:
+    """Return a plan without the options of paths that list values for other waypoints."""
     moves = list(part.moves)
     for stretch in part.parts:
-        count = stretch.last - stretch.first + 1
         for i in range(stretch.first, stretch.last):
-            move = moves[i]
-            lists = {field.key for field in move.kind.fields if field.kind == "list"} | set(FEWER)
-            kept = tuple(each for each in move.path.given if each[0] not in lists or _fits(*each, count))
-            moves[i] = replace(move, path=Chosen(move.path.key, kept))
+            moves[i] = _refitted(arm, part, replace(stretch, move=moves[i]))
     return part if tuple(moves) == part.moves else replace(part, moves=tuple(moves))
 
 
+def _refitted(arm: Arm, part: Plan, stretch: Stretch) -> Move:
+    """Return the move of a stretch without the options that do not fit its waypoints."""
+    count = stretch.last - stretch.first + 1
+    move = _without(stretch.move, [name for name, value in stretch.move.path.given if not _fits(name, value, count)])
+    # Whether other lists fit, such as the times of virtual knots, depends on more than their length.
+    plain = _without(move, [field.key for field in move.kind.fields if field.kind == "list" and field.key not in FEWER])
+    if plain == move or not _refused(arm, part, replace(stretch, move=move)):
+        return move
+    # Where these waypoints give no path at all, those lists are not to blame.
+    return move if _refused(arm, part, replace(stretch, move=plain)) else plain
+
+
+def _without(move: Move, names: Sequence[str]) -> Move:
+    """Return a move without some options of its path."""
+    return replace(move, path=Chosen(move.path.key, tuple(each for each in move.path.given if each[0] not in names)))
+
+
+def _refused(arm: Arm, part: Plan, stretch: Stretch) -> bool:
+    try:
+        _refuse_pathless(arm, part, stretch)
+    except InputError:
+        return True
+    return False
+
+
 def _fits(name: str, value: Value, count: int) -> bool:
-    """Return whether a list has one value that stands for all, or as many as belong to so many waypoints."""
-    if name not in FEWER:
-        return len(value) in (1, count, count - 1, count - 2)
-    return len(value) == count - FEWER[name] or (name in ONE_FOR_ALL and len(value) == 1)
+    """Return whether an option can be that of a path through so many waypoints."""
+    return name not in FEWER or len(value) == count - FEWER[name] or (name in ONE_FOR_ALL and len(value) == 1)

@@ -62,7 +62,7 @@ class AddWaypoint(PlanCommand):
             selected=k,
             handled=False,
         )
-        return with_plan(state, refitted(changed))
+        return with_plan(state, refitted(joints.arm, changed))
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,7 @@ class CopyWaypoint(PlanCommand):
             selected=k + 1,
             handled=True,
         )
-        return state.replace(refitted(changed))
+        return state.replace(refitted(state[Joints].arm, changed))
 
 
 @dataclass(frozen=True)
@@ -111,7 +111,7 @@ class RemoveWaypoint(PlanCommand):
             moves=part.moves[:gone] + part.moves[gone + 1 :],
             selected=min(part.selected - (k < part.selected), len(part.waypoints) - 2),
         )
-        return with_plan(state, refitted(changed))
+        return with_plan(state, refitted(state[Joints].arm, changed))
 
 
 @dataclass(frozen=True)
@@ -130,7 +130,7 @@ class ShiftWaypoint(PlanCommand):
             return state
         points = list(part.waypoints)
         points[k], points[other] = points[other], points[k]
-        return with_plan(state, refitted(edited(part, waypoints=tuple(points), selected=other)))
+        return with_plan(state, refitted(state[Joints].arm, edited(part, waypoints=tuple(points), selected=other)))
 
 
 @dataclass(frozen=True)
@@ -233,7 +233,7 @@ class SetAtWaypoint(PlanCommand):
             return state
         points = list(part.waypoints)
         points[self.k] = replace(point, **{self.name: value})
-        return with_plan(state, refitted(edited(part, waypoints=tuple(points), selected=self.k)))
+        return with_plan(state, refitted(state[Joints].arm, edited(part, waypoints=tuple(points), selected=self.k)))
 
 
 @dataclass(frozen=True, eq=False)
