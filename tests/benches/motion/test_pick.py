@@ -124,7 +124,7 @@ def test_a_gripper_that_is_closed_takes_a_box_only_when_it_has_opened_again():
     assert placed(state) == 0
     said = told(state)
     assert said.kind == "no"
-    assert said.lines[1].endswith(" s: the gripper is closed already; let it open before")
+    assert said.lines[1].endswith(" s: the gripper is closed already; let it open first")
     assert np.array_equal(places_at(state, planned_now(state).duration), np.array(state[Pick].boxes))
     first = set_up()[Plan].waypoints[0].q[0]
     opens = CopyWaypoint(0), SetWaypointJoint(1, 0, first + 0.1), SetAtWaypoint(1, "gripper", "open")

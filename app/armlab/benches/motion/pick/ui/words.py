@@ -28,7 +28,7 @@ def tried(found: Try, units: Units) -> str:
     """Return a sentence on a gripper that closes."""
     at = f"waypoint {found.grip.waypoint + 1}, at {found.grip.time:.2f} s"
     if found.shut:
-        return f"{at}: the gripper is closed already; let it open before"
+        return f"{at}: the gripper is closed already; let it open first"
     if found.nearest is None:
         return f"{at}: the gripper closes on nothing; there are no boxes"
     if found.taken:
