@@ -87,6 +87,18 @@ def test_a_corner_exceeds_a_limit_of_acceleration_for_an_instant():
     assert [each.joint for each in violations(motion, only_second)] == [2]
 
 
+@pytest.mark.parametrize("duration", [None, 20.0])
+@pytest.mark.parametrize("end", ["sdot_start", "sdot_end"])
+def test_end_speeds_excuse_jumps_at_their_own_end_only(end, duration):
+    line, corner = (path_type("polyline").path(q) for q in ([[0.0], [1.0]], [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]))
+    for path, limits in ((line, Limits(1.0, 2.0, 5.0)), (corner, Limits(1.0, 2.0))):
+        with pytest.raises(InputError, match=r"limit of \w+: the \w+ of joint 1 jumps at .* s, so no time keeps it"):
+            run_along(path, "trapezoidal", limits, duration=duration, **{end: 0.01})
+    for law, limits in (("trapezoidal", Limits(1.0, 2.0)), ("double_s", Limits(1.0, 2.0, 5.0))):
+        motion = run_along(line, law, limits, duration=duration, **{end: 0.01})
+        assert violations(motion, limits, from_rest=False) == []
+
+
 def test_a_constant_speed_jumps_at_both_ends_unless_it_was_moving_before():
     motion = coordinated([0.0], [1.0], "constant", duration=2.0)
     found = violations(motion, Limits(acceleration=1.0))

@@ -234,6 +234,17 @@ def test_a_limit_of_jerk_cannot_be_kept_where_the_acceleration_jumps():
         as_fast_as_allowed(rough, Limits(10.0, 50.0, 0.06))
 
 
+def test_the_jerk_of_a_joint_counts_also_where_the_acceleration_of_another_jumps():
+    laws = [law_type(key).law(1.0) for key in ("quintic", "trapezoidal")]
+    motion = Separate(np.zeros(2), np.ones(2), laws)
+    for jumps in (False, True):
+        found, scaling = as_fast_as_allowed(motion, Limits(10.0, 100.0, [1.0, np.inf]), jumps=jumps)
+        assert (scaling.joint, scaling.quantity) == (1, "jerk")
+        assert peaks(found, 3).peak[0] == pytest.approx(1.0)
+    with pytest.raises(InputError, match="limit of jerk: the acceleration of joint 2 jumps at 0 s"):
+        as_fast_as_allowed(motion, Limits(10.0, 100.0, 1.0))
+
+
 def test_a_chosen_speed_below_the_largest():
     line = path_type("line").path([[0.0], [2.0]])
     bounds = law_bounds(line, Limits(1.0, 3.0), 0.25)

@@ -11,16 +11,18 @@ from armlab.kin.motion.extremes import SLACK
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.path import Path
-from armlab.kin.motion.scaling import as_fast_as_allowed
+from armlab.kin.motion.scaling import Moving, as_fast_as_allowed
 from armlab.kin.motion.trajectory import Trajectory
 
-RESTLESS = ("sdot_start", "sdot_end")
-"""Options by which a law begins or ends with a speed: stretched in time it would be a different law."""
+
+def moving_ends(options: dict[str, Any]) -> Moving:
+    """Return whether the options make a law begin, and whether they make it end, with a speed."""
+    return bool(options.get("sdot_start")), bool(options.get("sdot_end"))
 
 
 def restless(options: dict[str, Any]) -> bool:
-    """Return whether the options make a law begin or end with a speed."""
-    return any(options.get(name) for name in RESTLESS)
+    """Return whether a law begins or ends with a speed: stretched in time it would be a different law."""
+    return any(moving_ends(options))
 
 
 def fastest_along(
@@ -50,7 +52,7 @@ def fastest_along(
     """
     bounds = law_bounds(path, shape).usable
     law = shaped(Limits(bounds.V, bounds.A, bounds.jerk), **options)
-    found, scaling = as_fast_as_allowed(Trajectory(path, law), limits, jumps=jumps or restless(options))
+    found, scaling = as_fast_as_allowed(Trajectory(path, law), limits, jumps=jumps, moving=moving_ends(options))
     if not restless(options):
         assert isinstance(found, Trajectory)
         return found.law

@@ -9,7 +9,7 @@ import numpy as np
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.field import positive
-from armlab.kin.motion.along import restless
+from armlab.kin.motion.along import moving_ends, restless
 from armlab.kin.motion.extremes import SLACK
 from armlab.kin.motion.law_types import LawType, law_type
 from armlab.kin.motion.limits import Limits, limits_of
@@ -67,8 +67,7 @@ def run_along(
     motion = Trajectory(path, kind.law(seconds, **options))
     if limits is not None:
         held = limits_of(limits, path.m)
-        if not restless(options):
-            refuse_jumps(motion, held)
+        refuse_jumps(motion, held, moving_ends(options))
         _refuse_short(kind, motion, held, options)
     return motion
 

@@ -9,13 +9,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.motion.breaks import SMOOTH_ENOUGH
 from armlab.kin.motion.limits import NAMES, Limits, limits_of
 from armlab.kin.motion.peaks import peaks
 from armlab.kin.motion.sequence import Slowed
 from armlab.kin.motion.trajectory import Motion, Trajectory
 
 Floats = NDArray[np.float64]
+
+Moving = tuple[bool, bool]
+"""Whether a motion is meant to begin and to end with a speed, so that no jump counts there."""
+
+AT_REST: Moving = (False, False)
 
 
 @dataclass(frozen=True)
@@ -85,7 +89,9 @@ def scaled(motion: Motion, k: float) -> Motion:
     return Slowed(motion, k)
 
 
-def as_fast_as_allowed(motion: Motion, limits: Limits | Arm, *, jumps: bool = False) -> tuple[Motion, Scaling]:
+def as_fast_as_allowed(
+    motion: Motion, limits: Limits | Arm, *, jumps: bool = False, moving: Moving = AT_REST
+) -> tuple[Motion, Scaling]:
     """Return the motion at its uniform scaling that meets one limit, and the scaling.
 
     Parameters
@@ -96,7 +102,9 @@ def as_fast_as_allowed(motion: Motion, limits: Limits | Arm, *, jumps: bool = Fa
     jumps : bool
         Where a velocity jumps no limit of acceleration can be kept at any speed, and where an acceleration jumps none
         of jerk, which is refused. True: it is let through; accelerations then count between the jumps only, and the
-        jerk of a motion whose acceleration jumps not at all.
+        jerk of a joint whose acceleration jumps not at all.
+    moving : (bool, bool)
+        Whether the motion begins and ends with a speed; what jumps at such an end does not count.
 
     Raises
     ------
@@ -105,19 +113,31 @@ def as_fast_as_allowed(motion: Motion, limits: Limits | Arm, *, jumps: bool = Fa
     """
     held = limits_of(limits, motion.m)
     if not jumps:
-        refuse_jumps(motion, held)
-    smooth = motion.continuity_from_rest >= SMOOTH_ENOUGH
-    jerk = peaks(motion, 3).peak if held.bounded[2] and smooth else 0.0
+        refuse_jumps(motion, held, moving)
+    jerk = _smooth_jerks(motion, moving) if held.bounded[2] else 0.0
     scaling = optimal_scaling(held, peaks(motion, 1).peak, peaks(motion, 2).peak, jerk)
     return scaled(motion, scaling.k), scaling
 
 
-def refuse_jumps(motion: Motion, limits: Limits) -> None:
+def refuse_jumps(motion: Motion, limits: Limits, moving: Moving = AT_REST) -> None:
     """Raise `InputError` where a jump prevents a limit of the next derivative from being kept at any speed."""
     for order, what in ((1, "velocity"), (2, "acceleration")):
-        for joint, time in motion.jumps(order):
+        for joint, time in _jumps(motion, order, moving):
             for name, values in zip(NAMES[order:], limits.each[order:], strict=True):
                 if np.isfinite(values[joint - 1]):
                     raise InputError(
                         f"limit of {name}: the {what} of joint {joint} jumps at {time:.4g} s, so no time keeps it"
                     )
+
+
+def _smooth_jerks(motion: Motion, moving: Moving) -> Floats:
+    """Return the largest jerk of each joint, (m,); 0 for those whose velocity or acceleration jumps."""
+    found = np.array(peaks(motion, 3).peak)
+    found[[joint - 1 for order in (1, 2) for joint, _ in _jumps(motion, order, moving)]] = 0.0
+    return found
+
+
+def _jumps(motion: Motion, order: int, moving: Moving) -> list[tuple[int, float]]:
+    """Return the joints (from 1) of which a derivative jumps, and when, without the ends at which it moves."""
+    free = {time for time, moves in zip((0.0, motion.duration), moving, strict=True) if moves}
+    return [(joint, time) for joint, time in motion.jumps(order) if time not in free]
