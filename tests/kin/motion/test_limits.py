@@ -32,6 +32,16 @@ def test_a_deceleration_above_its_limit_is_refused():
     np.testing.assert_allclose(peaks(slow, 2).peak, [1.0, 0.5], rtol=1e-9)
 
 
+@pytest.mark.parametrize("asked", [0.15, 0.1, 0.05, 0.02, 0.001])
+def test_along_any_path_a_deceleration_is_at_most_the_one_asked_for(asked):
+    path, limits = path_type("quintic").path([[0.0, 0.0], [1.0, 0.5]]), Limits(1.0, 2.0)
+    motion = run_along(path, "trapezoidal", limits, sddot_down=asked)
+    assert 0.5 * asked < -motion.law.derivatives(motion.duration, (2,), before=True)[0] <= asked * (1.0 + 1e-9)
+    assert violations(motion, limits) == []
+    assert motion.duration > run_along(path, "trapezoidal", limits).duration
+    assert motion.duration < 1.01 * run_along(path, "trapezoidal", limits, sddot_down=0.99 * asked).duration
+
+
 @pytest.mark.parametrize("law", ["cubic", "quintic", "trapezoidal", "double_s", "cosine", "time_optimal"])
 def test_a_duration_too_short_for_the_limits_is_refused_with_the_shortest_that_is_not(law):
     q = [0.0, 0.0, 0.0], [10.0, -4.0, 1.0]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -11,8 +12,17 @@ from armlab.kin.motion.extremes import SLACK
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.path import Path
-from armlab.kin.motion.scaling import Moving, as_fast_as_allowed
+from armlab.kin.motion.scaling import Moving, Scaling, as_fast_as_allowed
 from armlab.kin.motion.trajectory import Trajectory
+
+DOWN = "sddot_down"
+"""Option by which a law slows down less hard than its limits allow."""
+
+ROUNDS = 4
+"""Rounds in which that deceleration is divided by the square of the stretch, on which it depends in turn."""
+
+LEAST_SHARE = 1e-3
+"""Least share of the typed deceleration that shapes a law."""
 
 
 def moving_ends(options: dict[str, Any]) -> Moving:
@@ -51,14 +61,31 @@ def fastest_along(
         Options of the law.
     """
     bounds = law_bounds(path, shape).usable
-    law = shaped(Limits(bounds.V, bounds.A, bounds.jerk), **options)
-    found, scaling = as_fast_as_allowed(Trajectory(path, law), limits, jumps=jumps, moving=moving_ends(options))
-    if not restless(options):
-        assert isinstance(found, Trajectory)
-        return found.law
+    form, moving = Limits(bounds.V, bounds.A, bounds.jerk), moving_ends(options)
+
+    def fitted(options: dict[str, Any]) -> tuple[Law, Scaling]:
+        law = shaped(form, **options)
+        return law, as_fast_as_allowed(Trajectory(path, law), limits, jumps=jumps, moving=moving)[1]
+
+    law, scaling = fitted(options)
+    if not any(moving):
+        return law.stretched(scaling.k) if options.get(DOWN) is None else _braking(fitted, options)
     if scaling.k > 1.0 + SLACK:
         raise InputError(
             f"{title}: with these speeds at its ends joint {scaling.joint} exceeds its limit of "
             f"{scaling.quantity}; lower sdot_start or sdot_end"
         )
     return law
+
+
+def _braking(fitted: Callable[[dict[str, Any]], tuple[Law, Scaling]], options: dict[str, Any]) -> Law:
+    """Return the law whose deceleration, as it is after stretching, is at most the typed one."""
+    asked = shaping = float(options[DOWN])
+    law, scaling = fitted(options)
+    for _ in range(ROUNDS):
+        if scaling.k >= 1.0:
+            break
+        shaping = asked * max(scaling.k**2, LEAST_SHARE)
+        law, scaling = fitted({**options, DOWN: shaping})
+    # Where the rounds have not come to an end, the deceleration and not a limit holds the motion back.
+    return law.stretched(max(scaling.k, math.sqrt(shaping / asked)))
