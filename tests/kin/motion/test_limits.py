@@ -1,5 +1,7 @@
 """A limit that is given is kept, or refused with the reason: joints, jumps, durations, an arm's own."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -56,12 +58,43 @@ def test_a_duration_too_short_for_the_limits_is_refused_with_the_shortest_that_i
     assert violations(found, LIMITS) == []
 
 
-def test_with_end_speeds_the_shortest_duration_is_that_of_the_same_end_speeds():
+@pytest.mark.parametrize("limits", [Limits(1.0, 1.0), Limits(1.0, 5.0), Limits(1.0, 50.0), Limits(1.0, 2.0, 9.0)])
+@pytest.mark.parametrize("duration", [1.0, 2.45])
+def test_with_end_speeds_the_duration_that_is_told_holds_for_the_ramp_that_is_typed(limits, duration):
+    law = "double_s" if limits.bounded[2] else "trapezoidal"
     line, ends = path_type("line").path([[0.0], [2.0]]), {"sdot_start": 0.3, "sdot_end": 0.1}
-    fastest = run_along(line, "trapezoidal", Limits(1.0, 1.0), **ends)
+    fastest = run_along(line, law, limits, **ends)
     np.testing.assert_allclose(fastest.limits_at(np.array([0.0]), False)[1], [[0.6]], rtol=1e-12)
-    with pytest.raises(InputError, match=f"it takes at least {fastest.duration:.6g} s"):
-        run_along(line, "trapezoidal", Limits(1.0, 1.0), duration=1.0, **ends)
+    both = r"without a duration it takes ([\d.]+) s, with ramps of 0\.333 T ([\d.]+) s is long enough$"
+    with pytest.raises(InputError, match=both) as refused:
+        run_along(line, law, limits, duration=duration, **ends)
+    left_out, enough = map(float, re.search(both, str(refused.value)).groups())
+    assert left_out == pytest.approx(fastest.duration, rel=1e-5)
+    with pytest.raises(InputError, match="duration"):
+        run_along(line, law, limits, duration=enough * (1.0 - 1e-4), **ends)
+    found = run_along(line, law, limits, duration=enough + 1e-5, **ends)
+    assert violations(found, limits, from_rest=False) == []
+
+
+def test_where_shorter_ramps_would_do_both_durations_are_told():
+    line = path_type("line").path([[0.0], [1.0]])
+    both = r"without a duration it takes 1\.01 s, with ramps of 0\.333 T it takes at least 1\.5 s$"
+    with pytest.raises(InputError, match=both):
+        run_along(line, limits=Limits(1.0, 100.0), duration=1.2)
+    assert run_along(line, limits=Limits(1.0, 100.0), duration=1.2, ramp=0.1).duration == pytest.approx(1.2)
+
+
+def test_where_a_longer_time_keeps_no_limit_the_end_speeds_are_to_be_lowered():
+    line, limits = path_type("line").path([[0.0], [1.0]]), Limits(3.0, 0.9)
+    ends = {"sdot_start": 1.0, "sdot_end": 1.0}
+    assert violations(run_along(line, limits=limits, duration=1.3, **ends), limits, from_rest=False) == []
+    # At a mean speed of 1/2 it has to slow down to almost nothing and to speed up again.
+    with pytest.raises(InputError, match=r"takes 0\.8409 s, or lower sdot_start or sdot_end$"):
+        run_along(line, limits=limits, duration=2.0, **ends)
+
+
+def test_an_end_speed_above_the_limit_is_refused():
+    line = path_type("line").path([[0.0], [2.0]])
     with pytest.raises(InputError, match=r"sdot_start: expected at most the speed limit 0\.5, got 0\.6"):
         run_along(line, "trapezoidal", Limits(1.0, 1.0), sdot_start=0.6)
 

@@ -15,8 +15,14 @@ from armlab.kin.motion.law_types import LawType, law_type
 from armlab.kin.motion.limits import Limits, limits_of
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.peaks import peaks
-from armlab.kin.motion.scaling import optimal_scaling, refuse_jumps
+from armlab.kin.motion.scaling import Scaling, optimal_scaling, refuse_jumps
 from armlab.kin.motion.trajectory import Trajectory
+
+LONGER = 1.1
+"""Factor from one duration to the next in the search for one that keeps the limits."""
+
+NEAR = 1e-9
+"""Relative length of the interval in which it is then known."""
 
 
 def run_along(
@@ -89,18 +95,67 @@ def _stretched(
 
 
 def _refuse_short(kind: LawType, motion: Trajectory, limits: Limits, options: dict[str, Any]) -> None:
-    orders = [order for order, finite in enumerate(limits.bounded, start=1) if finite]
-    peak = {order: peaks(motion, order).peak for order in orders}
-    if not any(np.any(values) for values in peak.values()):
+    """Raise `InputError` for a motion that exceeds a limit; the text says which durations do not."""
+    scaling = _used(motion, limits)
+    if scaling is None or scaling.k <= 1.0 + SLACK:
         return
-    scaling = optimal_scaling(limits, *(peak.get(order, 0.0) for order in (1, 2, 3)))
-    if scaling.k <= 1.0 + SLACK:
-        return
-    shortest = scaling.k * motion.duration
-    if restless(options):
-        # Stretched in time its end speeds would be others.
-        shortest = kind.along(motion.path, limits, **options).duration
+    enough = _enough(kind, motion, limits, options) if restless(options) else scaling.k * motion.duration
     raise InputError(
-        f"duration: in {motion.duration:g} s joint {scaling.joint} exceeds its limit of {scaling.quantity}; it takes "
-        f"at least {shortest:.6g} s"
+        f"duration: in {motion.duration:g} s joint {scaling.joint} exceeds its limit of {scaling.quantity}; "
+        f"{_advice(kind, motion.path, limits, options, enough)}"
     )
+
+
+def _advice(kind: LawType, path: Path, limits: Limits, options: dict[str, Any], enough: float | None) -> str:
+    """Return in words how long it takes with the ramps that are typed, and with those the limits allow if shorter."""
+    ways = []
+    share = next((options.get(field.key, field.default) for field in kind.fields if field.key == "ramp"), None)
+    free = None if share is None else _free(kind, path, limits, options)
+    if free is not None and (enough is None or free < enough * (1.0 - SLACK)):
+        ways.append(f"without a duration it takes {free:.6g} s")
+    ramps = f"with ramps of {share:.3g} T " if ways else ""
+    if enough is None:
+        ways.append("or lower sdot_start or sdot_end" if ways else "lower sdot_start or sdot_end")
+    elif restless(options):
+        ways.append(f"{ramps}{enough:.6g} s is long enough")
+    else:
+        ways.append(f"{ramps}it takes at least {enough:.6g} s")
+    return ", ".join(ways)
+
+
+def _free(kind: LawType, path: Path, limits: Limits, options: dict[str, Any]) -> float | None:
+    """Return how long the law takes whose ramps follow from the limits, or None if there is none."""
+    try:
+        return kind.along(path, limits, **options).duration
+    except InputError:
+        return None
+
+
+def _used(motion: Trajectory, limits: Limits) -> Scaling | None:
+    """Return the scaling that would meet one limit, or None where none is used at all."""
+    peak = [peaks(motion, k).peak if finite else 0.0 for k, finite in enumerate(limits.bounded, start=1)]
+    return optimal_scaling(limits, *peak) if any(np.any(values) for values in peak) else None
+
+
+def _enough(kind: LawType, motion: Trajectory, limits: Limits, options: dict[str, Any]) -> float | None:
+    """Return the next longer duration of a law with end speeds that keeps the limits; None if it is not found.
+
+    Stretched in time its end speeds would be others, so each duration is another law, and a longer one may need more:
+    it has to slow down from the same speeds to a smaller one.
+    """
+
+    def keeps(duration: float) -> bool:
+        used = _used(Trajectory(motion.path, kind.law(duration, **options)), limits)
+        return used is None or used.k <= 1.0
+
+    low, high = motion.duration, motion.duration
+    try:
+        while not keeps(high):
+            low, high = high, high * LONGER
+        while high - low > NEAR * high:
+            middle = 0.5 * (low + high)
+            low, high = (low, middle) if keeps(middle) else (middle, high)
+    except InputError:
+        # In so long a time the ramps alone go farther than the path.
+        return None
+    return high
