@@ -142,6 +142,14 @@ def test_end_speeds_excuse_jumps_at_their_own_end_only(end, duration):
         assert violations(motion, limits, from_rest=False) == []
 
 
+@pytest.mark.parametrize("gap", [1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7])
+@pytest.mark.parametrize("size", [1.0, 1e3])
+def test_no_corner_hides_beside_two_waypoints_that_are_almost_the_same(gap, size):
+    points = size * np.array([[1.0, 0.5], [2.0, 0.5], [2.0, 0.5 + gap], [2.0, 1.5]])
+    with pytest.raises(InputError, match="waypoint 3: the same as waypoint 2|the velocity of joint 1 jumps"):
+        run_along(path_type("polyline").path(points), "quintic", Limits(1.0, 2.0))
+
+
 def test_a_constant_speed_jumps_at_both_ends_unless_it_was_moving_before():
     motion = coordinated([0.0], [1.0], "constant", duration=2.0)
     found = violations(motion, Limits(acceleration=1.0))

@@ -13,8 +13,9 @@ from armlab.kin.field import Field
 
 Floats = NDArray[np.float64]
 
-SAME = 1e-12
-"""Distance, relative to the largest coordinate difference, below which two waypoints are the same."""
+SAME = 1e-9
+"""Distance, relative to the largest coordinate, below which two waypoints are the same: a path as short as that has no
+direction that could be told from rounding, so that a corner there would not be seen."""
 
 UNTIMED = (("times", (None,)),)
 """Condition for options on how time is divided: they are used only when no times are given."""
@@ -93,8 +94,7 @@ def _culprit(knots: Any) -> InputError:
 def refuse_same(points: Floats) -> None:
     """Raise `InputError` when two neighbouring waypoints are the same."""
     steps = np.abs(np.diff(points, axis=0)).max(axis=1)
-    extent = float(np.ptp(points, axis=0).max())
-    same = np.flatnonzero(steps <= SAME * extent)
+    same = np.flatnonzero(steps <= SAME * np.abs(points).max())
     if len(same):
         k = int(same[0]) + 1
         raise InputError(f"waypoint {k + 1}: the same as waypoint {k}; move or remove one of them")

@@ -51,7 +51,7 @@ def run_along(
     ------
     InputError
         No limits and no duration, a limit that cannot be kept, or a duration that is too short for the limits; the
-        text says the shortest.
+        text says which is long enough.
 
     Examples
     --------
