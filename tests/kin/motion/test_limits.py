@@ -146,7 +146,7 @@ def test_end_speeds_excuse_jumps_at_their_own_end_only(end, duration):
 @pytest.mark.parametrize("size", [1.0, 1e3])
 def test_no_corner_hides_beside_two_waypoints_that_are_almost_the_same(gap, size):
     points = size * np.array([[1.0, 0.5], [2.0, 0.5], [2.0, 0.5 + gap], [2.0, 1.5]])
-    with pytest.raises(InputError, match="waypoint 3: the same as waypoint 2|the velocity of joint 1 jumps"):
+    with pytest.raises(InputError, match=r"waypoint 3: the same as waypoint 2|the velocity of joint 1 jumps"):
         run_along(path_type("polyline").path(points), "quintic", Limits(1.0, 2.0))
 
 

@@ -245,6 +245,24 @@ def test_the_jerk_of_a_joint_counts_also_where_the_acceleration_of_another_jumps
         as_fast_as_allowed(motion, Limits(10.0, 100.0, 1.0))
 
 
+def test_rounding_of_a_factor_of_time_hides_no_jump():
+    constant = coordinated([0.0], [1.0], "constant", duration=0.7)
+    both = independent([0.0, 1.0], [1.0, -1.0], "bang_bang", Limits([1.4, 0.98], [2.0, 3.0]))
+    for k in np.linspace(0.5, 3.0, 401):
+        slow, slower = Slowed(constant, k), scaled(both, k)
+        assert slow.at(slow.duration, 1)[0] == pytest.approx(1.0 / (0.7 * k))
+        assert [time for _, time in slow.jumps(1)] == [0.0, slow.duration]
+        assert (slower.continuity, len(slower.jumps(2))) == (1, len(both.jumps(2)))
+        chain = Sequential([coordinated([q], [q + 1], "constant", duration=T) for q, T in ((0.0, k), (1.0, 0.1))])
+        assert np.all(chain.at([np.nextafter(k, 0.0), k, chain.duration], 1) > 0.0)
+
+
+def test_joints_that_move_alike_have_as_many_jumps(rng):
+    for v, a in [(1.3, 3.8), *rng.uniform([0.3, 0.3], [3.0, 6.0], (50, 2))]:
+        joints = [j for j, _ in independent([0, 0], [1, 0.1], "trapezoidal", Limits([v, v / 10], [a, a / 10])).jumps(2)]
+        assert joints.count(1) == joints.count(2) >= 3
+
+
 def test_a_chosen_speed_below_the_largest():
     line = path_type("line").path([[0.0], [2.0]])
     bounds = law_bounds(line, Limits(1.0, 3.0), 0.25)

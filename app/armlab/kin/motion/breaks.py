@@ -80,6 +80,17 @@ def merged(places: Sequence[Floats], low: float, high: float) -> Floats:
     return np.asarray(every[np.concatenate([[True], np.diff(every) > apart])])
 
 
+def snapped(places: Floats, edges: Floats, apart: float) -> Floats:
+    """Return places (k,), those nearer than ``apart`` to one of the sorted edges moved there.
+
+    Rounding must not decide on which side of the end of a piece a place is.
+    """
+    after = np.clip(np.searchsorted(edges, places), 1, len(edges) - 1)
+    before = after - 1
+    nearest = np.where(places - edges[before] < edges[after] - places, edges[before], edges[after])
+    return np.where(np.abs(nearest - places) < apart, nearest, places)
+
+
 def stopped(values: Sequence[Floats], before: bool) -> list[Floats]:
     """Return derivatives (k, m) at the edges of a motion, with rest before the first and after the last edge."""
     found = [np.array(each) for each in values]

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.field import positive
-from armlab.kin.motion.breaks import ORDERS, merged
+from armlab.kin.motion.breaks import ORDERS, merged, snapped
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.trajectory import Motion, in_time
 
@@ -63,8 +63,9 @@ class Sequential(Motion):
         index = np.searchsorted(self.starts[1:-1], flat, side="right")
         found = [np.empty((flat.size, self.m)) for _ in orders]
         for k in np.unique(index):
-            at = index == k
-            for out, values in zip(found, self.motions[k].derivatives(flat[at] - self.starts[k], orders), strict=True):
+            at, motion = index == k, self.motions[k]
+            local = _until_end(motion, flat[at] - self.starts[k], flat[at] <= self.duration)
+            for out, values in zip(found, motion.derivatives(local, orders), strict=True):
                 out[at] = values
         return [values.reshape(*times.shape, self.m) for values in found]
 
@@ -76,10 +77,7 @@ class Sequential(Motion):
         found = [np.empty((len(t), self.m)) for _ in ORDERS]
         for k in np.unique(index):
             at, motion = index == k, self.motions[k]
-            local = t[at] - self.starts[k]
-            edges = motion.edges
-            nearest = edges[np.abs(local[:, None] - edges).argmin(axis=1)]
-            local = np.where(np.abs(nearest - local) < GAP * self.duration, nearest, local)
+            local = snapped(t[at] - self.starts[k], motion.edges, GAP * self.duration)
             for out, values in zip(found, motion.limits_at(local, before), strict=True):
                 out[at] = values
         return found
@@ -148,9 +146,9 @@ class Separate(Motion):
         return self._assembled(t, ORDERS, [None if law is None else self._sided(law, t, before) for law in self.laws])
 
     def _sided(self, law: Law, t: Floats, before: bool) -> list[Floats]:
-        values = law.derivatives(t, before=before)
-        # A law that ends earlier: at its end it still moves from the left, and stands still from the right.
         slack = GAP * self.duration
+        values = law.derivatives(snapped(t, law.edges, slack), before=before)
+        # A law that ends earlier: at its end it still moves from the left, and stands still from the right.
         over = (t > law.duration + slack) if before else (t > law.duration - slack)
         over &= law.duration < self.duration - slack
         return [np.where(over & (order > 0), 0.0, value) for order, value in enumerate(values)]
@@ -184,13 +182,20 @@ class Slowed(Motion):
 
     def derivatives(self, t: ArrayLike, orders: Sequence[int] = ORDERS) -> list[Floats]:
         """Return derivatives, those of order i divided by k^i; see `Motion.derivatives`."""
-        found = self.motion.derivatives(np.asarray(t, dtype=float) / self.k, orders)
+        times = np.asarray(t, dtype=float)
+        found = self.motion.derivatives(_until_end(self.motion, times / self.k, times <= self.duration), orders)
         return [values / self.k**order for order, values in zip(orders, found, strict=True)]
 
     def limits_at(self, t: Floats, before: bool) -> list[Floats]:
         """Return derivatives from one side; see `Motion.limits_at`."""
-        found = self.motion.limits_at(t / self.k, before)
+        local = snapped(t / self.k, self.motion.edges, GAP * self.motion.duration)
+        found = self.motion.limits_at(local, before)
         return [values / self.k**order for order, values in enumerate(found)]
+
+
+def _until_end(motion: Motion, t: Floats, within: NDArray[np.bool_]) -> Floats:
+    """Return times of a motion with rounding beyond its end removed where they are within the whole."""
+    return np.where(within, np.minimum(t, motion.duration), t)
 
 
 def chained(q: Sequence[Floats], s: Sequence[Floats]) -> list[Floats]:

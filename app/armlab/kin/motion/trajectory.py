@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from armlab.errors import InputError
 from armlab.kin.checks import whole_number, wrong
 from armlab.kin.field import positive
-from armlab.kin.motion.breaks import ORDERS, SMOOTH, classes, jumps, merged, stopped
+from armlab.kin.motion.breaks import ORDERS, SMOOTH, classes, jumps, merged, snapped, stopped
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.series import roots_inside, series_of
@@ -214,11 +214,7 @@ class Trajectory(Motion):
     def limits_at(self, t: Floats, before: bool) -> list[Floats]:
         """Return derivatives from one side; see `Motion.limits_at`."""
         s = self.law.derivatives(t, before=before)
-        # Rounding must not decide on which side of the end of a piece s is.
-        edges = self.path.edges
-        near = np.clip(np.searchsorted(edges, s[0]), 1, len(edges) - 1)
-        nearest = np.where(s[0] - edges[near - 1] < edges[near] - s[0], edges[near - 1], edges[near])
-        place = np.where(np.abs(nearest - s[0]) < OUTSIDE, nearest, s[0])
+        place = snapped(s[0], self.path.edges, OUTSIDE)
         sides = [self.path.derivatives(place, before=side) for side in (False, True)]
         from_left = (s[1] < 0.0) != before
         q = {k: np.where(from_left[:, None], left, right) for k, (right, left) in enumerate(zip(*sides, strict=True))}
