@@ -57,6 +57,19 @@ def test_a_double_s_with_much_jerk_is_a_trapezoid(rng):
         assert law.duration == pytest.approx(trapezoid.duration, rel=1e-4, abs=1e-5)
 
 
+@pytest.mark.parametrize("much", [10.0**k for k in (13, 14, 17, 20, 60)])
+def test_ramps_too_short_to_be_told_from_none_are_jumps(much):
+    trapezoid, double_s = law_type("trapezoidal"), law_type("double_s")
+    laws = [trapezoid.shaped(Limits(1.0, much)), trapezoid.law(1.0, ramp=1.0 / much)]
+    laws += [double_s.shaped(Limits(1.0, 1.0, much)), double_s.law(1.0, ramp=1.0 / much)]
+    for law, end in zip(laws, (1.0, 1.0, 2.0, 1.0), strict=True):
+        assert (law.distance, law.duration, law.peak_speed) == pytest.approx((1.0, end, 1.0), rel=1e-9)
+        assert law.at(0.25 * law.duration) == pytest.approx(0.25 if end == 1.0 else 0.125, rel=1e-9)
+    for kind, limits in ((trapezoid, Limits(1.0, much)), (double_s, Limits(1.0, 1.0, much))):
+        with pytest.raises(InputError, match=r"limit of \w+: the \w+ of .* jumps, so no time keeps it"):
+            kind.within(limits)
+
+
 def test_the_fastest_trapezoid_is_fastest(rng):
     """No profile of the same kind with a lower peak, and no other ramps within the limits, is faster."""
     for _ in range(12):

@@ -132,23 +132,25 @@ def integrated(durations: Sequence[float], highest: Sequence[float], start: Sequ
     Parameters
     ----------
     durations : sequence of float
-        Durations of the pieces, seconds; pieces of zero duration, up to rounding, are left out.
+        Durations of the pieces, seconds. Of those that are zero up to rounding the effect is kept, as a jump, but they
+        are no pieces.
     highest : sequence of float
         The constant of each piece.
     start : sequence of float
         s, s', ... at t = 0.
     """
     least = SHORTEST * sum(durations)
-    kept = [(h, value) for h, value in zip(durations, highest, strict=True) if h > least]
     order = len(start)
     state = np.array(start, dtype=float)
     factorials = np.cumprod([1.0, *range(1, order + 1)])
-    rows = []
-    for h, value in kept:
+    rows, kept = [], []
+    for h, value in zip(durations, highest, strict=True):
         taylor = np.append(state, value)
-        rows.append(taylor / factorials)
+        if h > least:
+            rows.append(taylor / factorials)
+            kept.append(h)
         for k in range(order):
             powers = h ** np.arange(order + 1 - k)
             state[k] = np.sum(taylor[k:] * powers / factorials[: order + 1 - k])
-    knots = np.concatenate([[0.0], np.cumsum([h for h, _ in kept])])
+    knots = np.concatenate([[0.0], np.cumsum(kept)])
     return Piecewise(knots, np.array(rows)[:, :, None])
