@@ -212,6 +212,14 @@ def test_newton_does_not_drift_where_euler_along_the_velocity_does():
     assert newton.error_position.max() < 1e-11
 
 
+@pytest.mark.parametrize("sampling", [0.25, 0.3, 0.4, 0.6])
+def test_newton_is_at_the_end_in_time_also_where_the_last_period_is_shorter(sampling):
+    q = [0.3, 1.0]
+    line = LineReference(TWO_R.fk(q), [-0.2, 0.0, 0.0], 1.0)
+    run = simulate(TWO_R, "newton", line, q, Settings(inverse="inverse", plant=plant(TWO_R, sampling=sampling)))
+    assert run.error_position[-1] < 1e-6
+
+
 def test_joint_tracking_of_a_line_finds_its_joint_values(rng):
     arm = catalogue()["puma560"].arm
     home = np.asarray(catalogue()["puma560"].home, dtype=float)

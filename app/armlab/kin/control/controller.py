@@ -25,7 +25,9 @@ class Aim(NamedTuple):
     q, qdot : ndarray, shape (n,)
         Wanted joint values and rates; only where the law asks for them.
     next_pose : ndarray, shape (4, 4)
-        Wanted pose at the next command.
+        Wanted pose at the next command, or at the end where that is earlier.
+    ahead : float
+        Seconds until then; at the end itself those of a whole period.
     """
 
     pose: Floats
@@ -33,6 +35,7 @@ class Aim(NamedTuple):
     q: Floats
     qdot: Floats
     next_pose: Floats
+    ahead: float
 
 
 class Told(NamedTuple):
@@ -67,19 +70,16 @@ class Controller:
         Key of the null-space term.
     gain : float
         Its gain, 1/s.
-    period : float
-        Seconds from one command to the next.
 
     Attributes
     ----------
     task : ScaledTask
-    period : float
     """
 
     def __init__(
-        self, task: ScaledTask, method: RateInverse, options: Mapping[str, Any], wish: str, gain: float, period: float
+        self, task: ScaledTask, method: RateInverse, options: Mapping[str, Any], wish: str, gain: float
     ) -> None:
-        self.task, self.period = task, period
+        self.task = task
         self._speeds, self._options = method.speeds, options
         self._wish, self._gain = wish, gain
 

@@ -143,8 +143,7 @@ def simulating(
         count = min(count, (len(joints.q) - 1) // 2)
     if count < 1:
         return _still(arm, start, tool, reason)
-    period = every * step if every else step
-    loop = _Loop(arm, kind, known, given, tool, joints, start, (step, count, every, period))
+    loop = _Loop(arm, kind, known, given, tool, joints, start, (step, count, every))
     yield from loop.go()
     return loop.run(reason)
 
@@ -193,11 +192,11 @@ class _Loop:
         tool: ToolAims,
         joints: JointAims | None,
         q0: Floats,
-        clock: tuple[float, int, int, float],
+        clock: tuple[float, int, int],
     ) -> None:
         self._arm, self._kind, self._given, self._plant = arm, kind, given, given.plant
         self._tool, self._joints = tool, joints
-        self._step, self._count, self._every, period = clock
+        self._step, self._count, self._every = clock
         method = rate_inverse(given.inverse)
         self._controller = Controller(
             known,
@@ -205,7 +204,6 @@ class _Loop:
             method.options(given.inverse_options),
             checked_wish(given.null),
             float(finite_floats(given.null_gain, "gain of the null-space term", (), "a finite number")),
-            period,
         )
         self._options = kind.prepare(known, kind.options(given.law_options))
         self._limits = given.plant.limits(arm)
@@ -284,9 +282,12 @@ class _Loop:
 
     def _aim(self, grid: int) -> Aim:
         poses, twists = self._tool
-        later = min(grid + 2 * max(self._every, 1), len(poses) - 1)
+        whole = 2 * max(self._every, 1)
+        later = min(grid + whole, len(poses) - 1)
+        # The grid has two times a step; the last period may be shorter than the others.
+        ahead = 0.5 * self._step * ((later - grid) or whole)
         q, qdot = (self._none, self._none) if self._joints is None else (self._joints.q[grid], self._joints.qdot[grid])
-        return Aim(poses[grid], twists[grid], q, qdot, poses[later])
+        return Aim(poses[grid], twists[grid], q, qdot, poses[later], ahead)
 
     def _displaced(self, q: Floats, k: int) -> Floats:
         """Return the joint values after the pushes that are due by instant k."""

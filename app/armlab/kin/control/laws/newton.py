@@ -27,7 +27,7 @@ CLOSE = 1e-12
 
 
 def command(controller: Controller, q: Floats, aim: Aim, options: Mapping[str, Any]) -> Told:
-    """Return the joint speeds that lead to the wanted pose within the period."""
+    """Return the joint speeds that lead to the wanted pose by the next command, or by the end."""
     task, found, damping = controller.task, q, 0.0
     for _ in range(options["most"]):
         pose = task.pose(found)
@@ -38,7 +38,7 @@ def command(controller: Controller, q: Floats, aim: Aim, options: Mapping[str, A
         if step.qdot is None:
             return step
         found, damping = found + step.qdot, max(damping, step.damping)
-    return Told((found - q) / controller.period, damping)
+    return Told((found - q) / aim.ahead, damping)
 
 
 LAW = ControlLaw(
