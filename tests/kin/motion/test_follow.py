@@ -70,6 +70,27 @@ def test_rates_by_the_jacobian_are_those_of_differences(key, rng):
     np.testing.assert_allclose(found.slope[inner], found.differences[inner], rtol=0, atol=1e-4 * size)
 
 
+def test_a_joint_that_is_outside_its_limit_only_between_two_nodes_stops_at_it():
+    tool_path, limits = line([1.2, -0.8, 0.0], [1.2, 0.9, 0.0]), np.full((2, 2), [-3.1, 3.1])
+    free = follow(planar(), tool_path, [-1.3, 1.5])
+    top = free.q[:, 1].max()
+    assert free.whole
+    for count in (1000, 57):
+        limits[1, 1] = top - 1e-3
+        arm = Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0)] * 2, limits=limits)
+        found = follow(arm, tool_path, [-1.3, 1.5], count)
+        assert not found.whole
+        (stop,) = found.stops
+        assert (stop.kind, stop.joint) == ("limit", 2)
+        assert stop.q[1] == pytest.approx(limits[1, 1], abs=1e-6)
+        assert on_path(found, tool_path) < 1e-9
+        assert all(arm.within_limits(row) for row in found.q[found.reached])
+        assert found.s[found.reached].max() <= stop.s < found.s[~found.reached].min()
+        after = follow(arm, tool_path, [-1.3, 1.5], count, carry_on=True)
+        assert all(arm.within_limits(row) for row in after.q[after.reached])
+        assert after.reached[-1]
+
+
 def test_the_branch_of_the_start_is_kept():
     """A PUMA keeps shoulder, elbow and wrist although the other solutions are there as well."""
     arm = catalogue()["puma560"].arm

@@ -31,6 +31,9 @@ HALVINGS = 50
 LEFT = 1e-9
 """Scaled error up to which a sample counts as on the path."""
 
+BEYOND = 1e-8
+"""Excess of a sample over a joint limit, rad or m, that may be rounding beside a singularity."""
+
 BESIDE = 0.01
 """Ratio of smallest to largest singular value below which a configuration is beside a singularity."""
 
@@ -125,8 +128,7 @@ class _Run:
         at, q = 0.0, found.q if found.success else None
         while True:
             if q is not None:
-                nodes, stop = self._limited(self.branch.from_here(q, at))
-                self._fill(nodes)
+                nodes, stop = self._filled(*self._limited(self.branch.from_here(q, at)))
                 if stop is None and nodes[-1].s < 1.0:
                     stop = self._ended(nodes[-1])
                 if stop is None:
@@ -141,18 +143,45 @@ class _Run:
     def _solve(self, s: float, near: Floats | None, searches: int = SEARCHES, complete: bool = True) -> IkResult:
         return solve(self.arm, self.tool_path.pose(s), near, seed=self.seed, searches=searches, complete=complete)
 
-    def _fill(self, nodes: list[Node]) -> None:
-        """Solve for all samples between the first and the last node."""
+    def _filled(self, nodes: list[Node], stop: Stop | None) -> tuple[list[Node], Stop | None]:
+        """Solve for all samples between the first and the last node, or up to one at which a joint passes its limit.
+
+        Returns
+        -------
+        nodes, stop
+            As given, or up to that place.
+        """
+        first, q, slope = self._between(nodes)
+        k = self._first_outside(q)
+        if k is not None:
+            nodes, stop = self._limited(_up_to(nodes, self.s[first : first + k + 1], q[: k + 1], slope[: k + 1]))
+            first, q, slope = self._between(nodes)
+        last = first + len(q)
+        if last > first:
+            self.q[first:last], self.slope[first:last] = q, np.where(np.isnan(q), np.nan, slope)
+            self.parts.append((first, last))
+        return nodes, stop
+
+    def _between(self, nodes: list[Node]) -> tuple[int, Floats, Floats]:
+        """Return the first sample between the first and the last node, and joint values and slopes there, (k, n)."""
         first = int(np.searchsorted(self.s, nodes[0].s - SMALLEST))
         last = int(np.searchsorted(self.s, nodes[-1].s + 1e-12, side="right"))
         if last <= first:
-            return
+            return first, np.zeros((0, self.arm.n)), np.zeros((0, self.arm.n))
         q, slope, error = self.branch.between(nodes, self.s[first:last])
         for k in np.flatnonzero(~(error <= LEFT)):
             again = self.branch.corrected(q[k], float(self.s[first + k]))
             q[k] = np.nan if again is None else again
-        self.q[first:last], self.slope[first:last] = q, np.where(np.isnan(q), np.nan, slope)
-        self.parts.append((first, last))
+        return first, q, slope
+
+    def _first_outside(self, q: Floats) -> int | None:
+        """Return the first of many configurations (k, n) at which a joint is outside its limits; None if there is none.
+
+        Between two nodes inside the limits the way may turn outside of them.
+        """
+        low, high = self.arm.limits.T
+        outside = np.flatnonzero(((q < low - BEYOND) | (q > high + BEYOND)).any(axis=1))
+        return int(outside[0]) if len(outside) else None
 
     def _limited(self, nodes: list[Node]) -> tuple[list[Node], Stop | None]:
         """Return the nodes up to the place where a joint passes its limit, and the stop there, if any."""
@@ -245,6 +274,14 @@ class _Run:
             J = scaled_jacobian(self.arm, q, np.asarray(self.arm.fk(q), dtype=np.float64))
             ratio[reached] = _conditioning(J)
         return Followed(self.arm, self.s, self.q, self.slope, reached, tuple(self.stops), tuple(self.parts), ratio)
+
+
+def _up_to(nodes: list[Node], s: Floats, q: Floats, slope: Floats) -> list[Node]:
+    """Return the nodes before the last of the samples at s (k,), and as nodes the sample before it, and itself."""
+    found = [node for node in nodes if node.s < s[-1]] or nodes[:1]
+    if len(s) > 1 and s[-2] > found[-1].s and np.isfinite(q[-2]).all():
+        found.append(Node(float(s[-2]), q[-2], slope[-2]))
+    return [*found, Node(float(s[-1]), q[-1], slope[-1])]
 
 
 def _conditioning(J: Floats) -> Floats:
