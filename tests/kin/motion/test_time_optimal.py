@@ -1,5 +1,7 @@
 """The time-optimal law along a path: exact limits, as fast as others find it, and where the path is difficult."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -10,6 +12,7 @@ from armlab.kin.motion import (
     ToolPath,
     Trajectory,
     about_one_axis,
+    coordinated,
     follow,
     law_type,
     path_type,
@@ -58,6 +61,20 @@ def test_on_a_straight_line_it_is_the_trapezoid(limits):
     t = np.linspace(0.0, trapezoid.duration, 500)
     np.testing.assert_allclose(law.at(t), trapezoid.at(t), rtol=0, atol=2e-6)
     assert len(law.pieces) <= 5
+
+
+def test_ramps_much_shorter_than_a_step_cost_no_more_than_their_time(rng):
+    """A trapezoid for each side, which stops at its corners, is as fast up to what the grid costs."""
+    for path, limits in (
+        (path_type("line").path([[0.0], [1.0]]), Limits(0.1, 10.0)),
+        (path_type("line").path([[0.0], [1.0]]), Limits(0.1, 1e4)),
+        (path_type("polyline").path(rng.normal(size=(21, 2))), Limits(1.0, 50.0)),
+    ):
+        corners = path.at(path.edges)
+        alone = sum(coordinated(*sides, limits=limits).duration for sides in pairwise(corners))
+        motion = Trajectory(path, LAW.along(path, limits))
+        assert motion.duration <= GRID * alone
+        assert violations(motion, limits) == []
 
 
 def test_with_twice_the_steps_it_comes_nearer(rng):

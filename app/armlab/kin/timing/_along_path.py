@@ -26,6 +26,10 @@ BESIDE = 2.0
 LEAST_STEPS = 4
 """Least number of steps on each piece of the path."""
 
+HALVED = 8
+"""Largest number of times that a step beside a place of rest is halved, so that a ramp much shorter than a step costs
+no more than its own time; together these are at most as many as all other steps."""
+
 STANDS = 1e-12
 """Value of dq/ds, relative to the largest, below which it is rounding."""
 
@@ -98,14 +102,30 @@ def _largest(values: Floats, places: Floats) -> Floats:
     return np.asarray((most + BESIDE * beside).max(axis=1))
 
 
+def _finer_beside(s: Floats, rests: Floats) -> Floats:
+    """Return grid points with more of them, the nearer the denser, in the steps beside places of rest."""
+    count = min(HALVED, len(s) // (2 * max(len(rests), 1)))
+    at, steps, parts = np.flatnonzero(np.isin(s, rests)), np.diff(s), 0.5 ** np.arange(1.0, count + 1.0)
+    before = [s[k] - steps[k - 1] * parts for k in at if k > 0]
+    after = [s[k] + steps[k] * parts for k in at if k < len(steps)]
+    return np.unique(np.concatenate([s, *before, *after]))
+
+
 def grid_of(path: Path, limits: Limits, steps: int) -> Grid:
-    """Return a path on a grid of about ``steps`` steps; the ends of its pieces are among the grid points."""
+    """Return a path on a grid of about ``steps`` even steps and finer ones beside places of rest.
+
+    The ends of its pieces are among the grid points.
+    """
     edges = path.edges
     lengths = np.diff(edges)
     least = LEAST_STEPS if LEAST_STEPS * len(lengths) <= 2 * steps else 2
     counts = np.maximum(np.ceil(steps * lengths).astype(int), least)
     parts = [a + (b - a) * np.arange(n) / n for a, b, n in zip(edges[:-1], edges[1:], counts, strict=True)]
-    s = np.append(np.concatenate(parts), 1.0)
+    even = np.append(np.concatenate(parts), 1.0)
+    slopes = np.abs(path.at(even, 1)).max(axis=1)
+    still = slopes[[0, -1]] <= STANDS * slopes.max()
+    corners = path.breaks[path.break_classes < 1.0]
+    s = _finer_beside(even, np.concatenate([np.array([0.0, 1.0])[~still], corners]))
     h = np.diff(s)
     places = 0.5 - 0.5 * np.cos(np.pi * np.arange(LOOKED) / (LOOKED - 1))
     at = s[:-1, None] + h[:, None] * places
@@ -113,9 +133,6 @@ def grid_of(path: Path, limits: Limits, steps: int) -> Grid:
     first, second = (np.array(values) for values in path.derivatives(at, (1, 2)))
     for values, end in zip((first, second), path.derivatives(s[1:], (1, 2), before=True), strict=True):
         values[:, -1] = end
-    corners = path.breaks[path.break_classes < 1.0]
-    largest = float(np.abs(first).max())
-    still = [bool(np.abs(first[k, k]).max() <= STANDS * largest) for k in (0, -1)]
     return Grid(
         s,
         h,
@@ -124,5 +141,5 @@ def grid_of(path: Path, limits: Limits, steps: int) -> Grid:
         first / limits.acceleration,
         second / limits.acceleration,
         np.isin(s, corners),
-        (still[0], still[1]),
+        (bool(still[0]), bool(still[1])),
     )
