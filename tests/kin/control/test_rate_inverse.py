@@ -163,6 +163,16 @@ def test_weights_minimise_their_own_norm_and_make_no_difference_without_redundan
         rate_step("weighted", J, v, {"weights": [1.0, 2.0]})
 
 
+def test_weights_however_far_apart_lose_no_direction_of_a_regular_matrix():
+    far = {"weights": [1e-6, 1e6]}
+    np.testing.assert_allclose(rate_step("weighted", np.diag([1.0, 0.5]), [1.0, 1.0], far).qdot, [1.0, 2.0])
+    tall = [[1.0, 0.0], [0.0, 0.5], [0.0, 0.0]]
+    np.testing.assert_allclose(rate_step("weighted", tall, [1.0, 1.0, 1.0], far).qdot, [1.0, 2.0])
+    wide = [[1.0, 0.0, 0.0], [0.0, 0.5, 0.0]]
+    qdot = rate_step("weighted", wide, [1.0, 1.0], {"weights": [1e-6, 1e6, 1.0]}).qdot
+    np.testing.assert_allclose(qdot, [1.0, 2.0, 0.0], rtol=1e-9, atol=1e-12)
+
+
 def test_the_transpose_takes_the_step_size_that_serves_best(rng):
     J, v = rng.normal(size=(3, 5)), rng.normal(size=3)
     qdot = rate_step("transpose", J, v).qdot

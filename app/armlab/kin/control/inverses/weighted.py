@@ -19,7 +19,7 @@ import numpy as np
 
 from armlab.errors import InputError
 from armlab.kin.control.decomposed import decomposed
-from armlab.kin.control.rate_inverse import Floats, RateInverse, RateStep, pseudo_inverse_speeds
+from armlab.kin.control.rate_inverse import CUTOFF, Floats, RateInverse, RateStep, pseudo_inverse_speeds
 from armlab.kin.field import Field
 
 
@@ -29,9 +29,15 @@ def speeds(J: Floats, v: Floats, options: Mapping[str, Any]) -> RateStep:
     weights = np.ones(n) if options["weights"] is None else options["weights"]
     if len(weights) not in (1, n):
         raise InputError(f"weights: expected {n} positive numbers, one for each joint, got {len(weights)}")
+    own = decomposed(J)
+    regular = own.sigma_min > CUTOFF * (own.sigma[0] if len(own.sigma) else 0.0)
+    if regular and len(J) >= n:
+        # Only one qdot comes closest to v, whatever the weights.
+        return RateStep(pseudo_inverse_speeds(own, v), 0.0, own.sigma_min)
     root = 1.0 / np.sqrt(np.broadcast_to(weights, (n,)))
-    qdot = root * pseudo_inverse_speeds(decomposed(J * root), v)
-    return RateStep(qdot, 0.0, decomposed(J).sigma_min)
+    # Weights far apart make singular values small, too, but no direction is lost by them.
+    qdot = root * pseudo_inverse_speeds(decomposed(J * root), v, 0.0 if regular else CUTOFF)
+    return RateStep(qdot, 0.0, own.sigma_min)
 
 
 INVERSE = RateInverse(
