@@ -200,6 +200,9 @@ def test_an_arm_without_limits_says_so():
     arm = armlab.Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0)] * 2)
     with pytest.raises(InputError, match=r"limits: .* has none of its own; give Limits\(velocity"):
         coordinated([0.0, 0.0], [1.0, 1.0], "quintic", arm)
+    # Those of its positions it has all the same.
+    far = coordinated([0.0, 0.0], [4.0, 1.0], "quintic", duration=1.0)
+    assert [(each.joint, each.quantity) for each in violations(far, arm)] == [(1, "position")]
 
 
 def test_a_limit_that_no_motion_lasts_long_enough_for_is_refused():

@@ -99,12 +99,19 @@ def violations(
     if positions is not None:
         low, high = _position_limits(positions, motion.m)
         found += _named("position", outside(motion_series(motion, 0), low, high, LIMIT_SLACK))
-    held = Limits() if limits is None else limits_of(limits, motion.m)
-    for order, (bounds, finite) in enumerate(zip(held.for_joints(motion.m).each, held.bounded, strict=True), start=1):
+    held = _held(limits, motion.m)
+    for order, (bounds, finite) in enumerate(zip(held.each, held.bounded, strict=True), start=1):
         if finite:
             between = _named(QUANTITIES[order], exceeding(motion_series(motion, order), bounds))
             found += [*between, *_jumping(motion, order, bounds, between, from_rest)]
     return sorted(found, key=lambda violation: (violation.start, violation.joint, violation.quantity))
+
+
+def _held(limits: Limits | Arm | None, m: int) -> Limits:
+    """Return limits of the rates with a number for each joint; an arm may have none besides those of its positions."""
+    if limits is None:
+        return Limits().for_joints(m)
+    return Limits.of(limits).for_joints(m) if isinstance(limits, Arm) else limits_of(limits, m)
 
 
 def _jumping(motion: Motion, order: int, bounds: Floats, known: list[Violation], from_rest: bool) -> list[Violation]:
