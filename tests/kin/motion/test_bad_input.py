@@ -35,6 +35,13 @@ def test_paths_with_times_may_stay_at_a_waypoint_but_not_share_out_time_by_dista
         path_type(key).path(knots)
 
 
+@pytest.mark.parametrize("second", [1e-17, 1e-10, 1.0 - 1e-16])
+def test_waypoints_too_close_in_time_for_one_polynomial_are_named(second):
+    k = 2 if second < 0.5 else 3
+    with pytest.raises(InputError, match=f"waypoint {k}: its time is too close to that of waypoint {k - 1} for one"):
+        path_type("interpolating").path([[0.0], [1.0], [2.0]], times=[0.0, second, 1.0])
+
+
 @pytest.mark.parametrize("key", list(path_types()))
 def test_a_waypoint_that_is_not_a_number_is_named(key, rng):
     kind = path_type(key)

@@ -119,6 +119,14 @@ def test_one_polynomial_through_all_is_that_of_scipy(rng, count):
     np.testing.assert_allclose(path.at(s), expected, rtol=0, atol=1e-9 * np.abs(expected).max())
 
 
+@pytest.mark.parametrize(
+    ("count", "said"), [(2, None), (3, "Degree 2 with up to 1 extreme in"), (4, "Degree 3 with up to 2 extremes in")]
+)
+def test_only_a_polynomial_that_is_no_line_is_said_to_wander(count, said):
+    remarks = path_type("interpolating").path(np.eye(count), spacing="uniform").remarks
+    assert [remark.startswith(said) for remark in remarks] == ([] if said is None else [True])
+
+
 def test_the_polynomial_wanders_and_the_spline_does_not():
     """Eleven knots of a calm curve: the polynomial leaves it by more than its height, the spline stays."""
     x = np.linspace(-1, 1, 11)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
+from armlab.errors import InputError
 from armlab.kin.motion.knots import TIMES, knot_times
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.path_types import PathType
@@ -17,6 +18,9 @@ Floats = NDArray[np.float64]
 
 MOST_KNOTS = 31
 """Largest number of waypoints: with more, evenly spaced, rounding alone moves the curve visibly."""
+
+CLOSE = 1e-9
+"""Time between two waypoints, as a part of the whole, below which rounding decides on the polynomial."""
 
 
 class Interpolating(Path):
@@ -33,21 +37,37 @@ class Interpolating(Path):
         self.degree, self.pieces = count - 1, np.zeros(0)
         self.duration = float(times[-1] - times[0])
         self.places = (times - times[0]) / self.duration
+        _refuse_close(self.places)
         series = np.linalg.solve(chebyshev.chebvander(2.0 * self.places - 1.0, count - 1), knots)
         self._series = [series]
         for _ in range(3):
             self._series.append(
                 2.0 * chebyshev.chebder(self._series[-1]) if len(self._series[-1]) > 1 else 0.0 * series[:1]
             )
-        turns = max(0, count - 2)
-        self.remarks = (
-            f"Degree {count - 1} with up to {turns} extremes in each coordinate: between waypoints it wanders, the "
-            "more the nearer to the ends. A spline does not.",
-        )
+        self.remarks = _remarks(count - 1)
 
     def _values(self, s: Floats, orders: Sequence[int], before: bool) -> list[Floats]:
         u = 2.0 * s - 1.0
         return [np.moveaxis(chebyshev.chebval(u, self._series[order]), 0, -1) for order in orders]
+
+
+def _refuse_close(places: Floats) -> None:
+    """Raise `InputError` when two waypoints are so near in time that no polynomial can be computed."""
+    close = np.flatnonzero(np.diff(places) < CLOSE)
+    if len(close):
+        k = int(close[0]) + 1
+        raise InputError(f"waypoint {k + 1}: its time is too close to that of waypoint {k} for one polynomial")
+
+
+def _remarks(degree: int) -> tuple[str, ...]:
+    """Return the remark that a polynomial of this degree wanders; a line does not."""
+    if degree < 2:
+        return ()
+    turns = "1 extreme" if degree == 2 else f"{degree - 1} extremes"
+    return (
+        f"Degree {degree} with up to {turns} in each coordinate: between waypoints it wanders, the more the nearer to "
+        "the ends. A spline does not.",
+    )
 
 
 def make(knots: Floats, options: dict[str, Any]) -> Interpolating:
