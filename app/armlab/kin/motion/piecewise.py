@@ -132,8 +132,7 @@ def integrated(durations: Sequence[float], highest: Sequence[float], start: Sequ
     Parameters
     ----------
     durations : sequence of float
-        Durations of the pieces, seconds. Of those that are zero up to rounding the effect is kept, as a jump, but they
-        are no pieces.
+        Durations of the pieces, seconds. One that is zero up to rounding is left out, and its effect is a jump.
     highest : sequence of float
         The constant of each piece.
     start : sequence of float
