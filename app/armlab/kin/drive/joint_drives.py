@@ -108,9 +108,16 @@ def joint_drives(
         np.where(arm.revolute, 2.0 * math.pi, leads),
         _each(ratio, "ratio", arm.n, above=True),
         _each(counts, "counts of the encoder", arm.n, above=True),
-        np.array(np.broadcast_to(np.asarray(at_motor, dtype=bool), (arm.n,))),
+        _flags(at_motor, "encoder at the motor", arm.n),
         _each(backlash, "backlash", arm.n, above=False),
     )
+
+
+def _flags(values: ArrayLike, where: str, n: int) -> Flags:
+    array = as_floats(values, where, f"{n} values, true or false")
+    if array.shape not in ((), (n,)):
+        raise InputError(f"{where}: expected {n} values, true or false, got shape {array.shape}")
+    return np.array(np.broadcast_to(array != 0.0, (n,)))
 
 
 def _each(values: ArrayLike, where: str, n: int, above: bool) -> Floats:
