@@ -122,6 +122,17 @@ def test_random_planar_arms_and_arms_with_general_twists(rng):
             assert value_of(arm, minor.text, q) == pytest.approx(expected, abs=1e-10)
 
 
+@pytest.mark.parametrize("key", ["x", "y", "z", "xz", "yz", "x phi", "y phi", "xy", "xy phi"])
+def test_some_coordinates_of_arms_with_parallel_axes(key, rng):
+    """Joint axes that turn with the arm would give other minors where only one of x and y is asked."""
+    arm = Arm.from_dh([("R", 1.0, 0, 0, 0.3), ("P", 0, 0, 0, 0), ("R", 0.8, 0, 0, 0), ("R", 0.5, 0, 0, 0)], task=key)
+    for q in random_q(arm, rng, 3):
+        J = task_matrix(arm, q)
+        for minor in determinant(arm).minors:
+            expected = np.linalg.det(J[:, [joint - 1 for joint in minor.joints]])
+            assert value_of(arm, minor.text, q) == pytest.approx(expected, abs=1e-12)
+
+
 def test_larger_arms_have_none():
     assert determinant(ROBOTS["iiwa7"].arm) is None
     assert determinant(ROBOTS["manseur_doty"].arm) is None

@@ -89,7 +89,7 @@ def manipulability(arm: Description) -> Kernel:
         return [_volume(_task_jacobian(arm, graph, k))]
 
     axes: list[int | None] = [None]
-    if (arm.task.position == "xyz" and arm.task.rotation != "phi") or (arm.axes_parallel and _in_plane(arm.task)):
+    if (arm.task.position == "xyz" and arm.task.rotation != "phi") or (arm.axes_parallel and in_plane(arm.task)):
         axes += range(arm.n)
     return _kernel(arm, *cheapest([partial(seen_from, k) for k in axes]))
 
@@ -150,7 +150,8 @@ def _volume(J: list[list[Number]]) -> Number:
     return square_root(absolute(vec.maximal_minors(gram)[0]))
 
 
-def _in_plane(task: Task) -> bool:
+def in_plane(task: Task) -> bool:
+    """Return whether turning the axes of all rows about z of frame 0 turns those of the task among themselves."""
     return task.position in ("", "xy", "xyz") and task.rotation in ("none", "phi")
 
 

@@ -11,6 +11,7 @@ from itertools import combinations
 import numpy as np
 
 from armlab.kin.arm import Arm
+from armlab.kin.formulas import in_plane
 from armlab.kin.graph import vector as vec
 from armlab.kin.graph.chain import Chain
 from armlab.kin.graph.expression import Graph
@@ -116,7 +117,7 @@ def _determinant(arm: Arm) -> SymbolicDeterminant | None:
     moving = [k for k in range(n) if np.abs(layout.usual[:, :, k]).max() > NEVER]
     if len(moving) > MOST_JOINTS or task.rotation in ("approach", "full") or task.m > len(moving):
         return None
-    whole = arm.description.axes_parallel or task.key == "xyz"
+    whole = (arm.description.axes_parallel and in_plane(task)) or task.key == "xyz"
     views = [None, *range(n)] if whole else [None]
     found = [_minors(arm, columns, views) for columns in combinations(moving, task.m)]
     minors = tuple(minor for minor in found if minor is not None)
