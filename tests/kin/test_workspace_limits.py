@@ -9,7 +9,7 @@ from armlab.content.robots import catalogue
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.planar_regions import regions
-from armlab.kin.workspace.section_size import size
+from armlab.kin.workspace.section_size import has_no_size, size
 from armlab.kin.workspace.sections import section
 from armlab.kin.workspace.wrist_points import wrist_points
 from armlab.kin.workspace.wrist_turns import turns_freely
@@ -54,6 +54,24 @@ def test_scorbot_is_as_far_from_a_point_as_its_nearest_configuration(rng):
     away = np.linalg.norm(arm.position(whole.nearest(point)) - point)
     assert away <= np.linalg.norm(arm.position(q) - point)
     assert -whole.distance(point).distance == pytest.approx(away, abs=0.02)
+
+
+GANTRY = [("P", 0, -pi / 2, 0, -pi / 2), ("P", 0, -pi / 2, 0, -pi / 2), ("P", 0, 0, 0, 0)]
+LOCKED = {
+    "2R, joint 1": ([("R", 1.0, 0, 0, 0), ("R", 0.5, 0, 0, 0)], [[0, 0], [-pi, pi]]),
+    "2R, joint 2": ([("R", 1.0, 0, 0, 0), ("R", 0.5, 0, 0, 0)], [[-pi, pi], [0.5, 0.5]]),
+    "PR, joint 1": ([("P", 0, pi / 2, 0, 0), ("R", 1.0, 0, 0, 0)], [[0.5, 0.5], [-1, 0.5]]),
+    "elbow, joint 1": (ELBOW, [[0.3, 0.3], *[[-pi, pi]] * 2]),
+    "gantry, joint 1": (GANTRY, [[1, 1], [-1, 0.5], [-3, -2]]),
+}
+
+
+@pytest.mark.parametrize("key", LOCKED)
+def test_an_arm_with_a_locked_joint_that_it_needs_reaches_no_area_and_no_volume(key):
+    rows, limits = LOCKED[key]
+    found = section(Arm.from_dh(rows, limits=limits), 48, 10_000)
+    assert has_no_size(found)
+    assert (size(found).value, size(found).error) == (0.0, 0.0)
 
 
 @pytest.mark.parametrize("limits", [[0.505, 0.52], [0.5, 0.5], [0.5, 0.9]])

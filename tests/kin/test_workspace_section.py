@@ -295,7 +295,7 @@ def test_no_sample_is_farther_out_than_the_reach_figures(key):
 def test_a_tool_that_stays_on_a_surface_reaches_no_volume():
     """Two axes that meet: the point runs on a sphere. One joint: on a circle."""
     sphere = Arm.from_dh([("R", 0, math.pi / 2, 0, 0), ("R", 0.5, 0, 0, 0)])
-    assert dimension(first_joint(sphere)) == 1
+    assert dimension(first_joint(sphere)) == 2
     assert size(of(sphere)).value == 0.0
     found = of(sphere)
     assert not found.holds([0.2, 0.1, 0.0])

@@ -135,6 +135,9 @@ def first_joint(arm: Arm) -> FirstJoint:
     if revolute and planar:
         # The plane has to be one that joint 1 keeps: it does not when that is locked, or the tool stays on its axis.
         planar = bool(np.ptp((points - origin) @ axis) <= STILL * (arm.reach or 1.0))
+    elif planar:
+        # Joint 1 leaves the plane where it is locked and does not slide along it.
+        planar = bool(abs(normals[2] @ axis) <= STILL * SAMPLES)
     second = normals[2] if planar and not revolute else None
     return FirstJoint(arm, revolute, np.asarray(origin), _frame(axis, second, R), moving, planar)
 

@@ -13,7 +13,6 @@ from armlab.kin.workspace.crossings import fineness
 from armlab.kin.workspace.extremes import Objective, climbed
 from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.outline import Outline
-from armlab.kin.workspace.pull import section_rates
 from armlab.kin.workspace.section import Section
 from armlab.kin.workspace.section_grid import PLANAR_FINER, random_configurations
 from armlab.kin.workspace.work import Work, result_of
@@ -98,7 +97,7 @@ def sizing(section: Section) -> Work[Size]:
     """Do the same as `size` in pieces of at most some 30 ms."""
     grid = section.grid
     unit: Literal["m³", "m²"] = "m²" if grid.flat else "m³"
-    if dimension(section.joint) < (1 if grid.flat else 2):
+    if has_no_size(section):
         return Size(0.0, 0.0, unit)
     yield
     pieces = _pieces(section, section.outline)
@@ -186,15 +185,19 @@ def _farthest(section: Section, q: Floats, uv: Floats, objective: Objective) -> 
     return float(objective(joint.split(joint.arm.position(ends))[:, :2]).max())
 
 
+def has_no_size(section: Section) -> bool:
+    """Return whether the tool stays on a line, where areas are measured, or on a surface, where volumes are."""
+    return dimension(section.joint) < (2 if section.grid.flat else 3)
+
+
 def dimension(joint: FirstJoint) -> int:
-    """Return the dimension of the section, 0 to 2; with a line the arm reaches a surface."""
+    """Return the dimension of what the tool point reaches, 0 to 3; a joint between equal limits adds nothing to it."""
+    arm = joint.arm
     q = random_configurations(joint, LOOKED_AT, np.random.default_rng(0))
-    J = section_rates(joint, q)[..., list(joint.moving)]
-    if not joint.moving:
-        return 0
-    scale = np.where(joint.arm.revolute[list(joint.moving)], 1.0, joint.arm.length_scale)
-    values = np.linalg.svd(J * scale, compute_uv=False).max(axis=0)
-    return int((values > RANK * (joint.arm.reach or 1.0)).sum())
+    # Joint 1 stands at 0 there, inside its limits or not: it turns the whole Jacobian and changes no rank.
+    scale = np.where(arm.revolute, 1.0, arm.length_scale) * (np.ptp(arm.limits, axis=1) > 0.0)
+    values = np.linalg.svd(arm.jacobian(q)[:, :3] * scale, compute_uv=False).max(axis=0)
+    return int((values > RANK * (arm.reach or 1.0)).sum())
 
 
 class _Pieces(NamedTuple):

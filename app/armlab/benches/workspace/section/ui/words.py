@@ -11,7 +11,7 @@ from armlab.benches.workspace.section.marks import Measured, target_measured, to
 from armlab.benches.workspace.section.state import GoToPoint, found_of
 from armlab.kin.workspace.crossings import fineness
 from armlab.kin.workspace.first_joint import FirstJoint
-from armlab.kin.workspace.section_size import dimension
+from armlab.kin.workspace.section_size import has_no_size
 from armlab.session.state import State
 from armlab.ui.form import Form
 from armlab.ui.format import MINUS, number, pairs
@@ -88,7 +88,7 @@ def _joint(value: float, revolute: bool, units: Units) -> str:
 
 def _size(found: Found) -> str:
     assert found.size is not None
-    if found.size.value == 0.0 and dimension(found.section.joint) < (1 if found.section.grid.flat else 2):
+    if found.size.value == 0.0 and has_no_size(found.section):
         return "none: the tool stays on a line" if found.section.grid.flat else "none: the tool stays on a surface"
     return measured.with_error(found.size)
 
