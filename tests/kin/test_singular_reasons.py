@@ -1,11 +1,14 @@
 """Where several ranks are lost at once: as many reasons, each of them true."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
+from armlab.kin.arm import Arm
+from armlab.kin.task import Task
 from armlab.kin.velocity.singular import singularities, usual_rank
 from armlab.kin.velocity.subspaces import task_subspaces
 from support.singular import assert_is_lost
@@ -52,3 +55,42 @@ def test_the_canadarm_stretched_with_more_axes_dependent_says_both():
     found = singularities(ROBOTS["canadarm2"].arm, np.radians([90, 90, -90, 0, -90, 63, 180]))
     assert [each.kind for each in found] == ["elbow", "dependent"]
     assert "one of 2 motions" in found[1].says
+
+
+TOOL_ON_AXIS_1 = {
+    "scorbot": (1.923143671046452, -2.2689280275926285),
+    "youbot": (0.6158723020240637, -1.7889624832941877),
+}
+
+
+@pytest.mark.parametrize("key", TOOL_ON_AXIS_1)
+def test_three_axes_in_line_are_no_elbow_where_the_last_of_them_still_moves_the_tool(key):
+    """Joint 5 turns about the tool point: the planar part ends there and not at axis 4."""
+    q2, q4 = TOOL_ON_AXIS_1[key]
+    (found,) = singularities(ROBOTS[key].arm, [0.3, q2, 0.0, q4, 0.2])
+    assert (found.kind, found.joints) == ("shoulder", (1,))
+    assert "the tool point lies on axis 1" in found.says
+    (stretched,) = singularities(ROBOTS[key].arm, [0.3, 0.4, 0.0, 0.0, 0.2])
+    assert "axes 2, 3 and 4 and the tool point are in line" in stretched.says
+
+
+@pytest.mark.parametrize(("q2", "how"), [(0.0, "stretched"), (math.pi, "folded")])
+def test_a_tool_point_on_the_last_axis_leaves_a_scara_stretched_or_folded(q2, how):
+    arm = replace(ROBOTS["scara"].arm, task=Task("xyz", "none"))
+    (found,) = singularities(arm, [0.3, q2, 0.1, 0.2])
+    assert f"the arm is {how}: axes 1, 2 and 4 and the tool point are in line" in found.says
+
+
+def test_a_joint_that_moves_the_tool_only_where_the_task_does_not_look_is_told_as_that():
+    """At q = 0 the tool of one link moves along y alone, and a tool point on the axis not at all."""
+    (found,) = singularities(Arm.from_dh([("R", 1.0, 0, 0, 0)], task="x"), [0.0])
+    assert "joint 1 does not move the tool in its task." in found.says
+    (found,) = singularities(ROBOTS["polar_rrp"].arm, [0.4, math.pi / 2, 0.5])
+    assert "joint 1 does not move the tool (" in found.says
+
+
+def test_joints_that_move_the_tool_along_two_lines_are_not_said_to_share_one():
+    """With link 2 upright both joints move the tool in the xy plane, across each other; of y and z only along y."""
+    arm = Arm.from_dh([("R", 1.0, math.pi / 2, 0, 0), ("R", 1.0, 0, 0, 0)], task="yz")
+    (found,) = singularities(arm, [0.4, math.pi / 2])
+    assert "columns of joints 1 and 2 are dependent" in found.says.lower()

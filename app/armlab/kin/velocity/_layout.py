@@ -74,7 +74,6 @@ def layout_of(arm: Arm) -> Layout:
     scale = joint_scale(arm) / task_lengths(arm)[:, None]
     usual = np.array([task_matrix(arm, q) for q in spare.samples]) * scale
     rank = int(np.linalg.matrix_rank(usual, tol=1e-9).max())
-    ends = not any(k > run[-1] and arm.revolute[k] for k in range(arm.n)) if run else False
     n = arm.n
     if meeting is not None and n == 6 and (not run or run[-1] < n - 3):
         return Layout(rank, usual, run, (n - 3, n - 2, n - 1), True, meeting, "the wrist centre", True)
@@ -86,7 +85,11 @@ def layout_of(arm: Arm) -> Layout:
         crossing = _crossing(arm, spare.samples)
         if crossing is not None:
             return Layout(rank, usual, run, (3, 4, 5), False, crossing, "the point where axes 5 and 6 meet", False)
-    if position_only and ends:
+    if position_only and run:
+        # A turning joint behind the run that moves the tool point moves it along a line of their axes too: no elbow.
+        moved = np.abs(usual).max(axis=(0, 1)) > RELATIVE_LENGTH * arm.length_scale
+        if (moved & arm.revolute)[run[-1] + 1 :].any():
+            return Layout(rank, usual, (), None, False, None, "", False)
         return Layout(rank, usual, run, None, False, np.zeros(3), "the tool point", True)
     return Layout(rank, usual, run if len(run) >= 3 else (), None, False, None, "", False)
 
@@ -171,6 +174,11 @@ class Posture:
         assert self.centre is not None
         J = self.arm.jacobian(self.q)[:, : self._layout.wrist[0] if self._layout.wrist else None]
         return np.asarray(J[:3] + np.cross(J[3:].T, self.centre - self._tool[:3, 3]).T)
+
+    @cached_property
+    def point_columns(self) -> Array:
+        """The linear Jacobian of the tool point by all joints, (3, n), whichever coordinates the task has."""
+        return np.asarray(self.arm.jacobian(self.q)[:3])
 
     @property
     def shoulder_centre(self) -> Array | None:

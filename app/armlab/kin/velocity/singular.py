@@ -17,7 +17,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats
 from armlab.kin.joint_scale import joint_scale
 from armlab.kin.velocity import _centre
-from armlab.kin.velocity._layout import Layout, Posture, layout_of
+from armlab.kin.velocity._layout import IN_LINE, Layout, Posture, layout_of
 from armlab.kin.velocity.dependence import Dependence, dependent_columns, independent_sets
 from armlab.kin.velocity.subspaces import Subspaces, task_lengths, task_matrix, task_subspaces
 
@@ -157,6 +157,8 @@ def _elbow(posture: Posture, layout: Layout, boundary: bool) -> Singularity | No
     if sizes[0] <= 0.0 or (len(sizes) > 1 and sizes[1] > VANISHES * sizes[0]):
         return None
     along = ways @ lines[0]
+    # Points that coincide, as the tool point on the last axis, have no sense along the line.
+    along = along[np.abs(along) > VANISHES * sizes[0]]
     stretched = bool(np.all(along > 0.0) or np.all(along < 0.0))
     end, axes = layout.end_name, [k + 1 for k in layout.run]
     what = f"axes {_listed(axes)} and {end}" if end else f"axes {_listed(axes)}"
@@ -291,18 +293,24 @@ def _what(posture: Posture, found: Dependence) -> str:
     """Return a sentence on why some columns are dependent."""
     joints = [joint - 1 for joint in found.joints]
     turns = posture.arm.revolute[joints]
-    only_moves = posture.arm.task.rotation == "none"
+    columns = posture.point_columns[:, joints]
     if len(joints) == 1:
+        still = posture.arm.task.rotation == "none" and np.linalg.norm(columns) <= IN_LINE * posture.arm.length_scale
         where = " (its axis passes through the tool point)" if turns[0] and posture.on_axis(joints[0]) else ""
-        return f"joint {joints[0] + 1} does not move the tool{'' if only_moves else ' in its task'}{where}"
+        return f"joint {joints[0] + 1} does not move the tool{'' if still else ' in its task'}{where}"
     names = _listed(found.joints)
     if len(joints) == 2 and turns.all() and posture.same_line(*joints):
         return f"joints {names} turn about the same line"
     if len(joints) == 2 and not turns.any():
         return f"joints {names} slide the same way"
-    if len(joints) == 2 and only_moves:
+    if len(joints) == 2 and posture.arm.task.rotation == "none" and _are_parallel(*columns.T):
         return f"joints {names} move the tool point along the same line"
     return f"the columns of joints {names} are dependent"
+
+
+def _are_parallel(a: Array, b: Array) -> bool:
+    """Return whether two velocities (3,) have one line, also across the coordinates that the task leaves out."""
+    return float(np.linalg.norm(np.cross(a, b))) <= IN_LINE * float(np.linalg.norm(a) * np.linalg.norm(b))
 
 
 def _pure(arm: Arm, posture: Posture, spaces: Subspaces) -> tuple[Array | None, bool]:
