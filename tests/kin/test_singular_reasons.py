@@ -1,4 +1,4 @@
-"""Where several ranks are lost at once: as many reasons, each of them true."""
+"""Reasons of singularities, each of them true: several where several ranks are lost, and those of parts of a pose."""
 
 import math
 from dataclasses import replace
@@ -87,6 +87,13 @@ def test_a_joint_that_moves_the_tool_only_where_the_task_does_not_look_is_told_a
     assert "joint 1 does not move the tool in its task." in found.says
     (found,) = singularities(ROBOTS["polar_rrp"].arm, [0.4, math.pi / 2, 0.5])
     assert "joint 1 does not move the tool (" in found.says
+
+
+@pytest.mark.parametrize("q", [0.0, math.pi, -math.pi])
+def test_one_joint_is_singular_on_both_sides_whatever_is_rounded(q):
+    (found,) = singularities(Arm.from_dh([("R", 1.0, 0, 0, 0)], task="x"), [q])
+    assert (found.kind, found.joints, found.boundary) == ("shoulder", (1,), True)
+    np.testing.assert_allclose(np.abs(found.direction), [1.0, 0.0, 0.0], rtol=0, atol=1e-12)
 
 
 def test_joints_that_move_the_tool_along_two_lines_are_not_said_to_share_one():

@@ -7,7 +7,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.joint_scale import joint_scale
-from armlab.kin.velocity.answer import REACHED, answer, full_rank_inverse, penrose
+from armlab.kin.velocity.answer import REACHED, answer, answer_in, full_rank_inverse, penrose
 from armlab.kin.velocity.subspaces import (
     subspaces,
     task_axes,
@@ -216,6 +216,27 @@ def test_the_task_matrix_is_the_speed_of_the_task(key, rng):
         np.testing.assert_allclose(J[:p], axes[:p] @ whole[:3], rtol=0, atol=1e-12)
         np.testing.assert_allclose(J[p:], axes[p:] @ whole[3:], rtol=0, atol=1e-12)
         np.testing.assert_allclose(np.linalg.norm(axes, axis=1), 1.0, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
+def test_a_jacobian_that_is_zero_but_for_rounding_has_rank_0(unit):
+    """The cosine of a right angle is 6e-17; one microradian beside it the tool moves."""
+    arm = planar(unit, 0.8 * unit, task="y")
+    J = task_matrix(arm, [np.pi / 2, 0.0])
+    assert J.any()
+    assert subspaces(J).rank == 1  # A matrix by itself has no other size.
+    found = task_subspaces(arm, [np.pi / 2, 0.0])
+    assert found.rank == 0
+    assert answer_in(found, J, [0.1 * unit]).verdict == "none"
+    assert not answer_in(found, J, [0.1 * unit]).qdot.any()
+    assert task_subspaces(arm, [np.pi / 2 + 1e-6, 0.0]).rank == 1
+
+
+@pytest.mark.parametrize("stroke", [1e-6, 1.0, 1e6])
+def test_slides_of_any_length_have_their_rank(stroke):
+    rows = catalogue()["cartesian_3p"].arm.rows
+    arm = Arm.from_dh(rows, limits=[[0.0, stroke]] * 3)
+    assert task_subspaces(arm, [0.5 * stroke] * 3).rank == 3
 
 
 def test_only_mixed_rows_and_columns_are_scaled():

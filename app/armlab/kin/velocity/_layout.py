@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from armlab.kin.arm import Arm
 from armlab.kin.joint_scale import joint_scale
 from armlab.kin.lines import PARALLEL_ANGLE, RELATIVE_LENGTH
-from armlab.kin.spare import spare_joints
-from armlab.kin.velocity.subspaces import task_axes, task_lengths, task_matrix
+from armlab.kin.spare import RANK_TOLERANCE, spare_joints
+from armlab.kin.velocity.subspaces import task_axes, task_lengths, task_matrix, task_size
 from armlab.kin.wrist import wrist_centre
 
 Array = NDArray[np.float64]
@@ -73,7 +73,7 @@ def layout_of(arm: Arm) -> Layout:
     position_only = arm.task.rotation == "none"
     scale = joint_scale(arm) / task_lengths(arm)[:, None]
     usual = np.array([task_matrix(arm, q) for q in spare.samples]) * scale
-    rank = int(np.linalg.matrix_rank(usual, tol=1e-9).max())
+    rank = int(np.linalg.matrix_rank(usual, tol=RANK_TOLERANCE * task_size(arm)).max())
     n = arm.n
     if meeting is not None and n == 6 and (not run or run[-1] < n - 3):
         return Layout(rank, usual, run, (n - 3, n - 2, n - 1), True, meeting, "the wrist centre", True)

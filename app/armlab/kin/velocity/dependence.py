@@ -160,7 +160,7 @@ def dependent_columns(J: ArrayLike, usual: ArrayLike | None = None) -> tuple[Dep
     if matrix.ndim != 2 or not matrix.size or not np.isfinite(matrix).all():
         raise wrong("J", "a matrix of finite numbers", J)
     others = np.zeros((0, *matrix.shape)) if usual is None else np.asarray(usual, dtype=np.float64)
-    floor = RANK_TOLERANCE * float(np.linalg.norm(matrix, 2))
+    floor = _floor(matrix, others)
     found: list[Dependence] = []
     for size in range(1, min(LARGEST_SET, *matrix.shape) + 1):
         for chosen in combinations(range(matrix.shape[1]), size):
@@ -184,7 +184,7 @@ def independent_sets(J: ArrayLike, usual: ArrayLike, count: int) -> tuple[Depend
     count : int
     """
     matrix, others = np.asarray(J, dtype=np.float64), np.asarray(usual, dtype=np.float64)
-    floor = RANK_TOLERANCE * float(np.linalg.norm(matrix, 2))
+    floor = _floor(matrix, others)
     kept: list[Dependence] = []
     vectors = np.zeros((0, matrix.shape[1]))
     for found in (*dependent_columns(matrix, others), *_by_elimination(matrix, floor)):
@@ -196,6 +196,12 @@ def independent_sets(J: ArrayLike, usual: ArrayLike, count: int) -> tuple[Depend
             kept.append(found)
             vectors = more
     return tuple(kept[:count])
+
+
+def _floor(matrix: Array, others: Array) -> float:
+    """Return the singular value that counts as zero; a matrix that is zero but for rounding has a size elsewhere."""
+    sizes = np.linalg.norm(others, 2, axis=(1, 2))
+    return RANK_TOLERANCE * float(max(np.linalg.norm(matrix, 2), sizes.max(initial=0.0)))
 
 
 def _by_elimination(matrix: Array, floor: float) -> tuple[Dependence, ...]:

@@ -38,7 +38,8 @@ class Subspaces:
         Descending.
     V : ndarray, shape (n, n)
     rank : int
-        Number of singular values above the tolerance times the largest.
+        Number of singular values above the tolerance times the largest, or times the size that a Jacobian of the arm
+        has elsewhere where that is larger: one that is zero but for rounding has rank 0.
     range : ndarray, shape (m, rank)
         ``D u_i``: basis of R(J), the velocities that are reached.
     lost : ndarray, shape (m, m - rank)
@@ -84,6 +85,7 @@ def subspaces(
     length: ArrayLike | None = None,
     speeds: ArrayLike | None = None,
     tolerance: float = RANK_TOLERANCE,
+    size: float = 0.0,
 ) -> Subspaces:
     """Return range, null space, row space and left null space of a Jacobian.
 
@@ -97,6 +99,9 @@ def subspaces(
         Speed of each joint, rad/s or m/s, that counts as 1.
     tolerance : float
         A singular value not above this times the largest counts as zero.
+    size : float
+        Singular value, scaled, of the same matrix where it is large, as of `task_size`: one not above the tolerance
+        times this counts as zero, too. 0 where nothing is known of the matrix.
 
     Raises
     ------
@@ -122,7 +127,7 @@ def subspaces(
     if scale.shape != (n,) or not np.isfinite(scale).all() or (scale <= 0.0).any():
         raise wrong("speeds", f"{n} positive numbers", speeds)
     U, sigma, V_T = np.linalg.svd(matrix * scale / lengths[:, None])
-    rank = int(np.sum(sigma > tolerance * sigma[0])) if sigma[0] > 0.0 else 0
+    rank = int(np.sum(sigma > tolerance * max(float(sigma[0]), size)))
     signs = _signs(V_T)
     V = V_T.T * signs
     k = len(sigma)
@@ -170,9 +175,23 @@ def task_lengths(arm: Arm) -> Array:
     return lengths
 
 
+def task_size(arm: Arm) -> float:
+    """Return the size of the scaled task Jacobian of an arm: of what its fastest joint does to the tool.
+
+    A joint that turns moves the tool by the length scale times its speed, one that slides by its speed.
+    """
+    moves = joint_scale(arm) * np.where(arm.revolute, arm.length_scale, 1.0)
+    return float(moves.max()) / (1.0 if arm.task.rotation == "none" else arm.length_scale)
+
+
 def task_subspaces(arm: Arm, q: ArrayLike, tolerance: float = RANK_TOLERANCE) -> Subspaces:
     """Return the subspaces of the task Jacobian of an arm, scaled where units are mixed."""
-    return subspaces(task_matrix(arm, q), task_lengths(arm), joint_scale(arm), tolerance)
+    return matrix_subspaces(arm, task_matrix(arm, q), tolerance)
+
+
+def matrix_subspaces(arm: Arm, J: ArrayLike, tolerance: float = RANK_TOLERANCE) -> Subspaces:
+    """Return the same as `task_subspaces` from the task Jacobian, as `task_matrix` has it."""
+    return subspaces(J, task_lengths(arm), joint_scale(arm), tolerance, task_size(arm))
 
 
 def _matrix(J: ArrayLike) -> Array:

@@ -10,12 +10,11 @@ from numpy.typing import NDArray
 
 from armlab.benches.velocity.solve.state import Solve, arm_asked
 from armlab.kin.arm import Arm
-from armlab.kin.joint_scale import joint_scale
 from armlab.kin.velocity.answer import Answer, answer_in, penrose
 from armlab.kin.velocity.dependence import DeterminantTests, determinant_tests
 from armlab.kin.velocity.determinant import SymbolicDeterminant, determinant
 from armlab.kin.velocity.singular import Singularity, singularities, usual_rank
-from armlab.kin.velocity.subspaces import Subspaces, subspaces, task_axes, task_lengths, task_matrix
+from armlab.kin.velocity.subspaces import Subspaces, matrix_subspaces, task_axes, task_matrix
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 
@@ -109,7 +108,7 @@ def found_at(arm: Arm, q: Array, twist: tuple[float, ...]) -> Found:
     """Return the solution in one configuration; a longer twist is cut to the rows of the task."""
     J = task_matrix(arm, q)
     v = np.array(twist[: arm.task.m])
-    spaces = subspaces(J, task_lengths(arm), joint_scale(arm))
+    spaces = matrix_subspaces(arm, J)
     return Found(arm, q, J, v, spaces, answer_in(spaces, J, v))
 
 
