@@ -158,6 +158,21 @@ def test_a_boundary_is_that_of_what_is_near():
     assert "Others may reach beyond" in found.says
 
 
+def test_a_boundary_does_not_depend_on_the_axes_in_which_two_motions_are_lost():
+    """Straight up at any angle of joint 1, and with axis 1 oblique to the axes of the world."""
+    robot, sine, cosine = ROBOTS["openmanipulator_x"].arm, math.sin(0.3), math.cos(0.3)
+    tilt = [[1, 0, 0, 0], [0, cosine, -sine, 0], [0, sine, cosine, 0], [0, 0, 0, 1]]
+    tilted = Arm.from_dh(ROBOTS["elbow_3r"].arm.rows, base=tilt)
+    knee = robot.rows[1].theta
+    poses = [(robot, (-RIGHT - knee, knee, 0.0)), (tilted, (RIGHT, 0.0)), (tilted, (RIGHT, math.pi))]
+    for q1 in (0.0, 0.3, 1.0, -2.2):
+        for arm, others in poses:
+            found = {each.kind: each for each in singularities(arm, [q1, *others])}
+            assert set(found) == {"shoulder", "elbow"}
+            assert found["elbow"].boundary
+            assert not found["shoulder"].boundary
+
+
 @pytest.mark.parametrize(("l1", "l2"), [(1.0, 1.0), (0.9, 0.5)])
 def test_the_2r_stretched_and_folded(l1, l2, rng):
     arm = Arm.from_dh([("R", l1, 0, 0, 0), ("R", l2, 0, 0, 0)], base=random_pose(rng))

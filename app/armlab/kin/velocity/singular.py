@@ -335,13 +335,11 @@ def _on_boundary(arm: Arm, q: Array, spaces: Subspaces) -> bool:
     if arm.task.rotation != "none":
         return False
     null = spaces.null
-    slopes = [
-        (task_matrix(arm, q + DIFFERENCE * n) - task_matrix(arm, q - DIFFERENCE * n)) @ null / (2.0 * DIFFERENCE)
-        for n in null.T
-    ]
+    changes = [task_matrix(arm, q + DIFFERENCE * n) - task_matrix(arm, q - DIFFERENCE * n) for n in null.T]
+    slopes = np.array(changes) @ null / (2.0 * DIFFERENCE)
     floor = CURVED * arm.length_scale
-    for u in spaces.lost.T:
-        bends, ways = np.linalg.eigh(np.array([u @ slope for slope in slopes]))
+    for u in _directions(spaces.lost, slopes, floor):
+        bends, ways = np.linalg.eigh(u @ slopes)
         if (bends.max() > floor) == (bends.min() < -floor):
             continue
         # Along what does not bend it, u must stay lost: then it is a motion beside the boundary and not across it.
@@ -349,6 +347,30 @@ def _on_boundary(arm: Arm, q: Array, spaces: Subspaces) -> bool:
         if all(np.abs(u @ task_matrix(arm, q + FAR * n)).max() <= floor for n in level):
             return True
     return False
+
+
+def _directions(lost: Array, slopes: Array, floor: float) -> Array:
+    """Return unit vectors of the lost directions, (k, m), that the arm distinguishes, and no axes that rounding chose.
+
+    Where several are lost, they are those along which the tool bends most and least, over all joint speeds of the null
+    space, and its mean bend: turning the bases of either space leaves them alone.
+
+    Parameters
+    ----------
+    lost : ndarray, shape (m, c)
+    slopes : ndarray, shape (k, m, k)
+        Derivatives of J n along the k vectors of the null space.
+    floor : float
+        Bend that counts as none.
+    """
+    if lost.shape[1] < 2:
+        return lost.T
+    bends = np.einsum("mc,jmk->cjk", lost, slopes)
+    _, principal = np.linalg.eigh(np.einsum("cjk,djk->cd", bends, bends))
+    mean = np.trace(bends, axis1=1, axis2=2)
+    size = float(np.linalg.norm(mean))
+    ways = np.column_stack([principal, mean / size]) if size > floor else principal
+    return np.asarray((lost @ ways).T)
 
 
 def _scaled(arm: Arm, q: Array) -> Array:
