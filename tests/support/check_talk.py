@@ -160,7 +160,10 @@ def _judged() -> Iterator[tuple[Any, Observation]]:
     three, two = catalogue()["planar_3r"].arm, catalogue()["planar_2r"].arm
     for text in ("joints_at", "joints_found"):
         yield _check(f'kind = "{text}"\nq_deg = [0, 90]\ntolerance_deg = 1'), Observation.of(three, [0, 0, 0])
-    yield _check('kind = "joint_at"\njoint = 3\nvalue_deg = 60\ntolerance_deg = 1', "planar_3r"), Observation.of(two, [0, 0])
+    yield (
+        _check('kind = "joint_at"\njoint = 3\nvalue_deg = 60\ntolerance_deg = 1', "planar_3r"),
+        Observation.of(two, [0, 0]),
+    )
     yield _check('kind = "from_limits"\nat_least_deg = 9'), Observation.of(three, [0, 0, 0])
     one = JointsFound(np.array([1.0]), np.array([0.01]), np.array([True]))
     yield one, Observation.of(type(two).from_dh([("R", 1.0, 0.0, 0.0, 0.0)]), [0.0])

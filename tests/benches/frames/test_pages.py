@@ -190,6 +190,7 @@ def test_a_solution_is_chosen_by_its_name_and_misses_its_angle_in_degrees():
         ("frame_chain", "frame A", "chain/handle", "chain/frame2", "chain/frame1"),
         ("two_robots", "handle A", "two/handle", "two/B", "two/A"),
         ("screw", "select first", "screw/handle", "screw/posesecond", "screw/posefirst"),
+        ("table_task", "handle table", "table/handle", "table/object", "table/T"),
     ],
 )
 def test_a_drag_moves_what_the_hand_holds_whatever_another_page_selects(url, key, choice, handle, held, other):

@@ -125,6 +125,30 @@ def test_the_way_is_drawn_before_it_is_run_and_a_dragged_waypoint_bends_it(url):
     run(main())
 
 
+def test_a_dragged_waypoint_stays_in_the_hand_when_another_page_selects_another(url):
+    async def main():
+        first = await at_plan(url)
+        second = await student(url, first.cookie)
+        await second.open("motion")
+        await first.press("drag")
+        await first.until(lambda: node(first, "/waypoints/handle") is not None)
+        handle = next(name for name in first.nodes if name.endswith("/waypoints/handle"))
+        at, resting = np.array(first.nodes[handle]["position"]), node(first, "/waypoints/0")["position"]
+        await first.drag("start", at, node=handle)
+        await first.drag("update", at + np.array([0.0, 0.0, 0.02]), node=handle)
+        await second.press("select-0")
+        await settled(first)
+        await first.drag("update", at + np.array([0.0, 0.0, 0.04]), node=handle)
+        await first.drag("end", at + np.array([0.0, 0.0, 0.04]), node=handle)
+        await first.until(lambda: abs(node(first, "/waypoints/1")["position"][2] - at[2] - 0.04) < 1e-6)
+        assert node(first, "/waypoints/0")["position"] == resting
+        await first.until(lambda: np.allclose(first.nodes[handle]["position"], resting, rtol=0, atol=1e-6))
+        await first.close()
+        await second.close()
+
+    run(main())
+
+
 @pytest.mark.parametrize("key", ["corner_fly", "out_of_reach", "given_time"])
 def test_examples_are_put_in_place_and_judged(url, key):
     async def main():

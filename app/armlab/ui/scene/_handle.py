@@ -34,8 +34,11 @@ class Handle:
         Called when a hand takes hold.
     scale : float
         Length of the arrows in sizes of the arm.
-    on_let_go : callable
-        Called when a hand has let go, after the last event of its drag, also when there was none.
+
+    Attributes
+    ----------
+    what : str or int
+        What the handle is of, where several things share it; see `at`.
     """
 
     def __init__(
@@ -45,10 +48,11 @@ class Handle:
         on_drag: Callable[[Floats, object, bool], None],
         on_start: Callable[[], None] = lambda: None,
         scale: float = HANDLE,
-        on_let_go: Callable[[], None] = lambda: None,
     ) -> None:
         self._canvas, self._path, self._on_drag, self._on_start = canvas, path, on_drag, on_start
-        self._scale, self._on_let_go = scale, on_let_go
+        self._scale = scale
+        self.what: str | int = ""
+        self._then: tuple[str | int, Callable[[], None] | None] | None = None
         self._made_for: tuple[str, str, str] | None = None
         self._controls: list[viser.TransformControlsHandle] = []
         self._held: viser.TransformControlsHandle | None = None
@@ -74,6 +78,26 @@ class Handle:
     def drag(self) -> object:
         """Key of the present drag, or of the last one."""
         return self._drag
+
+    def at(self, what: str | int, show: Callable[[], None] | None) -> None:
+        """Let several things share the handle: a hand keeps the one it holds, whatever is selected elsewhere meanwhile.
+
+        Parameters
+        ----------
+        what : str or int
+            The one that has the handle now, or as soon as the hand lets go of another.
+        show : callable or None
+            Puts the handle there, by one of the methods below; None for nothing that has a handle.
+        """
+        self._then = None
+        if self._held is not None and what != self.what:
+            self._then = what, show
+            return
+        self.what = what
+        if show is not None:
+            show()
+        elif self._held is None:
+            self.remove()
 
     def show(self, pose: Floats, handle: str, axes: str) -> None:
         """Put the handle to a pose (4, 4) in the world; never while and where a hand holds it.
@@ -141,8 +165,8 @@ class Handle:
             turned, began = self._start
             R = rotation_from_quaternion(control.wxyz) @ turned.T @ began
             self._on_drag(transform(R, control.position), self._drag, ends)
-        if ends:
-            self._on_let_go()
+        if ends and self._then is not None:
+            self.at(*self._then)
 
 
 def _along_tool(arm: Arm, handle: str, axes: str) -> bool:

@@ -86,8 +86,6 @@ class _Picture:
         self._handle_unit = 0.0
         self._handles = 0
         self._shown: tuple[str, ...] = ()
-        self._selected = ""
-        self._last: tuple[State, float] | None = None
 
     def _chooser(self, k: int) -> Callable[[], None]:
         def choose() -> None:
@@ -149,20 +147,16 @@ class _Picture:
         return thickness * unit / (FRAME_LENGTH * self._canvas.size)
 
     def _show_handle(self, state: State, unit: float) -> None:
-        part, self._last = state[Chain], (state, unit)
-        if not part.selected:
-            self._drop_handle()
-            return
-        if self._handle is None or self._handle_unit != unit:
-            held = self._handle is not None and self._handle.held
-            if not held:
-                self._drop_handle()
-                self._make_handle(unit)
+        part = state[Chain]
+        held = self._handle is not None and self._handle.held
+        if not held and (self._handle is None or self._handle_unit != unit):
+            self._make_handle(unit)
         assert self._handle is not None
-        if self._handle.held and part.selected != self._selected:
-            return  # another frame was selected elsewhere: the hand keeps the one it holds
-        self._selected = part.selected
-        found = state.derived(poses_of)
+        self._handle.at(part.selected, (lambda: self._put_handle(state)) if part.selected else None)
+
+    def _put_handle(self, state: State) -> None:
+        assert self._handle is not None
+        part, found = state[Chain], state.derived(poses_of)
         if part.selected == POINT:
             self._handle.show_arrows(transform(position=state.derived(point_of)), found[part.given][:3, :3])
         elif part.handle == "turn":
@@ -172,27 +166,20 @@ class _Picture:
             self._handle.show_arrows(found[part.selected], found[part.named(part.selected).parent][:3, :3])
 
     def _make_handle(self, unit: float) -> None:
+        """Make a handle of another size in place of the one there is."""
+        if self._handle is not None:
+            self._handle.remove()
         self._handles += 1
         path = self._canvas.path(f"chain/handle{self._handles}")
-        self._handle = Handle(
-            self._canvas, path, self._dragged, scale=HANDLE * unit / self._canvas.size, on_let_go=self._let_go
-        )
+        self._handle = Handle(self._canvas, path, self._dragged, scale=HANDLE * unit / self._canvas.size)
         self._handle_unit = unit
 
-    def _drop_handle(self) -> None:
-        if self._handle is not None and not self._handle.held:
-            self._handle.remove()
-            self._handle = None
-
-    def _let_go(self) -> None:
-        if self._last is not None and self._last[0][Chain].selected != self._selected:
-            self._show_handle(*self._last)
-
     def _dragged(self, pose: NDArray[np.floating], drag: object, ends: bool) -> None:
-        if self._selected == POINT:
+        assert self._handle is not None
+        if self._handle.what == POINT:
             self._canvas.post(DragFramePoint(pose[:3, 3], drag))
         else:
-            self._canvas.post(DragFrame(self._selected, pose, drag))
+            self._canvas.post(DragFrame(str(self._handle.what), pose, drag))
 
 
 Arrow = tuple[Floats, Floats, Rgb, str]

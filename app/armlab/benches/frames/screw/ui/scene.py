@@ -74,10 +74,7 @@ class _Picture:
         for sketch, weight in ((self._axis, THICK), (self._ways, FINE)):
             sketch.weigh(weight * AXES / (FRAME_LENGTH * canvas.size))
         self._said, self._straight = Named(canvas, "screw/said"), Named(canvas, "screw/straight")
-        self._handle = Handle(
-            canvas, canvas.path("screw/handle"), self._dragged, scale=HANDLE / canvas.size, on_let_go=self._let_go
-        )
-        self._selected, self._shown = NONE, Screw()
+        self._handle = Handle(canvas, canvas.path("screw/handle"), self._dragged, scale=HANDLE / canvas.size)
 
     def show(self, state: State) -> None:
         """Show both ways of a state, and the body at the time of the film."""
@@ -123,26 +120,17 @@ class _Picture:
         self._straight.show("straight" if straight and apart > NAMED else "", found.straight(0.75)[:3, 3])
 
     def _show_handle(self, part: Screw) -> None:
-        self._shown = part
-        if self._handle.held and part.selected != self._selected:
-            return  # another pose was selected elsewhere: the hand keeps the one it holds
-        self._selected = part.selected
-        if part.selected == NONE:
-            self._handle.remove()
-            return
-        T = part.pose(part.selected)
-        if part.handle == "turn":
-            self._handle.show_rings(T, T[:3, :3])
-        else:
-            self._handle.show_arrows(T, np.eye(3))
+        def put() -> None:
+            T = part.pose(part.selected)
+            if part.handle == "turn":
+                self._handle.show_rings(T, T[:3, :3])
+            else:
+                self._handle.show_arrows(T, np.eye(3))
 
-    def _let_go(self) -> None:
-        if self._shown.selected != self._selected:
-            self._show_handle(self._shown)
+        self._handle.at(part.selected, None if part.selected == NONE else put)
 
     def _dragged(self, pose: NDArray[np.floating], drag: object, ends: bool) -> None:
-        if self._selected != NONE:
-            self._canvas.post(DragPose(self._selected, pose, drag))
+        self._canvas.post(DragPose(str(self._handle.what), pose, drag))
 
 
 def axis_ends(found: Ways) -> tuple[Floats, Floats]:

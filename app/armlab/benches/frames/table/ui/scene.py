@@ -77,8 +77,7 @@ class _Picture:
         self._place = Named(canvas, "table/place")
         self._height = Named(canvas, "table/height")
         self._arrows = Sketch(canvas, "table/arrows", WEIGHT)
-        self._handle: Handle | None = None
-        self._made_for = ""
+        self._handle = Handle(canvas, canvas.path("table/handle"), self._dragged)
 
     def show(self, state: State) -> None:
         """Show the task of a state."""
@@ -117,21 +116,17 @@ class _Picture:
 
     def _show_handle(self, state: State, found: Task) -> None:
         selected = state[TableTask].selected
-        if self._handle is not None and self._made_for != selected and not self._handle.held:
-            self._handle.remove()
-            self._handle = None
-        if selected == NONE:
-            return
-        if self._handle is None:
-            self._handle = Handle(self._canvas, self._canvas.path(f"table/handle_{selected}"), self._dragged)
-            self._made_for = selected
-        if self._made_for == "table":
-            self._handle.show_arrows(found.T_wt, found.T_wt[:3, :3], "xyz", "z")
-        else:
-            self._handle.show_arrows(transform(found.T_wt[:3, :3], found.object), found.T_wt[:3, :3], "xy")
+
+        def put() -> None:
+            if selected == "table":
+                self._handle.show_arrows(found.T_wt, found.T_wt[:3, :3], "xyz", "z")
+            else:
+                self._handle.show_arrows(transform(found.T_wt[:3, :3], found.object), found.T_wt[:3, :3], "xy")
+
+        self._handle.at(selected, None if selected == NONE else put)
 
     def _dragged(self, pose: NDArray[np.floating], drag: object, ends: bool) -> None:
-        if self._made_for == "table":
+        if self._handle.what == "table":
             self._canvas.post(DragTable(pose, drag))
         else:
             self._canvas.post(DragObject(pose[:3, 3], drag))

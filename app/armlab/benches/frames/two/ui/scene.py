@@ -64,10 +64,7 @@ class _Picture:
             sketch.weigh(weight * SIZE / canvas.size)
         self._said = Named(canvas, "two/said")
         self._circle = Named(canvas, "two/circle")
-        self._handle = Handle(
-            canvas, canvas.path("two/handle"), self._dragged, scale=HANDLE / canvas.size, on_let_go=self._let_go
-        )
-        self._selected, self._shown = NONE, TwoRobots()
+        self._handle = Handle(canvas, canvas.path("two/handle"), self._dragged, scale=HANDLE / canvas.size)
 
     def show(self, state: State) -> None:
         """Show both robots of a state."""
@@ -107,24 +104,15 @@ class _Picture:
         self._said.show(text, 0.5 * (start + stop) + np.array([0.0, -0.5 * AXES, 0.0]))
 
     def _show_handle(self, part: TwoRobots) -> None:
-        self._shown = part
-        if self._handle.held and part.selected != self._selected:
-            return  # another robot was selected elsewhere: the hand keeps the one it holds
-        self._selected = part.selected
-        if part.selected == NONE:
-            self._handle.remove()
-            return
-        base = np.array(part.base(part.selected))
-        base[:3, 3] = _lifted(base[:3, 3])
-        self._handle.show_arrows(base, base[:3, :3], "xy", "z")
+        def put() -> None:
+            base = np.array(part.base(part.selected))
+            base[:3, 3] = _lifted(base[:3, 3])
+            self._handle.show_arrows(base, base[:3, :3], "xy", "z")
 
-    def _let_go(self) -> None:
-        if self._shown.selected != self._selected:
-            self._show_handle(self._shown)
+        self._handle.at(part.selected, None if part.selected == NONE else put)
 
     def _dragged(self, pose: NDArray[np.floating], drag: object, ends: bool) -> None:
-        if self._selected != NONE:
-            self._canvas.post(DragRobotBase(self._selected, pose, drag))
+        self._canvas.post(DragRobotBase(str(self._handle.what), pose, drag))
 
 
 def _lifted(p: Floats) -> Floats:

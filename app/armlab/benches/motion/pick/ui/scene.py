@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 import viser
@@ -42,6 +43,9 @@ OPEN, HELD, SHUT = 1.7, 1.13, 0.14
 PAD = 0.06, 2.2
 """Height of the plate of the goal, and its width, in edges."""
 
+NOTHING = -1
+"""Number in place of that of the selected box, when none has the handle."""
+
 Floats = NDArray[np.float64]
 
 
@@ -54,8 +58,7 @@ class _Boxes:
         self._boxes: list[tuple[viser.BoxHandle, viser.LabelHandle]] = []
         self._goal: tuple[viser.BoxHandle, viser.LabelHandle] | None = None
         self._fingers: list[viser.BoxHandle] = []
-        self._handle: Handle | None = None
-        self._selected = 0
+        self._handle = Handle(canvas, canvas.path("pick/handle"), self._dragged)
 
     def draw(self, state: State, q: Floats) -> None:
         """Draw a state with the arm in a configuration."""
@@ -137,21 +140,17 @@ class _Boxes:
         return np.asarray(along(on_last[:3, :3].T @ ahead))
 
     def _show_handle(self, state: State) -> None:
-        part = state[Pick]
+        part, runs = state[Pick], state[Timeline].clip == CLIP_KEY
         which = part.selected
         place = None if which is None else part.place(which)
-        if which is None or place is None or state[Timeline].clip == CLIP_KEY:
-            if self._handle is not None and not self._handle.held:
-                self._handle.remove()
-                self._handle = None
+        if which is None or place is None or runs:
+            self._handle.at(NOTHING, None)
             return
-        if self._handle is None:
-            self._handle = Handle(self._canvas, self._canvas.path("pick/handle"), self._dragged)
-        self._selected = which
-        self._handle.show(transform(np.eye(3), np.array(place)), "move", "world")
+        there = transform(np.eye(3), np.array(place))
+        self._handle.at(which, partial(self._handle.show, there, "move", "world"))
 
     def _dragged(self, pose: NDArray[np.floating], drag: object, ends: bool) -> None:
-        self._canvas.post(DragBox(self._selected, pose[:3, 3], drag))
+        self._canvas.post(DragBox(int(self._handle.what), pose[:3, 3], drag))
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:

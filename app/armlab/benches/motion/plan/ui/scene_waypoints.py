@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 import viser
@@ -27,6 +28,9 @@ POINT = 0.014
 FRAME = 0.55
 """Size of the frame at the selected waypoint, relative to other frames."""
 
+NOTHING = -1
+"""Number in place of that of the selected waypoint, when none has the handle."""
+
 TOGETHER = 0.03
 """Distance of waypoints, in sizes of the arm, below which they share one label."""
 
@@ -40,8 +44,7 @@ class _Points:
         self._canvas = canvas
         self._points: list[tuple[viser.IcosphereHandle, viser.LabelHandle]] = []
         self._frame = add_triad(canvas.scene, canvas.path("waypoints/frame"), FRAME * canvas.size)
-        self._handle: Handle | None = None
-        self._selected = 0
+        self._handle = Handle(canvas, canvas.path("waypoints/handle"), self._dragged)
 
     def show(self, state: State) -> None:
         """Show the waypoints of a state."""
@@ -61,7 +64,6 @@ class _Points:
             seen(ball_, False)
             seen(label, False)
         put(self._frame, poses[part.selected])
-        self._selected = part.selected
         self._show_handle(state, poses[part.selected])
 
     def _hide(self) -> None:
@@ -69,24 +71,17 @@ class _Points:
             seen(ball_, False)
             seen(label, False)
         seen(self._frame, False)
-        if self._handle is not None:
-            self._handle.remove()
-            self._handle = None
+        self._handle.remove()
 
     def _show_handle(self, state: State, pose: Floats) -> None:
-        wanted = state[Plan].handled and state[Timeline].clip != CLIP_KEY
-        seen(self._frame, not wanted and state[Timeline].clip != CLIP_KEY)
-        if wanted:
-            if self._handle is None:
-                self._handle = Handle(self._canvas, self._canvas.path("waypoints/handle"), self._dragged)
-            target = state[Target]
-            self._handle.show(pose, target.handle, target.axes)
-        elif self._handle is not None and not self._handle.held:
-            self._handle.remove()
-            self._handle = None
+        part, target, runs = state[Plan], state[Target], state[Timeline].clip == CLIP_KEY
+        seen(self._frame, not part.handled and not runs)
+        shown = part.handled and not runs
+        there = partial(self._handle.show, pose, target.handle, target.axes)
+        self._handle.at(part.selected if shown else NOTHING, there if shown else None)
 
     def _dragged(self, pose: NDArray[np.floating], drag: object, ends: bool) -> None:
-        self._canvas.post(DragWaypoint(self._selected, pose, drag))
+        self._canvas.post(DragWaypoint(int(self._handle.what), pose, drag))
 
     def _point(self, k: int) -> tuple[viser.IcosphereHandle, viser.LabelHandle]:
         while len(self._points) <= k:
