@@ -9,6 +9,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.conditioning import SINGULAR
+from armlab.kin.control.rate_inverse import rate_step
 from armlab.kin.control.scaled_task import ScaledTask
 from armlab.kin.control.singular_poses import FAR, nearest_singular_pose, singular_poses
 
@@ -42,6 +43,27 @@ def test_where_none_is_near_there_is_none_and_at_one_it_is_here():
     assert nearest_singular_pose(task, [0.3, 1.5]) is None
     here = nearest_singular_pose(task, [0.3, 0.0])
     assert (here.away, here.q.tolist()) == (0.0, [0.3, 0.0])
+
+
+ONE_ROW = {"x": ((1.0,), [3.0], 0, math.pi), "y": ((1.0, 0.8), [math.pi / 2, 0.1], 1, 0.0)}
+
+
+@pytest.mark.parametrize("key", ONE_ROW)
+def test_a_task_of_one_row_is_singular_where_no_joint_moves_the_tool_along_it(key):
+    """The sine of pi and the cosine of a right angle are zero but for rounding, and count as zero."""
+    links, q, place, at = ONE_ROW[key]
+    arm = Arm.from_dh([("R", length, 0, 0, 0) for length in links], task=key)
+    task = ScaledTask(arm)
+    found = nearest_singular_pose(task, q)
+    assert (found.place, found.q[place]) == (place, pytest.approx(at, abs=1e-8))
+    assert any(pose.place == place and pose.q[place] == pytest.approx(at, abs=1e-8) for pose in singular_poses(task, q))
+    exact = np.array(q)
+    exact[place] = at
+    assert nearest_singular_pose(task, exact).away == 0.0
+    J = task.scaled(task.jacobian(exact))
+    assert task.jacobian(exact).any()
+    for method in ("pinv", "transpose", "weighted"):
+        assert not rate_step(method, J, [0.1]).qdot.any()
 
 
 def test_the_wrist_and_the_elbow_of_the_puma():

@@ -21,6 +21,10 @@ Floats = NDArray[np.float64]
 AT_IDENTITY = 1e-12
 """Sine of theta below which theta / (2 sin theta) is taken as its limit 1/2."""
 
+ROUNDING = 1e-14
+"""Largest entry of a scaled Jacobian, relative to its size in ordinary configurations, up to which all of it counts as
+zero: the cosine of a right angle is 6e-17."""
+
 
 class ScaledTask:
     """The task of an arm, in axes of frame 0.
@@ -39,6 +43,8 @@ class ScaledTask:
         Factors from scaled joint changes to radians or metres.
     length : float
         Metres that count as 1: 1, or the arm's length scale where metres and radians meet.
+    size : float
+        Size of the scaled Jacobian in ordinary configurations.
     sigma_unit : str
         Unit of singular values of the scaled Jacobian: ``"m"`` or none.
     """
@@ -50,6 +56,9 @@ class ScaledTask:
         self.row_units, self.joint_units = problem.row_units, problem.units
         self.length, self.sigma_unit = problem.length, problem.sigma_unit
         self.both = self.row_units[:, None] * self.joint_units
+        moves = self.joint_units * np.where(arm.revolute, arm.length_scale, 1.0)
+        self.size = float(moves.max()) / (self.length if arm.task.rotation == "none" else arm.length_scale)
+        self._nothing = ROUNDING * self.size
         self._plain = bool(np.all(self.both == 1.0))
         self._turn = np.array(arm.base[:3, :3].T)
         self._places, self._place = len(arm.task.position), self._turn[arm.task.coordinates]
@@ -84,8 +93,10 @@ class ScaledTask:
         return np.asarray(rows @ self.arm.jacobian(q))
 
     def scaled(self, J: Floats) -> Floats:
-        """Return a task Jacobian (..., m, n) in scaled, dimensionless form."""
-        return J if self._plain else np.asarray(J * self.both)
+        """Return a task Jacobian (..., m, n) in scaled, dimensionless form; zero where all of it is rounding."""
+        scaled = J if self._plain else np.asarray(J * self.both)
+        counts = np.abs(scaled).max(axis=(-2, -1)) > self._nothing
+        return scaled if counts.all() else np.where(counts[..., None, None], scaled, 0.0)
 
     def speeds(self, scaled: Floats) -> Floats:
         """Return joint speeds in rad/s and m/s from scaled ones, (..., n)."""

@@ -227,7 +227,8 @@ def _decomposed(task: ScaledTask, q: Floats) -> tuple[Floats, Floats, Floats]:
 
 def _inverse_condition(task: ScaledTask, q: Floats) -> float:
     sigma = np.linalg.svd(task.scaled(task.jacobian(q)), compute_uv=False)
-    return float(sigma[-1] / sigma[0]) if sigma[0] > 0.0 else 0.0
+    # The largest alone says nothing where it is the smallest as well: a task with one row.
+    return float(sigma[-1] / max(sigma[0], task.size))
 
 
 def _with(q: Floats, k: int, value: float) -> Floats:
