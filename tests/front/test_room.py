@@ -6,7 +6,7 @@ from html import unescape
 import pytest
 
 from armlab.front.addresses import network_of
-from armlab.front.room import ASKED, TOO_OFTEN, TRIES, WRONG, Room
+from armlab.front.room import ASKED, OF_ONE_NETWORK, TOO_OFTEN, TRIES, WRONG, Room
 from armlab.front.start import Settings, start
 from support.student import run, student
 from support.web import get, opened
@@ -120,8 +120,18 @@ def test_a_long_word_is_only_wrong():
     assert Room("blue elbow", b"secret").refusal("x" * 1_000_000, "10.0.0.1") == WRONG
 
 
-def test_who_has_a_network_of_addresses_is_counted_once():
-    assert len({network_of(f"2001:db8:1:2::{k:x}") for k in range(300)}) == 1
+def test_who_has_a_network_of_addresses_guesses_slowly_and_a_class_in_one_does_not_wait():
+    room = Room("blue elbow", b"secret", lambda: 0.0)
+    tried = [room.refusal("red elbow", f"2001:db8:1:2::{k:x}") for k in range(300)]
+    assert tried == [WRONG] * tried.count(WRONG) + [TOO_OFTEN] * tried.count(TOO_OFTEN)
+    assert TRIES < tried.count(WRONG) <= OF_ONE_NETWORK * TRIES + 1
+    assert room.refusal("blue elbow", "2001:db8:1:3::1") == ""
+    other = Room("blue elbow", b"secret", lambda: 0.0)
+    assert [other.refusal("red elbow", "2001:db8:1:2::bad") for _ in range(20)][-1] == TOO_OFTEN
+    assert other.refusal("blue elbow", "2001:db8:1:2::600d") == ""
+
+
+def test_networks_are_those_of_addresses():
     assert network_of("2001:db8:1:3::1") != network_of("2001:db8:1:2::1")
     assert network_of("fe80::1%eth0") == network_of("fe80::2")
     assert network_of("::ffff:10.0.0.1") == "10.0.0.1" != network_of("::ffff:10.0.0.2")

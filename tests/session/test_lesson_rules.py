@@ -1,13 +1,15 @@
 """What a lesson asks of its students: variants, hints, predictions, and what it keeps as it is."""
 
 import json
+import re
 
 import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.session.edits import AddJoint, RemoveJoint, SetCell, SetLimits
+from armlab.kin.dh import Row
+from armlab.session.edits import AddJoint, NewArm, RemoveJoint, SetCell, SetLimits
 from armlab.session.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson, TakeLessonArm, UnlockHint
 from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
@@ -18,6 +20,7 @@ from armlab.session.parts.target import PlaceTarget, Target
 from armlab.session.session import Session, Undo
 from armlab.session.state import State, apply
 from armlab.session.store import state_from_text
+from support.lesson_texts import RICH
 from support.small_lessons import TWO_STEPS, VARIED, library_fixture
 
 PUMA = catalogue()["puma560"]
@@ -219,10 +222,17 @@ def test_a_locked_joint_stays_on_an_edited_table_and_another_arm_has_none(fresh,
     assert done(longer, MoveJoint(1, 0.0)) is longer
     other = done(state, ChooseRobot("planar_3r"))
     assert done(other, MoveJoint(1, 0.4))[Joints].q[1] == 0.4
-    own(t=locked("locked_joints = [2]"))
-    short = done(apply(other, RemoveJoint(0)), RemoveJoint(0), Show("dark", True))
-    assert short[Joints].arm.n == 1
-    assert short[Display].switches["dark"]
+    short = done(other, RemoveJoint(0), RemoveJoint(0), Show("dark", True))
+    assert (short[Joints].arm.n, short[Display].switches["dark"]) == (1, True)
+
+
+def test_an_arm_that_a_student_makes_is_not_that_which_a_lesson_brings(fresh, own):
+    own(t=re.sub(r"locked = .*\n", "", RICH))
+    state = done(fresh, OpenLesson("t"))
+    with pytest.raises(InputError, match="keeps joint 2"):
+        done(state, LockJoint(1, False))
+    made = done(state, ChooseRobot("planar_2r"), NewArm((Row("R", 0.0, 0.0, 1.0, 0.0),), "standard"))
+    assert done(made, MoveJoint(0, 0.3))[Joints].q.tolist() == [0.3]
 
 
 def test_an_undo_does_not_go_round_a_lock(own):

@@ -50,7 +50,7 @@ def hosts_of(host: str, names: Collection[str] = ()) -> Container[str]:
 
 
 def network_of(address: str) -> str:
-    """Return what an address is counted by: itself, or of IPv6 the network of 64 bits, all of which one machine has.
+    """Return the network of an address: itself, or of IPv6 that of 64 bits, all of which one machine may have.
 
     Examples
     --------

@@ -190,7 +190,7 @@ class Front:
                 return None
             # The address is seen on a projector, and copied: it does not tell the code.
             return web.Response(status=303, headers={"Location": str(request.rel_url.with_query(kept))})
-        why = room.refusal(request.query.get("code"), _network(request))
+        why = room.refusal(request.query.get("code"), request.remote or "")
         if why:
             fields = "".join(HIDDEN.format(escape(key), escape(value)) for key, value in kept.items())
             page = web.Response(status=401, text=FORM.format(said=why, kept=fields), content_type="text/html")

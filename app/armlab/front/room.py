@@ -7,10 +7,14 @@ import hmac
 import time
 from collections.abc import Callable
 
+from armlab.front.addresses import network_of
 from armlab.session.saved_up import SavedUpEach
 
 TRIES, TRIES_A_SECOND = 10.0, 0.2
 """Number of wrong codes from one address that are allowed in a row, and the rate afterwards: one in five seconds."""
+
+OF_ONE_NETWORK = 10.0
+"""Factor by which more are allowed from all addresses of one network: a class may share it."""
 
 LONGEST = 100
 """Longest code, in characters."""
@@ -56,6 +60,7 @@ class Room:
     def __init__(self, code: str, secret: bytes, clock: Callable[[], float] = time.monotonic) -> None:
         self._code = _plain(code)
         self._guessed = SavedUpEach(TRIES_A_SECOND, TRIES, clock=clock)
+        self._guessed_there = SavedUpEach(OF_ONE_NETWORK * TRIES_A_SECOND, OF_ONE_NETWORK * TRIES, clock=clock)
         self.cookie = f"armlab-room-{hashlib.sha256(secret).hexdigest()[:8]}"
         self.key = hmac.new(secret, b"room " + self._code, hashlib.sha256).hexdigest()
         """Value of the cookie of everybody inside; it changes with the code."""
@@ -68,11 +73,14 @@ class Room:
         """Return the reason why a browser with this code, or none, is not let in; empty when it is."""
         if said is None:
             return ASKED
-        if self._guessed.wait(address) > 0.0:
+        network = network_of(address)
+        if self._guessed.wait(address) > 0.0 or self._guessed_there.wait(network) > 0.0:
             return TOO_OFTEN
         if hmac.compare_digest(_plain(said[:LONGEST]), self._code):
             return ""
         self._guessed.note(address)
+        if network != address:
+            self._guessed_there.note(network)
         return WRONG
 
 

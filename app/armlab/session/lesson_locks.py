@@ -38,9 +38,11 @@ def refuse_locked(found: Lesson, before: State, now: State) -> None:
 def _refuse_moved(found: Lesson, before: State, now: State) -> None:
     """Raise `InputError` when a joint that the lesson holds is moved, freed or another one; other arms have none."""
     held = [j - 1 for j in found.locked_joints]
-    if not held or before[RobotPart].origin != ("" if found.robot == OWN else found.robot):
-        return
     joints, stood = now[Joints], before[Joints]
+    its = before[RobotPart].origin == ("" if found.robot == OWN else found.robot)
+    # Arms that a student makes have the origin of one that a lesson brings, but maybe not as many joints.
+    if not (held and its and stood.arm.n == found.robot_used.arm.n):
+        return
     if joints.arm.n == stood.arm.n and all(
         joints.locked[j] >= stood.locked[j]
         and joints.q[j] == stood.q[j]

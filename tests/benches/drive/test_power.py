@@ -110,7 +110,7 @@ def test_a_leaking_valve_lets_the_load_sink():
     # Twice the mass in the same cylinder makes twice the pressure, and sinks as fast.
     heavy = opened(Set(Power, "leak", 0.5), Set(Power, "mass", 4.0), Set(Power, "pressure", 20.0))[Power]
     assert heavy.sinks == pytest.approx(part.sinks)
-    assert "a heavier load has a larger one and sinks more slowly" in str(why_markup())
+    assert "a heavier load has a larger cylinder and sinks more slowly" in str(why_markup())
 
 
 @pytest.mark.parametrize("key", COMPARISONS)

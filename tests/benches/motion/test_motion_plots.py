@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.chosen import Chosen
-from armlab.benches.motion.plan.commands import SetMove
+from armlab.benches.motion.plan.commands import SetMove, SetMoveOption
 from armlab.benches.motion.plan.figures import TOOL, Overrun
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import CompareMoves, LastFor
@@ -330,7 +330,7 @@ def test_the_comparison_says_who_is_faster_and_why():
     slides = said("cartesian_3p")
     assert "all joints are prismatic, so that a straight line in joint space is a straight line of the tool" in slides
     assert re.search(r"<p>Both take [\d.]+ s: all", slides)
-    assert re.search(r"<p>Within the limits both take [\d.]+ s: all", said("cartesian_3p", LastFor(30.0)))
+    assert re.search(r"<p>As fast as allowed, both take [\d.]+ s: all", said("cartesian_3p", LastFor(30.0)))
     # The joint with the longest way keeps the time, and the others are done before it.
     apart = said("cartesian_3p", SetMove(1, apart=True))
     assert "joints are prismatic" not in apart
@@ -339,9 +339,13 @@ def test_the_comparison_says_who_is_faster_and_why():
     assert "Cartesian moves are held back by the acceleration limit of joint" in puma
     assert "tool path, mm" in puma
     given = said("puma560", LastFor(9.0))
-    assert "Within the limits joint moves are faster" in given
-    assert "<td>within limits, s</td>" in given
+    assert "As fast as allowed, joint moves are faster" in given
+    assert "<td>as fast as allowed, s</td>" in given
     assert "held back" not in given
+    ramps = (SetMove(1, law="trapezoidal"), SetMoveOption(1, "law", "ramp", 0.1), LastFor(0.9))
+    assert "As fast as allowed, joint moves are faster: 0.71 s" in said("planar_2r", *ramps)
+    planned = state_of("planar_2r", None, *ramps)[Plan].planned
+    assert "Within the limits this path takes 1.19 s with these ramps." in status(planned, planned.figures, ())
     planned = state_of("puma560")[Plan].planned
     assert "…" in comparison(planned, planned.figures, None, None, UNITS)
 

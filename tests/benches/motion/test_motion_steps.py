@@ -117,7 +117,7 @@ def test_a_joint_move_says_what_it_leaves_out():
 def test_joints_that_go_each_by_itself_share_no_path():
     found, together = looked("scara", SetMove(1, apart=True)), looked("scara")
     knots, *_, joints = (texts(each) for each in everything(found))
-    assert "joints independent: each by its own law" in knots
+    assert "joints independent: each with its own law" in knots
     assert "joints coordinated: all share" in texts(words.knots(together, UNITS))
     motion = found.leg.motion
     way = found.arm.position(motion.at(np.linspace(0.0, motion.duration, 4001)))
@@ -126,7 +126,7 @@ def test_joints_that_go_each_by_itself_share_no_path():
     assert abs(length - together.tool_length) > 1e-3 * length
     assert f"path of the tool {1e3 * length:.1f} mm" in joints
     np.testing.assert_allclose(found.apart.q, motion.at(found.apart.s * motion.duration), rtol=0, atol=1e-12)
-    assert "s is the time, t/T" in joints
+    assert "s = t/T is the share of the time" in joints
     assert f"With the timing law of each joint the motion takes {motion.duration:.2f} s." in joints
     assert "q(s(t))" not in joints
     assert "Each coordinate changes in proportion" not in joints

@@ -17,6 +17,7 @@ from armlab.benches.workspace.cloud.ui.words import counted, facts, scale
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.workspace.measures import MEASURES
+from armlab.kin.workspace.sections import section
 from armlab.session.state import State, apply
 from armlab.ui.colours import viridis
 from armlab.ui.html import joined
@@ -84,6 +85,8 @@ def test_what_hides_all_samples_is_named(look, says):
     shown = found.shown._replace(points=found.shown.points[before])
     state = state.replace(replace(state[Workspace], found=replace(found, shown=shown)))
     assert says in joined(facts(state, state[Workspace].found, units_of(state)))
+    surface = replace(state[Workspace], draw="surface", section=section(catalogue()["elbow_3r"].arm))
+    assert "dim" not in joined(facts(state.replace(surface), surface.found, units_of(state)))
 
 
 def test_an_example_brings_its_arm_and_says_what_to_look_at(url):

@@ -36,7 +36,7 @@ class Power(FieldPart):
     given : "supply" or "load"
         Where the power of the chain is typed.
     pressure : float
-        MPa, of the oil in the chain, and of that in the cylinder of a load that is held, which the load makes.
+        MPa, of the oil in the chain, and of the oil in the cylinder that holds a load, where the load makes it.
     eta_amplifier, eta_motor, ... : float
         Efficiencies.
     mass, arm : float

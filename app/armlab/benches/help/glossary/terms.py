@@ -218,8 +218,8 @@ TERMS: tuple[Term, ...] = (
     ),
     Term(
         "Screw motion",
-        "A turn about a line in space together with a slide along it. Any pose can be brought to any other by one "
-        "such motion; the slide for each turn is its pitch.",
+        "A turn about a line in space together with a slide along it. A body can be brought from any pose to any "
+        "other by one such motion; the slide for each turn is its pitch.",
         "",
         "screw",
         ("screw axis", "pitch of a screw", "twist"),

@@ -251,6 +251,11 @@ class Planned:
         return self.fastest if self.in_shape is None else self.in_shape
 
     @property
+    def with_ramps(self) -> str:
+        """Words behind that duration where typed ramps shape the laws; empty otherwise."""
+        return "" if self.in_shape is None else " with these ramps"
+
+    @property
     def whole(self) -> bool:
         """Whether the whole plan can be run."""
         return self.motion is not None and not any(leg.trouble for leg in self.legs)

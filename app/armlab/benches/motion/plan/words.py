@@ -36,7 +36,7 @@ def judged(planned: Planned) -> Said:
         least = (
             ()
             if np.isnan(planned.least) or planned.question.duration is None
-            else (f"within the limits it takes at least {rounded_up(planned.least):.2f} s",)
+            else (f"within the limits it takes at least {rounded_up(planned.least):.2f} s{planned.with_ramps}",)
         )
         return Said("no", "exceeds limits", (*over, *least, *remarks))
     return Said("ok", f"runs in {planned.duration:.2f} s within all limits", remarks)

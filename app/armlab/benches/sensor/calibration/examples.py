@@ -29,7 +29,7 @@ EXAMPLES = part_examples(
         "bent",
         "An S-shaped curve, degree 3",
         Curve(offset=0.0, gain=0.0, bend=3.0, shape="wave", hysteresis=0.0, resolution=0.0, noise=0.02, degree=3),
-        "The linearity error is what a line leaves. A polynomial of degree 3 is an S, too, and leaves a "
+        "The linearity error is what a line leaves. A polynomial of degree 3 is S-shaped as well, and leaves a "
         "tenth of that; degree 5 leaves little more than noise.",
     ),
     PartExample(

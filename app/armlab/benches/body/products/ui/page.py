@@ -144,9 +144,10 @@ def _verdict(state: State) -> Markup:
     places = dict(zip(found.names, found.points[k].real.tolist(), strict=True))
     units = units_of(state)
     at = ", ".join(f"{GREEK[ANGLES.index(name)]} = {units.angle(value)}" for name, value in places.items())
+    where = f"At {at} it" if at else "It"
     here = tag(
         "p",
-        f"{f'At {at} it' if at else 'It'} is {readable(float(np.real(found.left[k])), 4)}, "
+        f"{where} is {readable(float(np.real(found.left[k])), 4)}, "
         f"and the entry is {readable(float(np.real(found.right[k])), 4)}.",
     )
     return verdict_box("no", f"It is off by up to {readable(float(found.difference[k]), 4)}", here)

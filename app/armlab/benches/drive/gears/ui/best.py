@@ -174,9 +174,8 @@ def _verdict(part: Gears) -> Markup:
     if load.acceleration == 0.0:
         return verdict_box("ok", "No torque", tag("p", "Nothing is accelerated and nothing resists."))
     if best.ratio == 0.0:
-        return verdict_box(
-            "warn", "No best ratio", tag("p", "The load moves by itself: the smaller n, the smaller τₘ.")
-        )
+        alone = "The torque of the load alone gives it this acceleration: the smaller n, the smaller τₘ."
+        return verdict_box("warn", "No best ratio", tag("p", alone))
     if best.torque == 0.0:
         return verdict_box(
             "ok",

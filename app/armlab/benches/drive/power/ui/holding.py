@@ -94,8 +94,8 @@ def why_markup() -> Markup:
         tag(
             "p.dim",
             "Oil behind a shut valve cannot flow, so p Q = 0; what leaks past the seals lets the load sink, and the "
-            "load itself pays p Q = τ ω for that. The cylinder is such that this load makes p: with the same p and Q "
-            "a heavier load has a larger one and sinks more slowly. ⟦The notes say that hydraulic motors need no "
-            "torque to hold: they need the torque, but no power.⟧",
+            "load itself pays p Q = τ ω for that. The cylinder is taken to be of the size at which this load makes the "
+            "pressure p: with the same p and Q, a heavier load has a larger cylinder and sinks more slowly. "
+            "⟦The notes say that hydraulic motors need no torque to hold: they need the torque, but no power.⟧",
         )
     )

@@ -87,7 +87,8 @@ def _duration(form: Form, state: State) -> Markup:
         told = None
         if planned is not None and planned.least > 0.0:
             k = part.duration / planned.least
-            told = tag("span.dim", f"{k:.2f} times the shortest time, {rounded_up(planned.least):.2f} s")
+            least = f"{rounded_up(planned.least):.2f} s{planned.with_ramps}"
+            told = tag("span.dim", f"{k:.2f} times the shortest time, {least}")
         given = tag("label.option", typed, tag("i", "s")), told
     return joined(tag("div.bar", choice), tag("div.options", given))
 

@@ -44,7 +44,8 @@ def status(planned: Planned | None, figures: Figures | None, found: tuple[Overru
             shown.append(tag("p", f"… and {len(every) - MOST_SENTENCES} more."))
         many = max(len(found), len(every))
         head = "A limit is exceeded." if many == 1 else f"{many} limits are exceeded."
-        within = None if planned.unkept else f"Within the limits this path takes {_seconds(rounded_up(planned.least))}."
+        least = f"{_seconds(rounded_up(planned.least))}{planned.with_ramps}"
+        within = None if planned.unkept else f"Within the limits this path takes {least}."
         parts.append(verdict_box("no.mp-over", head, shown, within, sign=SIGNS["no"]))
     elif not why:
         parts.append(verdict_box("ok", "All limits are kept.", _kept(planned, figures)))
@@ -92,7 +93,7 @@ def comparison(
         _row("joint speed", [None if f is None else _fastest_joint(planned, f, units) for f in both]),
     ]
     if planned.question.duration is not None:
-        rows.insert(1, _row("within limits, s", [_allowed(planned), _allowed(other)]))
+        rows.insert(1, _row("as fast as allowed, s", [_allowed(planned), _allowed(other)]))
     return joined(title, tag("table.dh.mp-table", heads, rows), _who(planned, own, other, theirs))
 
 
@@ -120,7 +121,7 @@ def _who(planned: Planned, own: Figures | None, other: Planned, theirs: Figures 
             return tag("p.no", f"✕ {capitalised(name)} cannot be run through all waypoints: {each.trouble}.")
     if own is None or theirs is None or planned.unkept or other.unkept:
         return None  # where no time keeps the limits, none is the shortest
-    given = "Within the limits " if planned.question.duration is not None else ""
+    given = "As fast as allowed, " if planned.question.duration is not None else ""
     if same_time(planned, other):
         both = f"{given}both take {_seconds(planned.fastest)}{_affine(planned, other, own)}"
         return tag("p", capitalised(both))
@@ -201,7 +202,7 @@ def _seconds(time: float) -> str:
 
 
 def _allowed(planned: Planned) -> str | None:
-    """Return the least time within the limits in the shape that these give the laws, as for the moves beside them."""
+    """Return how long it takes as fast as allowed; typed ramps are for the given time, and do not count here."""
     return None if planned.unkept else _time(planned.fastest)
 
 

@@ -140,7 +140,7 @@ def _list(found: Steps) -> Markup:
         ("task", "point to point" if count == 2 else f"multi-point, {count} knots"),
         ("path", lowered(move.kind.title)),
         ("timing law", lowered(law_types()[move.law.key].title)),
-        ("joints", "independent: each by its own law" if move.independent else "coordinated: all share s"),
+        ("joints", "independent: each with its own law" if move.independent else "coordinated: all share s"),
     ]
     return joined(tag("h3", "What has been chosen ", tag("small", "(page Plan)")), pairs(rows))
 
@@ -303,7 +303,10 @@ def _laid(found: Steps) -> Markup:
         way = "All joints are prismatic: where their values change in proportion, the tool moves along a straight line."
     said = tag("p", f"The joint values of the knots are interpolated directly. {way}")
     if found.stretch.move.independent:
-        apart = "Each joint goes by its own law, and the first ones wait for the last. Below, s is the time, t/T."
+        apart = (
+            "Each joint follows its own law, and those that arrive first wait for the last. Below, s = t/T is the "
+            "share of the time that has passed."
+        )
         return joined(said, tag("p", apart))
     about = tag("p.dim", f"{kind.title}. {says_of(kind, found.path)}")
     return joined(said, _formula(kind, "q"), about)

@@ -66,7 +66,7 @@ def _diagram(state: State, found: Maps, units: Units) -> Markup:
         "div.sp-diagram",
         _space(
             "Actuation space",
-            "1 motor" if found.n == 1 else f"{found.n} motors",
+            f"motors: {found.n}",
             tag("p.dim", "A motor drives each joint, most through gears."),
         ),
         _arrow(tag("b", "gears"), "here the lab commands q itself"),

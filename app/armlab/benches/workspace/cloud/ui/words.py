@@ -45,13 +45,14 @@ def facts(state: State, found: Sampled, units: Units) -> Inside:
     if drawing(state) == "cloud":
         rows.append(("Points drawn", f"{counted(left)} of the first {counted(len(found.shown.points))}"))
     rows.append(("Farthest sample, from frame 0", units.length(found.farthest)))
-    return None if left else tag("p.dim", _hidden(state)), pairs(rows)
+    drawn = drawing(state) != "surface" or state[Workspace].section is None
+    return None if left or not drawn else tag("p.dim", _hidden(state)), pairs(rows)
 
 
 def _hidden(state: State) -> str:
     """Return why no sample is drawn."""
     cut = cut_of(state[Workspace])
-    if cut in AXES and drawing(state) != "surface":
+    if cut in AXES:
         return "No sample lies here: move the slice."
     return "The cut hides all samples: choose another." if cut == "front" else "No sample is near the boundary."
 
