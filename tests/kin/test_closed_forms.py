@@ -311,3 +311,29 @@ def test_planar_arms_of_every_sequence(kinds, rng):
         found = solve_all(arm, arm.fk(q))
         assert contains(arm, found.q, q), kinds
         assert worst_error(arm, found.q, np.asarray(arm.fk(q))) < EXACT
+
+
+TURNING = {
+    "planar RP": [("R", 0.2, -H, 0.0, 0.0), ("P", 0.0, H, 0.0, 0.0)],
+    "cylindrical RPP": [("R", 0.15, 0.0, 0.4, 0.0), ("P", 0.0, -H, 0.0, 0.0), ("P", 0.0, 0.0, 0.0, 0.0)],
+    "polar RRP": [("R", 0.0, -H, 0.4, 0.0), ("R", 0.0, H, 0.15, 0.0), ("P", 0.0, 0.0, 0.0, 0.0)],
+    "RRP, tool beside the slide": [("R", 0.0, -H, 0.4, 0.0), ("R", 0.0, H, 0.0, 0.0), ("P", 0.1, 0.0, 0.0, 0.0)],
+    "Stanford": [
+        ("R", 0.0, -H, 0.412, 0.0),
+        ("R", 0.0, H, 0.154, 0.0),
+        ("P", 0.0, 0.0, 0.0, 0.0),
+        ("R", 0.0, -H, 0.0, 0.0),
+        ("R", 0.0, H, 0.0, 0.0),
+        ("R", 0.0, 0.0, 0.26, 0.0),
+    ],
+}
+
+
+@pytest.mark.parametrize("name", list(TURNING))
+def test_a_slide_at_its_turning_point_has_one_solution_not_none(name, rng):
+    """Where the last slide is at zero its two values merge, and only rounding is left of the constant term."""
+    arm = arm_of(TURNING[name])
+    for _ in range(40):
+        q = random_q(arm, rng)
+        q[2 if arm.n > 2 else 1] = 0.0
+        assert solve_all(arm, arm.fk(q)).completeness in ("complete", "infinite")

@@ -152,7 +152,7 @@ class _Placer:
         for q3, free in self._values(lambda q3: float(z1 @ (self.third(q3) - o)) - Z, L + abs(Z)):
             x = self.third(q3) - o
             along, rest = float(z2 @ x), float(x @ x)
-            for q2 in _halves(1.0, along, rest - R):
+            for q2 in _halves(1.0, along, rest, R):
                 yield q2, q3, free
 
     def _slide_and_turn(self) -> Pairs:
@@ -221,14 +221,17 @@ def _of_constant_height(
 ) -> Iterator[tuple[float, float]]:
     """Yield (g1, g2) with axis 3 parallel to axis 2: (a + g1)² = R − g2² − h², in front of axis 1 and behind it."""
     g2 = (Z - kappa * h) / sigma
-    for far in _halves(1.0, 0.0, g2 * g2 + h * h - R):
+    for far in _halves(1.0, 0.0, g2 * g2 + h * h, R):
         yield far - a, g2
 
 
-def _halves(a: float, half: float, c: float) -> tuple[float, ...]:
-    """Return the real roots of a x² + 2 half x + c = 0; one where they merge, or have just vanished by rounding."""
-    square = half * half - a * c
-    scale = half * half + abs(a * c)
+def _halves(a: float, half: float, first: float, second: float) -> tuple[float, ...]:
+    """Return the real roots of a x² + 2 half x + first - second = 0, with ``first`` and ``second`` not negative.
+
+    One where they merge, or have just vanished by rounding: that of the last two, whose difference may be nothing else.
+    """
+    square = half * half - a * (first - second)
+    scale = half * half + abs(a) * (first + second)
     if square < -NEARLY * scale:
         return ()
     if square <= 1e-14 * scale:

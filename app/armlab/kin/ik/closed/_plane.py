@@ -184,13 +184,13 @@ def place_two(first: Flat, second: Flat, t: complex, w: complex, scale: float) -
         yield from _two_turns(first, second, t, w, scale)
     elif first.turns:
         x = t - first.centre
-        along, rest = (x * second.way.conjugate()).real, abs(x) ** 2 - abs(w - first.centre) ** 2
-        for q2 in _halves(1.0, along, rest):
+        along = (x * second.way.conjugate()).real
+        for q2 in _halves(1.0, along, abs(x) ** 2, abs(w - first.centre) ** 2):
             yield from _then_first(first, {second.joint: q2}, t + q2 * second.way, w, scale, frozenset())
     elif second.turns:
         x = w - second.centre
-        along, rest = -(x * first.way.conjugate()).real, abs(x) ** 2 - abs(t - second.centre) ** 2
-        for q1 in _halves(1.0, along, rest):
+        along = -(x * first.way.conjugate()).real
+        for q1 in _halves(1.0, along, abs(x) ** 2, abs(t - second.centre) ** 2):
             yield from _then_first(second, {first.joint: q1}, t, w - q1 * first.way, scale, frozenset())
     else:
         for q1, q2 in _combined((first.way, second.way), w - t):

@@ -70,15 +70,16 @@ def _of_slide(f: Callable[[float], float], size: float, length: float) -> Roots:
         return Roots(every=True)
     kept = coefficients[int(np.argmax(large)) :]
     if len(kept) == 3:
-        return Roots(_of_square(kept.tolist(), length))
+        return Roots(_of_square(kept.tolist(), length, size))
     near = [x for x in np.roots(kept) if abs(x.imag) < NEAR_REAL * (1.0 + abs(x))]
     return Roots(_polished([length * float(x.real) for x in near], f, size, 1e-4 * length, wrapping=False))
 
 
-def _of_square(coefficients: Sequence[float], length: float) -> tuple[float, ...]:
+def _of_square(coefficients: Sequence[float], length: float, size: float) -> tuple[float, ...]:
+    """Return the roots of a square equation; one where they merge. Each coefficient is known up to rounding of size."""
     a, b, c = coefficients
     square = b * b - 4.0 * a * c
-    scale = b * b + abs(4.0 * a * c)
+    scale = b * b + 4.0 * abs(a) * size
     if square < -NEARLY * scale:
         return ()
     if square <= 1e-14 * scale:
