@@ -337,3 +337,27 @@ def test_a_slide_at_its_turning_point_has_one_solution_not_none(name, rng):
         q = random_q(arm, rng)
         q[2 if arm.n > 2 else 1] = 0.0
         assert solve_all(arm, arm.fk(q)).completeness in ("complete", "infinite")
+
+
+ROUNDED = {
+    "RRP, axes 1 and 2 antiparallel": [("R", 0.4, math.pi, 0.3, 0.0), ("R", 0.3, 0.0, 0.0, 0.0), ("P", 0, 0, 0, 0)],
+    "RRP, axes 2 and 3 antiparallel": [("R", 0.4, 0.0, 0.3, 0.0), ("R", 0.3, math.pi, 0.0, 0.0), ("P", 0, 0, 0, 0)],
+    "PRR": [("P", 0.65, -H, 0.0, 0.0), ("R", 0.0, -H, 0.43, H), ("R", 0.67, H, 0.0, 0.0)],
+    "RPP": [("R", 0.0, 0.0, 0.3, 0.0), ("P", 0.0, -H, 0.0, -H), ("P", 0.0, 0.0, 0.0, 0.0)],
+    "RPR, all but planar": [("R", 0.0, -H, 0.3, 0.0), ("P", 0.0, H, 0.0, 0.0), ("R", 0.4, 0.0, 0.0, 0.0)],
+    "RRR": [("R", 0.0, H, 0.3, 0.0), ("R", 0.5, math.pi, 0.0, 0.0), ("R", 0.4, 0.0, 0.1, 0.0)],
+}
+
+
+@pytest.mark.parametrize("name", list(ROUNDED))
+def test_angles_of_the_table_may_be_rounded_to_any_number_of_decimals(name, rng):
+    """A coefficient that nearly vanishes is neither taken for zero nor divided by."""
+    for decimals in range(4, 12):
+        rows = [
+            (kind, a, round(alpha, decimals), d, round(theta, decimals)) for kind, a, alpha, d, theta in ROUNDED[name]
+        ]
+        arm = Arm.from_dh(rows, task="xyz")
+        for _ in range(6):
+            q = np.where(arm.revolute, rng.uniform(-3.0, 3.0, 3), rng.uniform(0.1, 0.9, 3))
+            found = solve_all(arm, arm.fk(q))
+            assert found.completeness in ("infinite", "at least") or contains(arm, found.q, q, 1e-4), (decimals, q)

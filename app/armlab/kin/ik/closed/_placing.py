@@ -27,13 +27,17 @@ from armlab.kin.ik.closed._roots import Roots, roots
 from armlab.kin.ik.closed_form import FREE_ANGLES
 from armlab.kin.ik.screws import Screws, Vector, across, angle_about, cross
 from armlab.kin.ik.trig import NEARLY, Angles, sine_cosine
-from armlab.kin.lines import Line, common_normal
+from armlab.kin.lines import CommonNormal, Line, common_normal
 
 ON_AXIS = 1e-10
 """Distance from an axis, in length scales, below which a point lies on it and determines no angle."""
 
 FLAT = 1e-12
 """Sine or relative length below which a value counts as zero."""
+
+NEARLY_FLAT = 1e-4
+"""Sine or relative length below which a value may be zero up to the digits of the table: the general equation is then
+nearly a square, and the special one, with zero, is solved as well. Solutions of the true arm are found from both."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,6 +65,9 @@ def place(s: Screws, t: Vector, w: Vector) -> list[Placed]:
 
 Pairs = Iterator[tuple[float, float, frozenset[int]]]
 
+Coordinates = tuple[float, float, float]
+"""Coordinates (y1, y2, h) of a point, metres."""
+
 
 @dataclass(frozen=True, eq=False)
 class _Placer:
@@ -77,83 +84,45 @@ class _Placer:
         """Return the point moved by joint 3."""
         return self.s.moved(2, q3, self.t)
 
-    def _values(self, f: Callable[[float], float], size: float) -> Iterator[tuple[float, frozenset[int]]]:
-        yield from _each(roots(f, self.s.kinds[2] == "R", size, self.s.scale), 2)
+    def values(self, f: Callable[[float], float], size: float) -> Iterator[tuple[float, frozenset[int]]]:
+        """Yield the values of joint 3 at which f vanishes, a sum of terms of this size."""
+        far = max(self.s.scale, float(np.linalg.norm(self.w - self.s.o[0])))
+        yield from _each(roots(f, self.s.kinds[2] == "R", size, far), 2)
 
-    def _at_distance(self, square: Callable[[float], float], wanted: float) -> Iterator[tuple[float, frozenset[int]]]:
-        """Yield the values of joint 3 at which a squared distance, in m², has the wanted value."""
-        yield from self._values(lambda q3: square(q3) - wanted, wanted + self.s.scale**2)
+    def samples(self, f: Callable[[float], float]) -> list[float]:
+        """Return a function of joint 3 at three of its values."""
+        step = 1.0 if self.s.kinds[2] == "R" else self.s.scale
+        return [f(k * step) for k in range(3)]
+
+    def largest(self, f: Callable[[float], float]) -> float:
+        """Return the size of a function of joint 3."""
+        return max(map(abs, self.samples(f)))
 
     def _turns(self) -> Pairs:
-        s, w, L = self.s, self.w, self.s.scale
-        normal = common_normal(Line(s.o[0], s.z[0]), Line(s.o[1], s.z[1]), scale=L)
-        n, a = normal.normal, normal.a
-        m = cross(s.z[1], n)
-        parallel = normal.kind in ("parallel", "coincident")
-        sigma, kappa = 0.0 if parallel else float(s.z[0] @ m), float(s.z[0] @ s.z[1])
-        Z, R = float(s.z[0] @ (w - normal.foot1)), float((w - normal.foot1) @ (w - normal.foot1))
-
-        def local(q3: float) -> tuple[float, float, float]:
-            y = self.third(q3) - normal.foot2
-            return float(y @ n), float(y @ m), float(y @ s.z[1])
-
-        def square(q3: float) -> float:
-            y = self.third(q3) - normal.foot2
-            return float(y @ y)
-
-        if a == 0.0:
-            if sigma == 0.0:
-                return  # One axis twice: not three joints for a place.
-            for q3, free in self._at_distance(square, R):
-                y1, y2, h = local(q3)
-                yield from self._with(sine_cosine(y1, y2, (Z - kappa * h) / sigma, L), q3, free)
-            return
-        if sigma == 0.0:
-            for q3, free in self._values(lambda q3: kappa * local(q3)[2] - Z, L + abs(Z)):
-                y1, y2, _ = local(q3)
-                g1 = (R - a * a - square(q3)) / (2.0 * a)
-                yield from self._with(sine_cosine(-y2, y1, g1, L), q3, free)
-            return
-        heights = [local(q3)[2] for q3 in (0.0, 1.0, 2.0)]
-        if max(heights) - min(heights) <= FLAT * L:
-            for g1, g2 in _of_constant_height(Z, R, a, sigma, kappa, heights[0]):
-                for q3, free in self._at_distance(square, heights[0] ** 2 + g1 * g1 + g2 * g2):
-                    yield from self._towards(local(q3), g1, g2, q3, free)
-            return
-
-        def residual(q3: float) -> float:
-            y1, y2, h = local(q3)
-            g1, g2 = (R - a * a - square(q3)) / (2.0 * a), (Z - kappa * h) / sigma
-            return g1 * g1 + g2 * g2 - y1 * y1 - y2 * y2
-
-        size = (R + L * L) ** 2 / (a * a) + (abs(Z) + L) ** 2 / sigma**2
-        for q3, free in self._values(residual, size):
-            y = local(q3)
-            g1, g2 = (R - a * a - square(q3)) / (2.0 * a), (Z - kappa * y[2]) / sigma
-            yield from self._towards(y, g1, g2, q3, free)
+        normal = common_normal(Line(self.s.o[0], self.s.z[0]), Line(self.s.o[1], self.s.z[1]), scale=self.s.scale)
+        yield from _TwoTurns.of(self, normal).last_two()
 
     def _turn_and_slide(self) -> Pairs:
         s, w, L = self.s, self.w, self.s.scale
         z1, z2, o = s.z[0], s.z[1], s.o[0]
         kappa, Z = float(z1 @ z2), float(z1 @ (w - o))
         R = float((w - o) @ (w - o))
+
+        def lacking(q3: float) -> float:
+            return Z - float(z1 @ (self.third(q3) - o))
+
+        def residual(q3: float) -> float:
+            x = kappa * (self.third(q3) - o) + lacking(q3) * z2
+            return float(x @ x) - kappa**2 * R
+
         if abs(kappa) > FLAT:
-
-            def slide(q3: float) -> float:
-                return (Z - float(z1 @ (self.third(q3) - o))) / kappa
-
-            def residual(q3: float) -> float:
-                x = self.third(q3) - o + slide(q3) * z2
-                return float(x @ x) - R
-
-            for q3, free in self._values(residual, (R + L * L) / kappa**2):
-                yield slide(q3), q3, free
-            return
-        for q3, free in self._values(lambda q3: float(z1 @ (self.third(q3) - o)) - Z, L + abs(Z)):
-            x = self.third(q3) - o
-            along, rest = float(z2 @ x), float(x @ x)
-            for q2 in _halves(1.0, along, rest, R):
-                yield q2, q3, free
+            for q3, free in self.values(residual, kappa**2 * (R + L * L) + self.largest(lacking) ** 2):
+                yield lacking(q3) / kappa, q3, free
+        if abs(kappa) <= NEARLY_FLAT:
+            for q3, free in self.values(lacking, L + abs(Z)):
+                x = self.third(q3) - o
+                for q2 in _halves(1.0, float(z2 @ x), float(x @ x), R):
+                    yield q2, q3, free
 
     def _slide_and_turn(self) -> Pairs:
         s, w, L = self.s, self.w, self.s.scale
@@ -166,24 +135,24 @@ class _Placer:
         g1, V = float(n @ (w - o)), float(v @ (w - o))
         vm, vz = float(v @ m), float(v @ z2)
 
-        def local(q3: float) -> tuple[float, float, float]:
+        def local(q3: float) -> Coordinates:
             y = self.third(q3) - o
             return float(y @ n), float(y @ m), float(y @ z2)
 
-        if abs(vm) <= FLAT:
-            for q3, free in self._values(lambda q3: vz * local(q3)[2] - V, L + abs(V)):
-                y1, y2, _ = local(q3)
-                yield from self._with(sine_cosine(-y2, y1, g1, L), q3, free)
-            return
+        def lacking(q3: float) -> float:
+            return V - vz * local(q3)[2]
 
         def residual(q3: float) -> float:
-            y1, y2, h = local(q3)
-            g2 = (V - vz * h) / vm
-            return g1 * g1 + g2 * g2 - y1 * y1 - y2 * y2
+            y1, y2, _ = local(q3)
+            return vm**2 * (g1 * g1 - y1 * y1 - y2 * y2) + lacking(q3) ** 2
 
-        for q3, free in self._values(residual, (L + abs(V) + abs(g1)) ** 2 / vm**2):
-            y = local(q3)
-            yield from self._towards(y, g1, (V - vz * y[2]) / vm, q3, free)
+        if abs(vm) > FLAT:
+            for q3, free in self.values(residual, vm**2 * (g1 * g1 + L * L) + self.largest(lacking) ** 2):
+                yield from self.towards(local(q3), g1, lacking(q3) / vm, q3, free)
+        if abs(vm) <= NEARLY_FLAT:
+            for q3, free in self.values(lacking, L + abs(V)):
+                y1, y2, _ = local(q3)
+                yield from self.with_angles(sine_cosine(-y2, y1, g1, L), q3, free)
 
     def _slides(self) -> Pairs:
         s, w, L = self.s, self.w, self.s.scale
@@ -193,19 +162,117 @@ class _Placer:
             return
         normal = normal / across_both
         sideways = cross(normal, s.z[0])
-        for q3, free in self._values(lambda q3: float(normal @ (self.third(q3) - w)), L + float(np.abs(w).max())):
+        for q3, free in self.values(lambda q3: float(normal @ (self.third(q3) - w)), L + float(np.abs(w).max())):
             yield float(sideways @ (w - self.third(q3))) / float(sideways @ s.z[1]), q3, free
 
-    def _with(self, angles: Angles, q3: float, free: frozenset[int]) -> Pairs:
+    def with_angles(self, angles: Angles, q3: float, free: frozenset[int]) -> Pairs:
+        """Yield the angles of joint 2, or representatives where it may have any."""
         for q2, chosen in _each(Roots(angles.values, angles.every), 1):
             yield q2, q3, free | chosen
 
-    def _towards(self, y: tuple[float, float, float], g1: float, g2: float, q3: float, free: frozenset[int]) -> Pairs:
+    def towards(self, y: Coordinates, g1: float, g2: float, q3: float, free: frozenset[int]) -> Pairs:
         """Yield the angle of joint 2 from (y1, y2) to (g1, g2)."""
         if math.hypot(y[0], y[1]) <= ON_AXIS * self.s.scale:
-            yield from self._with(Angles(every=True), q3, free)
+            yield from self.with_angles(Angles(every=True), q3, free)
             return
         yield math.atan2(y[0] * g2 - y[1] * g1, y[0] * g1 + y[1] * g2), q3, free
+
+
+@dataclass(frozen=True, eq=False)
+class _TwoTurns:
+    """Two turns before joint 3, in the quantities of the equations above."""
+
+    placer: _Placer
+    normal: CommonNormal
+    m: Vector
+    a: float
+    sigma: float
+    kappa: float
+    Z: float
+    R: float
+
+    @classmethod
+    def of(cls, placer: _Placer, normal: CommonNormal) -> _TwoTurns:
+        z1, z2 = placer.s.z[0], placer.s.z[1]
+        m, far = cross(z2, normal.normal), placer.w - normal.foot1
+        sigma = 0.0 if normal.kind in ("parallel", "coincident") else float(z1 @ m)
+        return cls(placer, normal, m, normal.a, sigma, float(z1 @ z2), float(z1 @ far), float(far @ far))
+
+    def last_two(self) -> Pairs:
+        """Yield values of joints 2 and 3; where the arm is nearly special, those of the special arm as well."""
+        L = self.placer.s.scale
+        meeting, parallel, level = self.a, abs(self.sigma), self._spread()
+        if meeting <= FLAT * L and parallel <= FLAT:
+            return  # One axis twice: not three joints for a place.
+        if min(meeting / L, parallel, level / L) > FLAT:
+            yield from self._in_general()
+        if meeting <= NEARLY_FLAT * L and parallel > FLAT:
+            yield from self._meeting()
+        if parallel <= NEARLY_FLAT and meeting > FLAT * L:
+            yield from self._parallel()
+        if level <= NEARLY_FLAT * L and meeting > FLAT * L and parallel > FLAT:
+            yield from self._level()
+
+    def _local(self, q3: float) -> Coordinates:
+        y = self.placer.third(q3) - self.normal.foot2
+        return float(y @ self.normal.normal), float(y @ self.m), float(y @ self.placer.s.z[1])
+
+    def _square(self, q3: float) -> float:
+        y = self.placer.third(q3) - self.normal.foot2
+        return float(y @ y)
+
+    def _beside(self, q3: float) -> float:
+        """Return a g1."""
+        return (self.R - self.a * self.a - self._square(q3)) / 2.0
+
+    def _lacking(self, q3: float) -> float:
+        """Return sigma g2."""
+        return self.Z - self.kappa * self._local(q3)[2]
+
+    def _spread(self) -> float:
+        """Return how far joint 3 moves the point along axis 2, in metres."""
+        heights = self.placer.samples(lambda q3: self._local(q3)[2])
+        return max(heights) - min(heights)
+
+    def _in_general(self) -> Pairs:
+        a, sigma, L = self.a, self.sigma, self.placer.s.scale
+
+        def residual(q3: float) -> float:
+            y1, y2, _ = self._local(q3)
+            # Times (a sigma)²: a division by what nearly vanishes would make all coefficients small beside the terms.
+            one, two = sigma * self._beside(q3), a * self._lacking(q3)
+            return one * one + two * two - (a * sigma) ** 2 * (y1 * y1 + y2 * y2)
+
+        one, two = (self.placer.largest(f) for f in (self._beside, self._lacking))
+        size = (sigma * one) ** 2 + (a * two) ** 2 + (a * sigma * L) ** 2
+        for q3, free in self.placer.values(residual, size):
+            yield from self.placer.towards(self._local(q3), self._beside(q3) / a, self._lacking(q3) / sigma, q3, free)
+
+    def _meeting(self) -> Pairs:
+        for q3, free in self._at_distance(self.R):
+            y1, y2, _ = self._local(q3)
+            angles = sine_cosine(y1, y2, self._lacking(q3) / self.sigma, self.placer.s.scale)
+            yield from self.placer.with_angles(angles, q3, free)
+
+    def _parallel(self) -> Pairs:
+        L = self.placer.s.scale
+        for q3, free in self.placer.values(self._lacking, L + abs(self.Z)):
+            y1, y2, _ = self._local(q3)
+            angles = sine_cosine(-y2, y1, self._beside(q3) / self.a, L)
+            yield from self.placer.with_angles(angles, q3, free)
+
+    def _level(self) -> Pairs:
+        """Yield the values with axis 3 parallel to axis 2: (a + g1)² = R − g2² − h², before and behind axis 1."""
+        h = self._local(0.0)[2]
+        g2 = (self.Z - self.kappa * h) / self.sigma
+        for far in _halves(1.0, 0.0, g2 * g2 + h * h, self.R):
+            g1 = far - self.a
+            for q3, free in self._at_distance(h * h + g1 * g1 + g2 * g2):
+                yield from self.placer.towards(self._local(q3), g1, g2, q3, free)
+
+    def _at_distance(self, wanted: float) -> Iterator[tuple[float, frozenset[int]]]:
+        """Yield the values of joint 3 at which the squared distance, in m², has the wanted value."""
+        yield from self.placer.values(lambda q3: self._square(q3) - wanted, wanted + self.placer.s.scale**2)
 
 
 def _each(found: Roots, joint: int) -> Iterator[tuple[float, frozenset[int]]]:
@@ -214,15 +281,6 @@ def _each(found: Roots, joint: int) -> Iterator[tuple[float, frozenset[int]]]:
         yield from ((value, frozenset({joint})) for value in FREE_ANGLES)
     else:
         yield from ((value, frozenset()) for value in found.values)
-
-
-def _of_constant_height(
-    Z: float, R: float, a: float, sigma: float, kappa: float, h: float
-) -> Iterator[tuple[float, float]]:
-    """Yield (g1, g2) with axis 3 parallel to axis 2: (a + g1)² = R − g2² − h², in front of axis 1 and behind it."""
-    g2 = (Z - kappa * h) / sigma
-    for far in _halves(1.0, 0.0, g2 * g2 + h * h, R):
-        yield far - a, g2
 
 
 def _halves(a: float, half: float, first: float, second: float) -> tuple[float, ...]:

@@ -76,13 +76,16 @@ def _of_slide(f: Callable[[float], float], size: float, length: float) -> Roots:
 
 
 def _of_square(coefficients: Sequence[float], length: float, size: float) -> tuple[float, ...]:
-    """Return the roots of a square equation; one where they merge. Each coefficient is known up to rounding of size."""
+    """Return the roots of a square equation, the middle where they have just vanished by rounding of terms of a size.
+
+    Two however near: in an arm that is nearly special the other joints may tell them apart.
+    """
     a, b, c = coefficients
     square = b * b - 4.0 * a * c
     scale = b * b + 4.0 * abs(a) * size
     if square < -NEARLY * scale:
         return ()
-    if square <= 1e-14 * scale:
+    if square <= 0.0:
         return (-b / (2.0 * a) * length,)
     far = -(b + math.copysign(math.sqrt(square), b)) / 2.0
     return (far / a * length, c / far * length)
