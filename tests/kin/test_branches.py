@@ -93,6 +93,10 @@ def test_borders_have_words_of_their_own():
     arm = catalogue()["planar_2r"].arm
     assert branch_names(arm, np.array([[0.3, 0.0]])) == ("elbow straight",)
     assert branch_names(arm, np.array([[0.3, math.pi]])) == ("elbow folded",)
+    for l1, l2 in ((0.5, 1.0), (1.0, 0.5)):
+        unequal = Arm.from_dh([("R", l1, 0.0, 0.0, 0.0), ("R", l2, 0.0, 0.0, 0.0)])
+        borders = branch_names(unequal, np.array([[0.3, 0.0], [0.3, math.pi], [0.3, -math.pi]]))
+        assert [name.split(" (")[0] for name in borders] == ["elbow straight", "elbow folded", "elbow folded"]
     puma = catalogue()["puma560"].arm
     q = np.array([0.3, 0.5, -0.9, 0.4, 0.0, -0.6])
     assert "wrist straight" in branch_names(puma, q[None])[0]

@@ -178,7 +178,8 @@ def _elbow(joints: tuple[int, int], hand: Point, turned: bool) -> Tell:
         way = way / length
         aside = elbow - shoulder - ((elbow - shoulder) @ way) * way
         if float(np.linalg.norm(aside)) <= least:
-            return "elbow straight" if (elbow - shoulder) @ way < length else "elbow folded"
+            # Folded, the elbow lies beyond the end, or with the longer forearm on the other side of the shoulder.
+            return "elbow straight" if -least < (elbow - shoulder) @ way < length else "elbow folded"
         up = pose.directions[0] if turned else cross(axis, way)
         return "elbow " + pose.side(float(aside @ up), ("up", "down", "beside"))
 
