@@ -93,7 +93,7 @@ def solve_general(
         Six revolute joints, of any geometry.
     T : array_like, shape (4, 4)
         Wanted pose of the tool in the world, all of it, whatever the arm's task. Where its rotation is one only nearly
-        (1e-6 is let through), the nearest rotation is meant.
+        (entries with three decimals are enough), the nearest rotation is meant.
     tolerance : float
         Metres and radians within which a configuration is a solution.
     known : sequence of array_like, each of shape (6,)

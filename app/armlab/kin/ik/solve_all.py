@@ -52,7 +52,7 @@ def solve_all(arm: Arm, T: ArrayLike, *, seed: int = 0, held: Mapping[int, float
     arm : Arm
     T : array_like, shape (4, 4)
         Wanted pose of the tool in the world. Components outside the task are ignored. Where its rotation is one only
-        nearly (1e-6 is let through), the nearest rotation is meant.
+        nearly (entries with three decimals are enough), the nearest rotation is meant.
     seed : int
         Seed of random starts, if there are any; the same call gives the same answer, bit by bit.
     held : mapping, optional
