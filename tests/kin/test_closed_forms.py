@@ -361,3 +361,17 @@ def test_angles_of_the_table_may_be_rounded_to_any_number_of_decimals(name, rng)
             q = np.where(arm.revolute, rng.uniform(-3.0, 3.0, 3), rng.uniform(0.1, 0.9, 3))
             found = solve_all(arm, arm.fk(q))
             assert found.completeness in ("infinite", "at least") or contains(arm, found.q, q, 1e-4), (decimals, q)
+
+
+def test_slides_that_a_turn_makes_parallel_leave_one_of_them_free():
+    """With an offset across them no target is reached, and it is said how far away it is."""
+    rows = [("P", 0.0, H, 0.0, 0.0), ("R", 0.0, -H, 0.0, 0.0), ("P", 0.2, H, 0.0, 0.0)]
+    arm = Arm.from_dh(rows, "modified")
+    assert arm.task.key == "xy phi"
+    for q2 in (0.0, math.pi, 1e-10):
+        T = np.asarray(arm.fk([0.3, q2, 0.4]))
+        found = solve_all(arm, T)
+        assert found.completeness == "infinite"
+        assert worst_error(arm, found.q, T) < EXACT
+    assert "Joints 1 and 3 slide in one direction" in solve_all(arm, arm.fk([0.3, 0.0, 0.4])).sentence
+    assert solve_all(arm, pose_at(1.0, 0.0) @ arm.fk([0.3, 0.0, 0.4])).completeness == "none"

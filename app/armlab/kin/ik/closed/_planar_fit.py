@@ -38,4 +38,4 @@ def _asked(arm: Arm, plane: Plane) -> bool:
 def solve_in_plane(arm: Arm, T: Vector, plane: Plane) -> Found:
     """Return all solutions of an arm with a plane."""
     ways = solve_plane(plane, T, arm.task.rotation == "phi")
-    return found_in_plane(arm.n, ways, "")
+    return found_in_plane(plane, arm.n, ways, "")

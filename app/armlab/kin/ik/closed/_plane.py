@@ -16,7 +16,7 @@ import numpy as np
 from armlab.kin.ik.closed._placing import ON_AXIS, _halves
 from armlab.kin.ik.closed_form import FREE_ANGLES, Found
 from armlab.kin.ik.screws import Screws, Vector
-from armlab.kin.ik.trig import sine_cosine, wrap
+from armlab.kin.ik.trig import NEARLY, sine_cosine, wrap
 
 ALONG = 1e-9
 """Sine or cosine of the angle of a slide with the plane below which it lies in the plane or across it."""
@@ -169,8 +169,9 @@ def _with_angle(plane: Plane, G: Vector, w: complex) -> Iterator[Way]:
         gap = w - second.move(plane.tool + 0j, q2)
         # third acts before the turn: its direction turns with it.
         ways = first.way, cmath.exp(1j * phi) * third.way
-        for q1, q3 in _combined(ways, gap):
-            yield {first.joint: q1, second.joint: q2, third.joint: q3}, frozenset()
+        for (q1, q3), chosen in _combined(ways, gap, plane.scale):
+            free = frozenset({first.joint, third.joint}) if chosen else frozenset()
+            yield {first.joint: q1, second.joint: q2, third.joint: q3}, free
 
 
 def _undone(flat: Flat) -> Flat:
@@ -193,8 +194,9 @@ def place_two(first: Flat, second: Flat, t: complex, w: complex, scale: float) -
         for q1 in _halves(1.0, along, abs(x) ** 2, abs(t - second.centre) ** 2):
             yield from _then_first(second, {first.joint: q1}, t, w - q1 * first.way, scale, frozenset())
     else:
-        for q1, q2 in _combined((first.way, second.way), w - t):
-            yield {first.joint: q1, second.joint: q2}, frozenset()
+        for (q1, q2), chosen in _combined((first.way, second.way), w - t, scale):
+            free = frozenset({first.joint, second.joint}) if chosen else frozenset()
+            yield {first.joint: q1, second.joint: q2}, free
 
 
 def _two_turns(first: Flat, second: Flat, t: complex, w: complex, scale: float) -> Iterator[Way]:
@@ -221,26 +223,34 @@ def _then_first(
         yield {**values, turn.joint: turn.turned(x, w)}, free
 
 
-def _combined(ways: tuple[complex, complex], gap: complex) -> Iterator[tuple[float, float]]:
-    """Yield the lengths along two directions whose sum is a gap."""
+def _combined(ways: tuple[complex, complex], gap: complex, scale: float) -> Iterator[tuple[tuple[float, float], bool]]:
+    """Yield the lengths along two directions whose sum is a gap, and whether the first was chosen freely."""
     a, b = ways
     determinant = (a.conjugate() * b).imag
     if abs(determinant) > ALONG:
-        yield (gap.conjugate() * b).imag / determinant, (a.conjugate() * gap).imag / determinant
+        yield ((gap.conjugate() * b).imag / determinant, (a.conjugate() * gap).imag / determinant), False
+    elif abs((a.conjugate() * gap).imag) <= NEARLY * scale:
+        # Only along themselves do parallel slides move; forward kinematics decides whether the rest is small enough.
+        for length in (scale * angle / math.pi for angle in FREE_ANGLES):
+            yield (length, (b.conjugate() * (gap - length * a)).real), True
 
 
-def found_in_plane(n: int, ways: list[Way], none: str) -> Found:
+def found_in_plane(plane: Plane, n: int, ways: list[Way], none: str) -> Found:
     """Return solutions in a plane as arrays (n,), with sentences on free joints."""
     q = [np.array([values[i] for i in range(n)]) for values, _ in ways]
-    return Found(q, families_of([free for _, free in ways]), "" if q else none)
+    slides = frozenset(flat.joint for flat in plane.flats if not flat.turns)
+    return Found(q, families_of([free for _, free in ways], slides), "" if q else none)
 
 
-def families_of(free: list[frozenset[int]]) -> tuple[str, ...]:
-    """Return a sentence for each set of free joints (0-based)."""
+def families_of(free: list[frozenset[int]], slides: frozenset[int] = frozenset()) -> tuple[str, ...]:
+    """Return a sentence for each set of free joints (0-based); ``slides`` are those that are free where parallel."""
     sentences = []
     for joints in sorted({tuple(sorted(some)) for some in free if some}):
         named = " and ".join(f"q{joint + 1}" for joint in joints)
         axes = " and ".join(str(joint + 1) for joint in joints)
+        if slides.issuperset(joints):
+            sentences.append(f"Joints {axes} slide in one direction: either of {named} may have any value.")
+            continue
         many = len(joints) > 1
         what = "points to be placed lie on the axes" if many else "point to be placed lies on the axis"
         sentences.append(f"The {what} of joint{'s' if many else ''} {axes}: {named} may have any value.")
