@@ -230,3 +230,38 @@ def test_curves_are_followed_for_a_number_of_steps_in_all(monkeypatch):
     assert len(all_of_them.families) == 2
     assert len(some.families) == 1
     assert some.completeness == "infinite"
+
+
+NEARLY_SPECIAL = {
+    "like a PUMA": (
+        [
+            (-2.2237471266012685e-05, -1.5708635119827008, 0.0),
+            (0.4318, 0.0, 0.1491),
+            (0.0203, H, -2.0520849263699763e-05),
+            (0.0, -1.5707937822095162, 0.4331),
+            (0.0, 1.57088495087289, 8.64598816358434e-07),
+            (1.4111216683114994e-05, 0.0, 0.05632087128658537),
+        ],
+        [math.pi, 0.0, 1.917, H, 0.0, 2.265],
+    ),
+    "like a UR": (
+        [
+            (0.0, 1.4148107936750662, 4.222260771451307e-11),
+            (0.5326492705319354, 1.5710355056670862, -0.35448024799265765),
+            (0.4, 1.5494572673448984e-05, 8.678123813458262e-08),
+            (-0.35, 0.0, 0.5964061775313585),
+            (0.0, -H, -0.09444644641884836),
+            (-0.8888018923902659, 5.29674415145928e-10, 0.0),
+        ],
+        [0.0, math.pi, 0.0, H + 0.2, -0.5267952025863449, -0.4475341473890536],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", list(NEARLY_SPECIAL))
+def test_roots_from_infinity_do_not_stand_for_those_that_nearly_merge(name):
+    """A singular pose of a nearly special arm: as many regular roots as ever, and yet a solution is none of them."""
+    links, q = NEARLY_SPECIAL[name]
+    arm = Arm.from_dh([("R", *link, 0.0) for link in links])
+    found = solve_general(arm, arm.fk(q))
+    assert found.completeness != "complete" or contains(arm, found.q, np.array(q), 1e-3)

@@ -182,7 +182,9 @@ def _solve(
     while 0 < passes < len(PASSES) and (passes < least or not search.is_whole(roots)):
         roots = joined(roots, search.roots(hand[None], passes)[0])
         passes += 1
-    whole = search.is_whole(roots) and not (search.nearly_special and roots.merging)
+    whole = search.is_whole(roots)
+    if whole and search.nearly_special:
+        whole = not roots.merging and not search.finds_others(hand, roots)
     if whole:
         found, complete = roots.q[roots.real].real, True
     else:

@@ -24,6 +24,7 @@ from armlab.kin.ik.general_complex import OUTERMOST, Roots, distinct, joined, ne
 from armlab.kin.ik.general_equations import all_angles, equations
 from armlab.kin.ik.general_family import rank_losses
 from armlab.kin.ik.general_loop import JOINTS, Complex, Floats, Loop, inverses, turns
+from armlab.kin.ik.general_merge import wrapped
 from armlab.kin.ik.general_polish import polish
 from armlab.kin.ik.general_roots import leading, matrices, roots
 from armlab.kin.rotations import rotation_from_axis_angle
@@ -52,6 +53,9 @@ class Pass(NamedTuple):
 
 PASSES = (Pass(1e-8, 0), Pass(1e-6, 0), Pass(1e-8, 1), Pass(1e-11, 0))
 """Eliminations that are done in turn until all roots are found."""
+
+ELSEWHERE = 1e-2
+"""Distance in some joint, in radians, from which a solution found by a descent is another than a root."""
 
 MOST = 16
 """Largest number of roots of an arm with six revolute joints."""
@@ -130,6 +134,17 @@ class Search:
     def is_whole(self, roots: Roots) -> bool:
         """Return whether there are as many regular roots as the arm has; more would mean that the number is wrong."""
         return any(roots.counted(border) == number for border, number in self.counts)
+
+    def finds_others(self, hand: Floats, roots: Roots) -> bool:
+        """Return whether descents lead to a solution that is none of the roots.
+
+        At a singular pose of a nearly special arm, roots that came back from infinity may stand in the count for
+        others that have nearly merged.
+        """
+        found, listed = self.descents(hand), roots.q[roots.real].real
+        if not len(found) or not len(listed):
+            return len(found) > 0
+        return bool((np.abs(wrapped(found[:, None] - listed)).max(axis=2).min(axis=1) > ELSEWHERE).any())
 
     def descents(self, hand: Floats) -> Floats:
         """Return the results of Newton's method from random starts, shape (m, 6)."""
