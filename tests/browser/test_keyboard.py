@@ -48,6 +48,23 @@ def test_search_and_projector_by_keyboard(visit):
     a_dialog_keeps_the_focus_and_gives_it_back(lab, ".pages:visible .page[data-cell=robot]", "Control+k", "dialog")
     lab.resize(SMALL)
     the_projector_is_switched_on_and_off_by_its_key(lab)
+    letters_count_where_a_keyboard_has_them(lab)
+
+
+def letters_count_where_a_keyboard_has_them(lab):
+    """On German keys Z and Y have changed places, and the slash is Shift and 7."""
+    lab.open_tab("Joints")
+    lab.type_into("value 1", "20")
+    lab.rest()
+    undo = "() => document.querySelector('.al-steps button[data-cell=undo]').disabled"
+    lab.until(lambda: not lab.page.evaluate(undo))
+    field = 'input[data-cell="value 1"]'
+    lab.page.focus(field)
+    lab.page.dispatch_event(field, "keydown", {"key": "y", "code": "KeyZ", "ctrlKey": True, "bubbles": True})
+    lab.rest()
+    assert not lab.page.evaluate(undo)
+    lab.page.dispatch_event(field, "keydown", {"key": "z", "code": "KeyY", "ctrlKey": True, "bubbles": True})
+    lab.until(lambda: lab.page.evaluate(undo))
 
 
 def the_focus_is_seen_wherever_the_tab_key_leads(lab):

@@ -30,6 +30,7 @@ DASHES = """() => [...document.querySelectorAll(".tray-plot:first-child .curve")
 ENDS = """() => [...document.querySelectorAll('.tray-plot:first-child .tray-svg text')]
   .map(each => each.textContent).filter(each => /^[−0-9.]+$/.test(each))"""
 TIME = "() => Number(document.querySelector('.al-time .now')?.textContent.split(' ')[0] ?? NaN)"
+TIMED = "() => document.querySelector('.tray-plot:first-child .tray-over').innerHTML"
 FOCUS = "() => document.activeElement.dataset.curve ?? document.activeElement.className"
 SIZE = (1180, 760)
 
@@ -53,6 +54,7 @@ def test_a_hand_reads_hides_zooms_and_scrubs_saves_files_and_the_tray_closes_wit
     open_tray(lab)
     _is_read_hidden_zoomed_scrubbed_and_put_away(lab, lab.page)
     open_tray(lab)
+    _lets_the_cursor_go_when_it_is_closed_in_the_hand(lab, lab.page)
     _saves_files_and_closes_with_its_page(lab, lab.page)
 
 
@@ -85,6 +87,15 @@ def _is_read_hidden_zoomed_scrubbed_and_put_away(lab, page):
     lab.until(lambda: page.evaluate(ENDS) != whole)
     page.dblclick(".tray-field")
     lab.until(lambda: page.evaluate(ENDS) == whole)
+    # A wheel that turns sideways zooms nothing, and however long + is pressed the page answers.
+    page.mouse.wheel(60, 0)
+    lab.still(0.2)
+    assert page.is_disabled("[data-act=reset]")
+    for _ in range(120):
+        page.dispatch_event(".tray-field", "keydown", {"key": "+"})
+    lab.until(lambda: page.evaluate(ENDS) != whole)
+    page.dispatch_event(".tray-field", "keydown", {"key": "0"})
+    lab.until(lambda: page.evaluate(ENDS) == whole)
     # By the keyboard: hide a curve, show it again.
     page.focus(".tray-legend button")
     page.keyboard.press("Enter")
@@ -97,6 +108,7 @@ def _is_read_hidden_zoomed_scrubbed_and_put_away(lab, page):
     told = page.get_attribute(".tray-field", "aria-valuetext")
     page.keyboard.press("End")
     lab.until(lambda: page.get_attribute(".tray-field", "aria-valuetext") != told)
+    lab.until(lambda: all(page.evaluate(VALUES)))
     # The height, by its edge; then all of the scene's place; then away.
     page.focus(".tray-grip")
     page.keyboard.press("Home")
@@ -112,6 +124,22 @@ def _is_read_hidden_zoomed_scrubbed_and_put_away(lab, page):
     lab.rest()
     assert page.evaluate("() => window.__comings") == 0, "it came again before the lab had answered"
     assert page.evaluate(BOX, "canvas")[3] == SIZE[1]
+
+
+def _lets_the_cursor_go_when_it_is_closed_in_the_hand(lab, page):
+    """Closed by a key during a drag, the tray follows the time again when it is back."""
+    left, top, wide, tall = page.evaluate(BOX, ".tray-field")
+    page.mouse.move(left + 0.3 * wide, top + 0.5 * tall)
+    page.mouse.down()
+    page.keyboard.press("x")
+    lab.until(lambda: not page.query_selector(".al-tray") and not page.query_selector("[data-tray-plot]"))
+    page.mouse.up()
+    lab.rest()
+    open_tray(lab)
+    page.mouse.move(5, 300)
+    before = page.evaluate(TIMED)
+    page.evaluate("() => window.armlabTray.time(0.41)")
+    lab.until(lambda: page.evaluate(TIMED) != before)
 
 
 def _saves_files_and_closes_with_its_page(lab, page):

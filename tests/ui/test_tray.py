@@ -92,6 +92,11 @@ def test_only_what_the_page_shows_is_sent_and_only_when_it_has_changed(url):
         browser.on_message = lambda message, at: None
         await browser.press_on(channel, "look", "no plots")
         await browser.press_on(channel, "csv", "no plot")
+        for text in ("no plot", "[]", '{"key": "q"}', '{"key": "none", "time": 0.3}', '{"key": "q", "time": NaN}'):
+            await browser.press_on(channel, "clip", text)
+        # A page asks for a clip together with the time at which a hand points.
+        await browser.press_on(channel, "clip", json.dumps({"key": "q", "time": 0.25}))
+        await browser.until(lambda: '"time": 0.25' in unescape(browser.html()))
         await browser.open("motion")
         await browser.until(lambda: head(browser) is None)
         assert marks(browser) == {}

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import logging
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
@@ -15,7 +16,7 @@ from typing import Any, Protocol
 import viser
 
 from armlab.session.pages import pages
-from armlab.session.parts.timeline import OpenClip, clips
+from armlab.session.parts.timeline import OpenClip, Seek, clips
 from armlab.session.state import Post
 from armlab.ui import adapter
 from armlab.ui.fields import Fields
@@ -169,10 +170,17 @@ class Tray:
             self._plots[key].save()
         return ()
 
-    def _open_clip(self, key: str) -> tuple[()]:
-        plot = self._plots.get(key)
-        if plot is not None and plot.clip in clips():
+    def _open_clip(self, text: str) -> tuple[()]:
+        """Open the clip of a plot at the time at which a hand points: a clip at its start has no bar on other pages."""
+        try:
+            said = json.loads(text)
+            plot, time = self._plots.get(str(said["key"])), float(said["time"])
+        except (ValueError, TypeError, KeyError, OverflowError):
+            log.warning("a page that is not ours asked for a clip")
+            return ()
+        if plot is not None and plot.clip in clips() and math.isfinite(time):
             self._post(OpenClip(plot.clip))
+            self._post(Seek(time))
         return ()
 
 

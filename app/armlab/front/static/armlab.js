@@ -77,7 +77,7 @@
   // In a field where nothing has been typed Ctrl+Z is the lab's, not the field's.
   document.addEventListener('keydown', event => {
     const field = event.target;
-    if (!(event.ctrlKey || event.metaKey) || event.code !== 'KeyZ' || !field.matches?.('input.field:not([data-live])')) return;
+    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z' || !field.matches?.('input.field:not([data-live])')) return;
     if (field.value !== field.defaultValue) return;
     event.preventDefault();
     document.querySelector(`.al-steps button[data-cell=${event.shiftKey ? 'redo' : 'undo'}]`)?.click();

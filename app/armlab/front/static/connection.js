@@ -11,11 +11,15 @@
   banner.className = 'al-lost';
   banner.setAttribute('role', 'alert');
 
+  // What viser says of the connection: at the head of its window or, where that is narrow, of its sheet; null for nothing.
+  const SHEET = '.mantine-Paper-root:has([aria-label*=" panel "]) .mantine-ScrollArea-content > div > div:first-child';
+  const words = () => document.querySelector(`[data-testid=floating-panel-handle], ${SHEET}`)?.textContent ?? null;
+
   setInterval(() => {
-    const said = document.querySelector('[data-testid=floating-panel-handle]')?.textContent ?? '';
-    const connected = said.startsWith('Connected');
-    was ||= connected;
-    since = connected || !was ? null : since ?? performance.now();
+    const said = words();
+    const connected = said === null ? null : said.startsWith('Connected');
+    was ||= connected === true;
+    since = connected !== false || !was ? null : since ?? performance.now();
     const lost = since !== null && performance.now() - since > PATIENCE;
     if (lost === banner.isConnected) return;
     banner.textContent = lost ? window.armlabSay(TEXT) : '';

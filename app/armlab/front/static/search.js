@@ -80,7 +80,9 @@
     const held = event.ctrlKey || event.metaKey;
     const key = event.key.toLowerCase();
     const palette = held && !event.altKey && (event.shiftKey ? key === 'p' : key === 'k' || event.code === 'KeyK');
-    if (palette || (event.key === '/' && !held && !event.altKey && !isOpen() && !typing(event.target))) {
+    // On many keyboards the slash is on a digit, whose button may be there: Shift and 7 jogs joint 7.
+    const digit = /^Digit[0-9]$/.test(event.code) && document.querySelector(`[data-jog^="${Number(event.code.slice(5)) - 1},"]`)?.getClientRects().length;
+    if (palette || (event.key === '/' && !digit && !held && !event.altKey && !isOpen() && !typing(event.target))) {
       event.preventDefault();
       event.stopImmediatePropagation();
       if (event.repeat) return;

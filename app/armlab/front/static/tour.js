@@ -110,7 +110,7 @@
   setInterval(look, LOOK);
 
   addEventListener('keydown', event => {
-    if (event.key !== 'Escape' || document.querySelector('.al-dialog')) return;
+    if (event.key !== 'Escape' || document.querySelector('.al-dialog') || document.documentElement.hasAttribute('data-projector')) return;
     document.querySelector('.al-tour [data-cell=welcome-leave]')?.click();
-  });
+  }, true); // before the projector ends by the same key
 })();

@@ -10,6 +10,7 @@
   const LOW = 190; // px: the least height of a plot among others below each other
   const POINTS = 1.5; // of a curve for each pixel of the screen
   const SENT = 50; // ms between two places of the timeline
+  const PATIENCE = 3000; // ms in which a clip opens
 
   let head = null, headText = '';
   let asked = 0; // number of the wish of the lab that was followed
@@ -29,12 +30,20 @@
   };
   const clipOf = key => head?.plots.find(each => each.key === key)?.clip ?? '';
   const thumb = () => document.querySelector('.al-time input[type=range]');
-  let waiting = null, timer = 0, place = null;
+  let waiting = null, timer = 0, place = null, since = 0;
+  const forget = () => {
+    clearTimeout(timer);
+    [timer, place, scrubbed] = [0, null, false];
+  };
   const move = () => {
     timer = 0;
     const now = clock();
     if (place === null) return;
-    if (!now || now.clip !== waiting || !thumb()) { timer = setTimeout(move, SENT); return; }
+    if (!now || now.clip !== waiting || !thumb()) {
+      if (performance.now() - since > PATIENCE) forget(); // what was asked for has come to nothing
+      else timer = setTimeout(move, SENT);
+      return;
+    }
     const range = thumb();
     range.value = Math.min(Math.max(now.end > 0 ? place / now.end : 0, 0), 1);
     place = null;
@@ -49,7 +58,8 @@
     scrub: (plot, at, done) => {
       scrubbed = !done;
       [place, waiting] = [at, clipOf(plot.key)];
-      if (clock()?.clip !== waiting) send('clip', plot.key);
+      since = performance.now();
+      if (clock()?.clip !== waiting) send('clip', JSON.stringify({ key: plot.key, time: at }));
       timer ||= setTimeout(move, 0);
       for (const each of plots.values()) if (clipOf(each.key) === waiting) each.at(at);
     },
@@ -117,6 +127,7 @@
     const hadFocus = tray?.contains(document.activeElement);
     if (head) send('close');
     head = null;
+    forget();
     last = ''; // what is asked for is kept: until the lab has answered, the page still says it
     plots.clear();
     body?.replaceChildren();
@@ -247,9 +258,9 @@
   // Before the page's own keys.
   addEventListener('keydown', event => {
     if (!head || !tray?.isConnected || event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
-    if (document.querySelector('.al-dialog') || event.target.closest?.('input:not([type=range]), select, textarea, [contenteditable]')) return;
+    if (document.querySelector('.al-dialog, button[data-escape]') || event.target.closest?.('input:not([type=range]), select, textarea, [contenteditable]')) return;
     if (event.key === 'Escape' && full) setFull(false);
-    else if (event.key === 'Escape' && !root.hasAttribute('data-projector') && !document.querySelector('button[data-escape]')) close();
+    else if (event.key === 'Escape' && !root.hasAttribute('data-projector')) close();
     else if (event.code === 'KeyX') close();
     else return;
     event.preventDefault();

@@ -11,6 +11,7 @@
     const power = 10 ** Math.floor(Math.log10(rough));
     const step = [1, 2, 2.5, 5, 10, 20].map(each => each * power).find(each => each >= rough * (1 - 1e-9));
     const values = [];
+    if (Math.max(-low, high) / step > 2 ** 52) return { values, step }; // such numbers cannot be counted one by one
     for (let k = Math.ceil(low / step - 1e-9); k <= Math.floor(high / step + 1e-9); k++) values.push(k * step);
     return { values, step };
   };

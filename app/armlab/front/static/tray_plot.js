@@ -7,6 +7,7 @@
   const DASHES = [[], [9, 4], [2, 3], [9, 3, 2, 3], [14, 4], [5, 2], [2, 2, 2, 6]];
   const TOP = 20, RIGHT = 14, BOTTOM = 36, LETTER = 6.4; // pixels
   const ROOM = 0.06; // above and below curves, of their extent
+  const FINEST = 1e-6; // of a value: the curves come in single precision
   const LEAST = 6; // pixels of a drag that is more than a press
   let made = 0;
 
@@ -38,7 +39,10 @@
   // The value of a curve at x, where its points rise; not a number in a gap and beyond its ends.
   const valueAt = ({ x, y, dots }, at) => {
     let low = 0, high = x.length - 1;
-    if (high < 0 || !(at >= x[0] && at <= x[high])) return NaN;
+    if (high < 0) return NaN;
+    const rounding = FINEST * Math.max(Math.abs(x[0]), Math.abs(x[high]));
+    if (!(at >= x[0] - rounding && at <= x[high] + rounding)) return NaN;
+    at = Math.min(Math.max(at, x[0]), x[high]);
     while (high - low > 1) {
       const middle = (low + high) >> 1;
       if (x[middle] <= at) low = middle; else high = middle;
@@ -151,7 +155,7 @@
       const rough = axis(y, tall - BOTTOM, TOP, false).marks(26);
       const left = 14 + LETTER * Math.max(2, ...rough.map(([, text]) => text.length));
       const right = wide - RIGHT, bottom = tall - BOTTOM;
-      if (picture.square && !this.zoom) [x, y] = sameScale(x, y, right - left, bottom - TOP);
+      if (picture.square) [x, y] = sameScale(x, y, right - left, bottom - TOP);
       const X = this.X = axis(x, left, right, picture.log), Y = this.Y = axis(y, bottom, TOP, false);
       const part = [`<clipPath id="${clip}"><rect x="${left}" y="${TOP}" width="${right - left}" height="${bottom - TOP}"/></clipPath>`];
       const line = (d, colour, more = '') => part.push(`<path d="${d}" fill="none" stroke="${colour}" ${more}/>`);
@@ -257,7 +261,10 @@
 
     // -- the hand ------------------------------------------------------------------------------------------------
 
+    // No zoom goes farther than numbers of the curves can be told from each other.
     setZoom(zoom) {
+      const told = ([low, high]) => high - low > FINEST * Math.max(Math.abs(low), Math.abs(high)) && Number.isFinite(high - low);
+      if (zoom && !(told(zoom.x) && told(zoom.y))) return;
       this.zoom = zoom;
       this.draw();
     }
@@ -308,15 +315,18 @@
       };
       field.addEventListener('pointerup', end);
       field.addEventListener('pointercancel', end);
+      field.addEventListener('lostpointercapture', event => { if (from) end(event); }); // the tray was closed meanwhile
       field.addEventListener('pointerleave', () => this.asked.point(this, null));
       field.addEventListener('dblclick', () => this.setZoom(null));
       field.addEventListener('wheel', event => {
         if (!this.size) return;
         event.preventDefault();
-        const [px, py] = place(event), by = Math.exp(Math.max(-1, Math.min(1, event.deltaY / 250)));
-        const beside = px < this.size.left; // over the numbers of the ordinate
+        const turn = event.deltaY || (event.shiftKey ? event.deltaX : 0); // a Mac turns the wheel sideways with Shift
+        if (!turn) return;
+        const [px, py] = place(event), by = Math.exp(Math.max(-1, Math.min(1, turn / 250))), { square } = this.picture;
+        const beside = px < this.size.left && !square; // over the numbers of the ordinate
         const x = beside ? this.X.range : this.zoomed(this.X, this.X.value(inside(px)), by);
-        this.setZoom({ x, y: beside || event.shiftKey ? this.zoomed(this.Y, this.Y.value(py), by) : this.Y.range });
+        this.setZoom({ x, y: beside || square || event.shiftKey ? this.zoomed(this.Y, this.Y.value(py), by) : this.Y.range });
       }, { passive: false });
       field.addEventListener('keydown', event => this.press(event));
       field.addEventListener('blur', () => this.asked.point(this, null));
@@ -334,8 +344,9 @@
           this.asked.scrub(this, held, true);
         } else this.asked.point(this, held);
       } else if (event.key === '+' || event.key === '-') {
-        const x = this.zoomed(this.X, this.read ?? (low + high) / 2, event.key === '+' ? 0.7 : 1 / 0.7);
-        this.setZoom({ x, y: this.Y.range });
+        const by = event.key === '+' ? 0.7 : 1 / 0.7, [bottom, top] = this.Y.range;
+        const x = this.zoomed(this.X, this.read ?? (low + high) / 2, by);
+        this.setZoom({ x, y: this.picture.square ? this.zoomed(this.Y, (bottom + top) / 2, by) : this.Y.range });
       } else if (event.key === '0') this.setZoom(null);
       else return;
       event.preventDefault();
