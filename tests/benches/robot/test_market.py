@@ -9,7 +9,7 @@ from armlab.benches.robot.market.facts import FACTS
 from armlab.benches.robot.market.numbers import SALES, SHARES, SPANS, STOCK, following, steady
 from armlab.benches.robot.market.state import NUMBERS, ComputeNumber, Market, TakeSpan
 from armlab.benches.robot.market.ui.chart import chart_markup, percent, robots
-from armlab.benches.robot.market.ui.page import calculator_markup, numbers_markup
+from armlab.benches.robot.market.ui.page import calculator_markup, numbers_markup, spans_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
@@ -66,6 +66,23 @@ def test_the_field_of_the_unknown_cannot_be_filled_and_the_others_become_command
     assert command.value == pytest.approx(0.11, rel=1e-12)
     with pytest.raises(InputError, match="rate: expected a number, got 'fast'"):
         typed("rate", "fast")
+
+
+def test_a_single_year_is_one_and_a_span_is_chosen_only_with_its_years():
+    def shown(state):
+        texts = []
+
+        def markup(form):
+            texts.append(joined(spans_markup(form, state[Market]), calculator_markup(form, state[Market])))
+            return texts[-1]
+
+        asked(markup, "years", "10")
+        return str(texts[-1])
+
+    double = opened(ComputeNumber("end"), Set(Market, "years", 1.0), Set(Market, "rate", 1.0))
+    assert "a year over 1 year: 100.0 % in all. At this rate a value doubles in 1 year." in shown(double)
+    assert shown(opened(TakeSpan(0, 4))).count('aria-pressed="true">1973–2024') == 1
+    assert 'aria-pressed="true">1973–2024' not in shown(opened(TakeSpan(0, 4), Set(Market, "years", 10.0)))
 
 
 @pytest.mark.parametrize(

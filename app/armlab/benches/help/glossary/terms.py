@@ -80,7 +80,7 @@ TERMS: tuple[Term, ...] = (
         "An inverse of the differential kinematics that also keeps joint speeds small. Near a singularity it "
         "trades them "
         "for an error of the tool.",
-        r"J^T(JJ^T+\lambda^2I)^{-1}",
+        r"J^T(JJ^T+\lambda I)^{-1}",
         "microscope",
         ("damping factor",),
     ),
@@ -161,6 +161,7 @@ TERMS: tuple[Term, ...] = (
         "velocity",
         ("differential kinematics", "geometric Jacobian", "analytic Jacobian"),
     ),
+    Term("Joint space", "The set of all configurations; the task space is the set of all poses.", "", "pictures"),
     Term(
         "Joint variable",
         "What changes when a joint moves: the angle of a revolute joint (R), the displacement of a prismatic joint "
@@ -169,7 +170,6 @@ TERMS: tuple[Term, ...] = (
         "joints",
         ("revolute joint", "prismatic joint"),
     ),
-    Term("Joint space", "The set of all configurations; the task space is the set of all poses.", "", "pictures"),
     Term(
         "Manipulability",
         "The product of the singular values of the Jacobian. It is zero in singular configurations, but how small "

@@ -43,7 +43,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             examples(form, EXAMPLES, part.example, ChooseMarketExample),
             tag("h3", "Industrial robots at work in the world", tag("span.copies", _axis(form, part))),
             chart_markup(part),
-            _spans(form, part),
+            spans_markup(form, part),
             calculator_markup(form, part),
             fold("What the numbers of 2024 say", numbers_markup()),
             tag("p.dim.ma-source", "Source: ", SOURCE, "⟦; section 1.8 of the notes⟧."),
@@ -59,12 +59,13 @@ def _axis(form: Form, part: Market) -> Markup:
     return form.chips("axis", AXES, "log" if part.log else "even", "Axis of the robots", chosen)
 
 
-def _spans(form: Form, part: Market) -> Markup:
+def spans_markup(form: Form, part: Market) -> Markup:
     """Return a button for each pair of counts, with the rate between them when it is pressed."""
     chips = []
     for first, last in SPANS:
         one, other = STOCK[first], STOCK[last]
-        here = (part.start, part.begin, part.end, part.unknown) == (one.year, one.robots, other.robots, "rate")
+        shown = part.start, part.years, part.begin, part.end, part.unknown
+        here = shown == (one.year, other.year - one.year, one.robots, other.robots, "rate")
         chips.append(
             form.chip(f"span {first} {last}", f"{one.year}–{other.year}", TakeSpan(first, last), "Rate between", here)
         )
@@ -77,7 +78,7 @@ def calculator_markup(form: Form, part: Market) -> Inside:
     names = form.chips("compute", NUMBERS, part.unknown, "What is computed from the others", ComputeNumber)
     rate = found["rate"]
     words = "doubles" if rate > 0.0 else "halves"
-    time = f"At this rate a value {words} in {trimmed(doubling_time(rate), 1)} years" if rate else "Nothing changes"
+    time = f"At this rate a value {words} in {_years(doubling_time(rate), 1)}" if rate else "Nothing changes"
     whole = _whole(found["end"] / found["begin"])
     return (
         tag("h3", "Compound growth"),
@@ -86,9 +87,14 @@ def calculator_markup(form: Form, part: Market) -> Inside:
         tag("div.ma-fields", [_field(form, part, name, found[name]) for name in NUMBERS]),
         tag(
             "p",
-            f"{percent(rate)} a year over {trimmed(found['years'], 2)} years: {whole}. {time}.",
+            f"{percent(rate)} a year over {_years(found['years'], 2)}: {whole}. {time}.",
         ),
     )
+
+
+def _years(count: float, digits: int) -> str:
+    text = trimmed(count, digits)
+    return f"{text} year" if text == "1" else f"{text} years"
 
 
 def _whole(factor: float) -> str:
