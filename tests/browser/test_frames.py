@@ -104,7 +104,7 @@ def test_an_arm_is_sent_above_a_table_and_two_robots_meet(visit):
     lab.waits_for("The tool is above the object")
     assert "reached" in lab.hint()
     lab.press("follow")
-    node = next(name for name in lab.nodes() if name.endswith("/table/handle_object"))
+    node = next(name for name in lab.nodes() if name.endswith("/table/handle"))
     before = numbers(lab, "object 0")[0]
     lab.drag_handle(0, 1.27, (40.0, 0.0), node=node)
     lab.until(lambda: abs(numbers(lab, "object 0")[0] - before) > 5.0)
