@@ -91,6 +91,24 @@ def test_a_joint_that_is_outside_its_limit_only_between_two_nodes_stops_at_it():
         assert after.reached[-1]
 
 
+def test_a_path_that_begins_at_a_joint_limit_leads_inward_or_ends_there():
+    """The start is rounded to micrometres, so that joint 1 is on the path up to 1e-6 rad beyond its limit."""
+    for degrees in range(10, 60):
+        limit = np.radians(degrees)
+        arm = Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0)] * 2, limits=[(-np.radians(170), limit), (-3.1, 3.1)])
+        start = np.round(arm.position([limit, 1.0]), 6)
+        inward, outward = (
+            follow(arm, line(start, start + np.array([x, -x, 0.0])), [limit, 1.0], 101) for x in (0.3, -0.3)
+        )
+        assert inward.whole, inward.reason
+        (stop,) = outward.stops
+        assert (stop.kind, stop.joint) == ("limit", 1)
+        assert stop.s == pytest.approx(0.0, abs=1e-5)
+        assert outward.reached.tolist() == [True] + [False] * 100
+        for found in (inward, outward):
+            assert all(arm.within_limits(row, 2e-6) for row in found.q[found.reached])
+
+
 def test_the_branch_of_the_start_is_kept():
     """A PUMA keeps shoulder, elbow and wrist although the other solutions are there as well."""
     arm = catalogue()["puma560"].arm

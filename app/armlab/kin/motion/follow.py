@@ -152,7 +152,7 @@ class _Run:
             As given, or up to that place.
         """
         first, q, slope = self._between(nodes)
-        k = self._first_outside(q)
+        k = self._first_outside(first, q, nodes[0].s)
         if k is not None:
             nodes, stop = self._limited(_up_to(nodes, self.s[first : first + k + 1], q[: k + 1], slope[: k + 1]))
             first, q, slope = self._between(nodes)
@@ -174,13 +174,23 @@ class _Run:
             q[k] = np.nan if again is None else again
         return first, q, slope
 
-    def _first_outside(self, q: Floats) -> int | None:
-        """Return the first of many configurations (k, n) at which a joint is outside its limits; None if there is none.
+    def _first_outside(self, first: int, q: Floats, start: float) -> int | None:
+        """Return the index in q of the first sample behind the start at which a joint is outside its limits, or None.
 
-        Between two nodes inside the limits the way may turn outside of them.
+        Between two nodes inside the limits the way may turn outside of them. The start itself counts as inside: it was
+        found within the tolerance of a solution, and a sample there is on the path more exactly, beyond a limit or not.
+
+        Parameters
+        ----------
+        first : int
+            Index of the first sample in q.
+        q : ndarray, shape (k, n)
+        start : float
+            Place s of the first node.
         """
         low, high = self.arm.limits.T
-        outside = np.flatnonzero(((q < low - BEYOND) | (q > high + BEYOND)).any(axis=1))
+        behind = self.s[first : first + len(q)] > start
+        outside = np.flatnonzero(behind & ((q < low - BEYOND) | (q > high + BEYOND)).any(axis=1))
         return int(outside[0]) if len(outside) else None
 
     def _limited(self, nodes: list[Node]) -> tuple[list[Node], Stop | None]:
