@@ -52,13 +52,13 @@ def test_a_duration_too_short_for_the_limits_is_refused_with_the_shortest_that_i
     shortest = float(str(refused.value).split()[-2])
     with pytest.raises(InputError, match="duration"):
         coordinated(*q, law, LIMITS, duration=shortest * (1.0 - 1e-4))
-    # The text has six digits.
-    found = coordinated(*q, law, LIMITS, duration=shortest * (1.0 + 1e-5))
-    assert found.duration == pytest.approx(shortest, rel=2e-5)
+    found = coordinated(*q, law, LIMITS, duration=shortest)
     assert violations(found, LIMITS) == []
 
 
-@pytest.mark.parametrize("limits", [Limits(1.0, 1.0), Limits(1.0, 5.0), Limits(1.0, 50.0), Limits(1.0, 2.0, 9.0)])
+@pytest.mark.parametrize(
+    "limits", [Limits(1.0, 1.0), Limits(1.0, 5.0), Limits(1.0, 50.0), Limits(0.9, 5.0), Limits(1.0, 2.0, 9.0)]
+)
 @pytest.mark.parametrize("duration", [1.0, 2.45])
 def test_with_end_speeds_the_duration_that_is_told_holds_for_the_ramp_that_is_typed(limits, duration):
     law = "double_s" if limits.bounded[2] else "trapezoidal"
@@ -72,7 +72,7 @@ def test_with_end_speeds_the_duration_that_is_told_holds_for_the_ramp_that_is_ty
     assert left_out == pytest.approx(fastest.duration, rel=1e-5)
     with pytest.raises(InputError, match="duration"):
         run_along(line, law, limits, duration=enough * (1.0 - 1e-4), **ends)
-    found = run_along(line, law, limits, duration=enough + 1e-5, **ends)
+    found = run_along(line, law, limits, duration=enough, **ends)
     assert violations(found, limits, from_rest=False) == []
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -19,10 +20,17 @@ from armlab.kin.motion.scaling import Scaling, optimal_scaling, refuse_jumps
 from armlab.kin.motion.trajectory import Trajectory
 
 LONGER = 1.1
-"""Factor from one duration to the next in the search for one that keeps the limits."""
+"""Factor from one duration to the next in the search for one that keeps the limits; where only durations between two
+of these keep them, it finds none or a longer one."""
 
-NEAR = 1e-9
-"""Relative length of the interval in which it is then known."""
+NEAR = 1e-13
+"""Relative length of the interval in which it is then known: much less than the digits in which it is told."""
+
+DIGITS = 6
+"""Significant digits of a duration that is told."""
+
+EXACT = 1e-12
+"""Relative excess over a number of so many digits that is rounding."""
 
 
 def run_along(
@@ -51,7 +59,7 @@ def run_along(
     ------
     InputError
         No limits and no duration, a limit that cannot be kept, or a duration that is too short for the limits; the
-        text says which is long enough.
+        text says which is long enough, or that the end speeds are to be lowered.
 
     Examples
     --------
@@ -89,7 +97,7 @@ def _stretched(
         raise InputError(f"duration: {kind.title} with speeds at its ends lasts {law.duration:.6g} s; leave it out")
     if duration < law.duration * (1.0 - SLACK):
         raise InputError(
-            f"duration: {duration:g} s is too short for the limits; it takes at least {law.duration:.6g} s"
+            f"duration: {duration:g} s is too short for the limits; it takes at least {_long_enough(law.duration)} s"
         )
     return Trajectory(path, law.stretched(duration / law.duration))
 
@@ -117,10 +125,16 @@ def _advice(kind: LawType, path: Path, limits: Limits, options: dict[str, Any], 
     if enough is None:
         ways.append("or lower sdot_start or sdot_end" if ways else "lower sdot_start or sdot_end")
     elif restless(options):
-        ways.append(f"{ramps}{enough:.6g} s is long enough")
+        ways.append(f"{ramps}{_long_enough(enough)} s is long enough")
     else:
-        ways.append(f"{ramps}it takes at least {enough:.6g} s")
+        ways.append(f"{ramps}it takes at least {_long_enough(enough)} s")
     return ", ".join(ways)
+
+
+def _long_enough(seconds: float) -> str:
+    """Return a positive duration in six digits, rounded up: rounded down it would be too short."""
+    unit = 10.0 ** (math.floor(math.log10(seconds)) - DIGITS + 1)
+    return f"{math.ceil(seconds * (1.0 - EXACT) / unit) * unit:.{DIGITS}g}"
 
 
 def _free(kind: LawType, path: Path, limits: Limits, options: dict[str, Any]) -> float | None:
