@@ -138,6 +138,8 @@ def test_speeds_and_torques_of_the_motors_have_the_power_of_the_joints(truth):
         ({"lead": 0.0}, "lead of the screw of joint 1: expected a positive number"),
         ({"ratio": [1.0, 2.0, 3.0]}, "ratio: expected 2 numbers"),
         ({"at_motor": [True, False, True]}, "encoder at the motor: expected 2 values, true or false, got shape"),
+        ({"at_motor": None}, "encoder at the motor: expected 2 values, true or false, got None"),
+        ({"at_motor": [2, 0]}, r"encoder at the motor: expected 2 values, true or false, got \[2, 0\]"),
         ({"counts": math.inf}, "counts of the encoder of joint 1: expected a positive number, got inf"),
     ],
 )

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.checks import as_floats
+from armlab.kin.checks import as_floats, wrong
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -114,9 +114,13 @@ def joint_drives(
 
 
 def _flags(values: ArrayLike, where: str, n: int) -> Flags:
-    array = as_floats(values, where, f"{n} values, true or false")
+    expected = f"{n} values, true or false"
+    array = as_floats(values, where, expected)
     if array.shape not in ((), (n,)):
-        raise InputError(f"{where}: expected {n} values, true or false, got shape {array.shape}")
+        raise InputError(f"{where}: expected {expected}, got shape {array.shape}")
+    if not np.isin(array, (0.0, 1.0)).all():
+        # None, which becomes no number, and 2 are not 0, yet no flags either.
+        raise wrong(where, expected, values)
     return np.array(np.broadcast_to(array != 0.0, (n,)))
 
 
