@@ -57,6 +57,15 @@ def test_a_double_s_with_much_jerk_is_a_trapezoid(rng):
         assert law.duration == pytest.approx(trapezoid.duration, rel=1e-4, abs=1e-5)
 
 
+@pytest.mark.parametrize("ends", [{"sdot_start": 1.0}, {"sdot_end": 1.0}])
+def test_an_end_at_rest_keeps_no_limit_of_jerk_where_the_other_end_moves(ends):
+    """Half a metre from 1 m/s to rest at 1 m/s² or the other way: one ramp, whose acceleration jumps at the rest."""
+    law = law_type("trapezoidal").within(Limits(1.0, 1.0), 0.5, **ends)
+    assert (law.continuity, law.continuity_from_rest) == (3, 0)
+    with pytest.raises(InputError, match="limit of jerk: the acceleration of .* jumps, so no time keeps it"):
+        law_type("trapezoidal").within(Limits(1.0, 1.0, 5.0), 0.5, **ends)
+
+
 @pytest.mark.parametrize("much", [10.0**k for k in (13, 14, 17, 20, 60)])
 def test_ramps_too_short_to_be_told_from_none_are_jumps(much):
     trapezoid, double_s = law_type("trapezoidal"), law_type("double_s")

@@ -116,7 +116,18 @@ class Law(ABC):
     @property
     def continuity_from_rest(self) -> float:
         """The class of the whole motion with rest before and after it: 0 if the speed jumps at an end."""
-        return float(self._classes.min())
+        return self.continuity_with((False, False))
+
+    def continuity_with(self, moving: tuple[bool, bool]) -> float:
+        """Return the class of the motion with rest before and after it, without the ends at which it is to move.
+
+        Parameters
+        ----------
+        moving : (bool, bool)
+            Whether it begins, and whether it ends with a speed; what jumps at such an end does not count.
+        """
+        begin, end = (int(moves) for moves in moving)
+        return float(self._classes[begin : len(self._classes) - end].min(initial=SMOOTH))
 
     def _extremes(self, order: int) -> Extremes:
         degree = None if self.degree is None else max(self.degree - order, 0)

@@ -15,7 +15,7 @@ from armlab.kin import timing as _folder
 from armlab.kin.arm import Arm
 from armlab.kin.checks import wrong
 from armlab.kin.field import Field, checked_options, positive
-from armlab.kin.motion.along import fastest_along, restless
+from armlab.kin.motion.along import fastest_along, moving_ends
 from armlab.kin.motion.breaks import SMOOTH_ENOUGH
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.limits import Limits, limits_of
@@ -102,7 +102,7 @@ class LawType:
             time, a wrong option, or a law that depends on the path.
         """
         law = self.shaped(limits, distance, **options)
-        smooth = law.continuity if restless(options) else law.continuity_from_rest
+        smooth = law.continuity_with(moving_ends(options))
         _, acceleration, jerk = limits.bounded
         if acceleration and smooth < 1:
             raise InputError(f"limit of acceleration: {jumping(self.title, 'speed')}")
