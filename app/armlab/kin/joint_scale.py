@@ -25,3 +25,20 @@ def joint_scale(arm: Arm) -> NDArray[np.float64]:
     """Return `counted_speeds` (n,), or ones when all joints are revolute or all prismatic."""
     speeds = counted_speeds(arm)
     return np.ones(arm.n) if speeds is None else speeds
+
+
+def jacobian_size(arm: Arm, speeds: NDArray[np.float64], length: float = 1.0) -> float:
+    """Return the size of the scaled task Jacobian of an arm: of what its fastest joint does to the tool.
+
+    A joint that turns moves the tool by the length scale times its speed, one that slides by its speed.
+
+    Parameters
+    ----------
+    arm : Arm
+    speeds : ndarray, shape (n,)
+        Speed of each joint, rad/s or m/s, that counts as 1.
+    length : float
+        Metres that count as 1 in a task without rotation; in others the length scale does.
+    """
+    moves = speeds * np.where(arm.revolute, arm.length_scale, 1.0)
+    return float(moves.max()) / (length if arm.task.rotation == "none" else arm.length_scale)

@@ -45,6 +45,13 @@ def test_where_none_is_near_there_is_none_and_at_one_it_is_here():
     assert (here.away, here.q.tolist()) == (0.0, [0.3, 0.0])
 
 
+def test_a_jacobian_that_is_no_number_somewhere_is_not_taken_for_zero():
+    task = ScaledTask(catalogue()["planar_2r"].arm)
+    J = np.array([[[math.nan, 1.0], [2.0, 3.0]], [[1e-17, 0.0], [0.0, -1e-17]]])
+    np.testing.assert_array_equal(task.scaled(J), [J[0], np.zeros((2, 2))])
+    np.testing.assert_array_equal(task.scaled(J[0]), J[0])
+
+
 ONE_ROW = {"x": ((1.0,), [3.0], 0, math.pi), "y": ((1.0, 0.8), [math.pi / 2, 0.1], 1, 0.0)}
 
 

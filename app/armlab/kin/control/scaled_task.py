@@ -15,6 +15,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.ik.iterate.misfit import HALF_TURN_SINE, approach_error, rotation_vector, turn_about_z
 from armlab.kin.ik.iterate.problem import Problem
 from armlab.kin.ik.iterate.task_vector import TaskVector
+from armlab.kin.joint_scale import jacobian_size
 
 Floats = NDArray[np.float64]
 
@@ -56,8 +57,7 @@ class ScaledTask:
         self.row_units, self.joint_units = problem.row_units, problem.units
         self.length, self.sigma_unit = problem.length, problem.sigma_unit
         self.both = self.row_units[:, None] * self.joint_units
-        moves = self.joint_units * np.where(arm.revolute, arm.length_scale, 1.0)
-        self.size = float(moves.max()) / (self.length if arm.task.rotation == "none" else arm.length_scale)
+        self.size = jacobian_size(arm, self.joint_units, self.length)
         self._nothing = ROUNDING * self.size
         self._plain = bool(np.all(self.both == 1.0))
         self._turn = np.array(arm.base[:3, :3].T)
@@ -95,8 +95,8 @@ class ScaledTask:
     def scaled(self, J: Floats) -> Floats:
         """Return a task Jacobian (..., m, n) in scaled, dimensionless form; zero where all of it is rounding."""
         scaled = J if self._plain else np.asarray(J * self.both)
-        counts = np.abs(scaled).max(axis=(-2, -1)) > self._nothing
-        return scaled if counts.all() else np.where(counts[..., None, None], scaled, 0.0)
+        nothing = np.abs(scaled).max(axis=(-2, -1)) <= self._nothing
+        return np.where(nothing[..., None, None], 0.0, scaled) if nothing.any() else scaled
 
     def speeds(self, scaled: Floats) -> Floats:
         """Return joint speeds in rad/s and m/s from scaled ones, (..., n)."""

@@ -18,7 +18,7 @@ from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import as_floats, finite_floats, wrong
 from armlab.kin.ellipsoid import RANK_TOLERANCE
-from armlab.kin.joint_scale import joint_scale
+from armlab.kin.joint_scale import jacobian_size, joint_scale
 from armlab.kin.spare import task_jacobian
 
 Array = NDArray[np.float64]
@@ -176,12 +176,8 @@ def task_lengths(arm: Arm) -> Array:
 
 
 def task_size(arm: Arm) -> float:
-    """Return the size of the scaled task Jacobian of an arm: of what its fastest joint does to the tool.
-
-    A joint that turns moves the tool by the length scale times its speed, one that slides by its speed.
-    """
-    moves = joint_scale(arm) * np.where(arm.revolute, arm.length_scale, 1.0)
-    return float(moves.max()) / (1.0 if arm.task.rotation == "none" else arm.length_scale)
+    """Return the size of the task Jacobian of an arm, scaled where units are mixed; see `jacobian_size`."""
+    return jacobian_size(arm, joint_scale(arm))
 
 
 def task_subspaces(arm: Arm, q: ArrayLike, tolerance: float = RANK_TOLERANCE) -> Subspaces:
