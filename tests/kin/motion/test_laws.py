@@ -62,7 +62,7 @@ def test_an_end_at_rest_keeps_no_limit_of_jerk_where_the_other_end_moves(ends):
     """Half a metre from 1 m/s to rest at 1 m/s² or the other way: one ramp, whose acceleration jumps at the rest."""
     law = law_type("trapezoidal").within(Limits(1.0, 1.0), 0.5, **ends)
     assert (law.continuity, law.continuity_from_rest) == (3, 0)
-    with pytest.raises(InputError, match="limit of jerk: the acceleration of .* jumps, so no time keeps it"):
+    with pytest.raises(InputError, match=r"limit of jerk: the acceleration of .* jumps, so no time keeps it"):
         law_type("trapezoidal").within(Limits(1.0, 1.0, 5.0), 0.5, **ends)
 
 
