@@ -7,6 +7,8 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.kin.arm import Arm
+from armlab.kin.rotations import rotation_from_sequence
+from armlab.kin.transforms import transform
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.planar_regions import regions
 from armlab.kin.workspace.section_size import has_no_size, size
@@ -113,6 +115,23 @@ def test_a_plane_that_a_locked_joint_stands_on_is_not_planar_in_its_coordinates(
     along_axis = Arm.from_dh([("R", 0, 0, 0, 0), ("P", 0, 0, 0, 0)])
     assert not first_joint(along_axis).planar
     assert first_joint(catalogue()["planar_3r"].arm).planar
+
+
+@pytest.mark.parametrize(
+    "turn", [(0.0, 0.0, 0.0), (0.3, 0.2, 0.1), (1.0, -2.0, 0.5), (-0.4, 1.3, 2.2), (2.0, 2.0, 2.0)]
+)
+@pytest.mark.parametrize("row", [("P", 0, 0, 0, 0), ("P", 0.3, 0.4, 0, 0.2)])
+def test_whether_a_slide_stays_in_a_plane_does_not_depend_on_how_the_base_is_turned(row, turn):
+    """A locked slide alone reaches one point, with a second slide a line: a plane along the first goes through both."""
+    base = transform(rotation_from_sequence("xyz", turn), [0.1, -0.2, 0.3])
+    second, short = ("P", 0, 0.5, 0, 0.7), [0.0, 1e-6]
+    for rows, limits in (([row], [[0.2, 0.2]]), ([row, second], [[0.2, 0.2], [0, 1]]), ([row, second], [short, short])):
+        arm = Arm.from_dh(rows, limits=limits, base=base)
+        found = first_joint(arm)
+        assert found.planar
+        q = arm.limits[:, 0] + np.ptp(arm.limits, axis=1) * np.random.default_rng(0).random((50, arm.n))
+        assert np.ptp(found.split(arm.position(q))[:, 1]) < 1e-9
+        np.testing.assert_allclose(found.axes.T @ found.axes, np.eye(3), rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -130,16 +130,26 @@ def first_joint(arm: Arm) -> FirstJoint:
     moves = np.linalg.norm(arm.jacobian(q)[:, :3, :], axis=1).max(axis=0) > STILL * (arm.reach or 1.0)
     moving = tuple(i for i in range(1, arm.n) if moves[i])
     points = np.asarray(arm.position(q), dtype=np.float64)
-    spread, normals = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[1:]
-    planar = bool(spread[2] <= STILL * (arm.reach or 1.0) * SAMPLES)
-    if revolute and planar:
-        # The plane has to be one that joint 1 keeps: it does not when that is locked, or the tool stays on its axis.
-        planar = bool(np.ptp((points - origin) @ axis) <= STILL * (arm.reach or 1.0))
-    elif planar:
-        # Joint 1 leaves the plane where it is locked and does not slide along it.
-        planar = bool(abs(normals[2] @ axis) <= STILL * SAMPLES)
-    second = normals[2] if planar and not revolute else None
+    still, second = STILL * (arm.reach or 1.0), None
+    if revolute:
+        # A plane in which the tool stays may be no plane across the axis: where joint 1 is locked, for one.
+        planar = bool(np.ptp((points - origin) @ axis) <= still)
+    else:
+        planar, second = _plane_along(axis, points, still * SAMPLES)
     return FirstJoint(arm, revolute, np.asarray(origin), _frame(axis, second, R), moving, planar)
+
+
+def _plane_along(axis: Floats, points: Floats, still: float) -> tuple[bool, Floats | None]:
+    """Return whether points (k, 3) lie in a plane along an axis, and its normal (3,); None where many planes do.
+
+    Seen along the axis they lie on a line then, or all at one place: no normal is needed that a locked joint, with
+    points on a line or close to each other, would leave to rounding.
+    """
+    shifts = points - points.mean(axis=0)
+    across = shifts - np.outer(shifts @ axis, axis)
+    spread, directions = np.linalg.svd(across, full_matrices=False)[1:]
+    planar = bool(spread[1] <= still)
+    return planar, np.cross(axis, directions[0]) if planar and spread[0] > still else None
 
 
 def _configurations(arm: Arm) -> Floats:

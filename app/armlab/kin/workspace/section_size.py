@@ -37,7 +37,7 @@ MOST_FILLED, MOST_CELLS = 4.0, 64.0
 """Largest number of filled cells and of all cells at which they are halved, as multiples of the resolution squared."""
 
 RANK = 1e-9
-"""Singular value, relative to the largest, below which it counts as zero."""
+"""Singular value, relative to the reach, below which it counts as zero."""
 
 
 @dataclass(frozen=True)
