@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-WAIT = 60.0
+WAIT = 120.0
 """Seconds to wait for what is certain to come."""
 
 LOOK = 1.0
