@@ -128,6 +128,15 @@ def test_too_few_steps_and_going_to_and_fro_are_told_apart():
     assert hole.reason.startswith(("not reached in 200 steps: the iterates oscillate", "jumped"))
 
 
+def test_iterates_whose_cost_only_falls_do_not_oscillate():
+    arm = catalogue()["planar_3r"].arm
+    T, start = arm.fk([-2.8, -0.7, -0.8]), [3.0, -0.3, -1.1]
+    slow = ik.iterate(arm, T, start, "ccd", limits="none", most=60)
+    assert np.all(np.diff(slow.cost) < 0)
+    assert slow.reason == "not reached in 60 steps: the iterates come closer very slowly, if at all"
+    assert ik.iterate(arm, T, start, "ccd", limits="none", most=1000).success
+
+
 def test_a_first_step_beyond_all_bounds_is_told_without_counting_to_zero():
     trace = ik.iterate(TWO_R, TWO_R.fk([0.3, 1.0]), [0.1, 1e-10], "newton", limits="none")
     assert (trace.status, len(trace.q)) == ("diverged", 1)

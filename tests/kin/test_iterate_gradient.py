@@ -62,6 +62,18 @@ def test_near_a_solution_the_gradient_diverges_above_the_bound_and_converges_bel
     assert "m⁻²" in above.reason
 
 
+def test_a_run_that_comes_closer_has_not_diverged_though_an_iterate_exceeds_the_bound():
+    T, start = at(0.5, 0.5), np.radians([70.0, 10.0])
+    alpha = {"alpha": 0.6}
+    few = ik.iterate(TWO_R, T, start, "gradient", parameters=alpha, most=30, limits="none")
+    assert 0.6 * few.sigma_max[15:].max() ** 2 > 2.0
+    assert few.reason == "not reached in 30 steps, still converging: more steps may reach it"
+    assert ik.iterate(TWO_R, T, start, "gradient", parameters=alpha, limits="none").success
+    for most in (40, 60, 100):
+        far = {"parameters": {"alpha": 1.2}, "most": most, "limits": "none"}
+        assert ik.iterate(TWO_R, at(0.9, 0.7), np.radians([20.0, 60.0]), "gradient", **far).status == "diverged"
+
+
 def test_the_stretched_arm_pulled_along_its_own_line_stays_stuck_and_says_so(truth):
     case = truth["C4.4.2-gradient-stuck"]
     for turn in (0.0, 0.3, 2.0):

@@ -98,6 +98,21 @@ def test_newton_jumps_near_a_singularity_and_says_so():
     assert not longer.success or "after a jump" in longer.reason
 
 
+@pytest.mark.parametrize(
+    ("method", "start", "solution"),
+    [
+        ("gradient_search", [-0.6, -1.0], [1.3, 0.7]),
+        ("dls_sigma", [0.1, 2.4], [2.4, 1.3]),
+        ("gauss_newton", [2.1, 2.4], [-1.9, 1.3]),
+    ],
+)
+def test_a_jump_far_from_any_singularity_is_not_put_down_to_one(method, start, solution):
+    trace = ik.iterate(TWO_R, TWO_R.fk(solution), start, method, limits="none", most=30)
+    before = trace.jumps[0] - 1
+    assert trace.sigma_min[before] > 0.4 * trace.sigma_max[before]
+    assert trace.reason.startswith("jumped: a step turned a joint by more than half a turn, first in step")
+
+
 def test_newton_has_no_step_where_the_jacobian_has_no_inverse():
     trace = ik.iterate(TWO_R, at(1.2, 0.4), [0.3, 0.0], "newton")
     assert (trace.status, trace.iterations) == ("singular", 0)

@@ -17,8 +17,14 @@ NEARLY = 1e-6
 FEW = 10
 """Smallest number of steps from which an iteration may be said to oscillate."""
 
+NEAR = 0.1
+"""Smallest singular value, relative to the largest, up to which a jump is put down to a singularity."""
+
 NO_CLOSER = 0.99
 """Best cost of the second half of the steps, relative to that of the first, above which there is no progress."""
+
+RISE = 1e-9
+"""Relative rise of the cost in a step that is more than rounding."""
 
 
 def jumps_of(problem: Problem, step: Floats) -> tuple[int, ...]:
@@ -32,8 +38,7 @@ def verdict(
     method: IterationMethod,
     parameters: Parameters,
     fate: Fate,
-    last: Point,
-    sigma_max: Floats,
+    points: Point,
     cost: Floats,
     jumps: tuple[int, ...],
 ) -> tuple[Status, str]:
@@ -41,13 +46,13 @@ def verdict(
 
     Parameters
     ----------
-    last : Point
-        The last iterate, B = 1.
-    sigma_max, cost : ndarray, shape (k + 1,)
+    points : Point
+        All iterates, B = k + 1.
+    cost : ndarray, shape (k + 1,)
     """
-    k = len(sigma_max) - 1
     if fate == Fate.CONVERGED or problem.beyond:
-        return plain_verdict(problem, fate == Fate.CONVERGED, last, cost, jumps)
+        return plain_verdict(problem, fate == Fate.CONVERGED, points, cost, jumps)
+    last, k = _last(points), len(cost) - 1
     if fate in (Fate.STUCK, Fate.SINGULAR):
         held = at_limits(problem, last.q[0]) if problem.clamp and not is_flat(last)[0] else ()
         if fate == Fate.STUCK and held:
@@ -58,23 +63,25 @@ def verdict(
         return "representation", f"{text}; choose another sequence, or the rotation vector as error"
     if fate == Fate.LIMIT:
         return "limit", f"stopped at the limits of {_joints(at_limits(problem, last.q[0]))}"
-    warning = method.warn(problem, parameters, sigma_max[len(sigma_max) // 2 :]) if method.warn else ""
+    # A run whose cost only falls has not diverged, whatever bound one of its iterates exceeds.
+    failing = fate == Fate.DIVERGED or _rises(cost)
+    warning = method.warn(problem, parameters, points.sigma_max[len(cost) // 2 :]) if method.warn and failing else ""
     if warning:
         return "diverged", f"diverged: {warning}"
     if fate == Fate.DIVERGED:
         return "diverged", f"diverged: {_grown(last, k)}{_after(jumps)}"
-    return plain_verdict(problem, False, last, cost, jumps)
+    return plain_verdict(problem, False, points, cost, jumps)
 
 
 def plain_verdict(
-    problem: Problem, converged: bool, last: Point, cost: Floats, jumps: tuple[int, ...]
+    problem: Problem, converged: bool, points: Point, cost: Floats, jumps: tuple[int, ...]
 ) -> tuple[Status, str]:
     """Return status and reason of an iteration that converged or ran out of steps, the same for all methods."""
     if converged:
         return "converged", _converged(len(cost) - 1, jumps)
     if problem.beyond:
         return "out of reach", "out of reach: farther than the fully stretched arm"
-    return _unfinished(problem, last, cost, jumps)
+    return _unfinished(problem, points, cost, jumps)
 
 
 def _converged(k: int, jumps: tuple[int, ...]) -> str:
@@ -101,18 +108,41 @@ def _stuck(method: IterationMethod, fate: Fate, last: Point) -> tuple[Status, st
     return "stuck", "closest point from here: Jᵀe = 0, with more task components than joints"
 
 
-def _unfinished(problem: Problem, last: Point, cost: Floats, jumps: tuple[int, ...]) -> tuple[Status, str]:
+def _unfinished(problem: Problem, points: Point, cost: Floats, jumps: tuple[int, ...]) -> tuple[Status, str]:
     k = len(cost) - 1
     if jumps:
-        text = "jumped: near a singularity a step turned a joint by more than half a turn"
-        return "jumped", f"{text}, first in step {jumps[0]}; not reached in {_steps(k)}"
-    held = at_limits(problem, last.q[0]) if problem.clamp else ()
+        return "jumped", f"{_jumped(points, jumps[0])}; not reached in {_steps(k)}"
+    held = at_limits(problem, points.q[-1]) if problem.clamp else ()
     if held:
         return "limit", f"not reached in {_steps(k)}, at the limits of {_joints(held)}"
-    half = len(cost) // 2
-    if k >= FEW and cost[half:].min() > NO_CLOSER * cost[:half].min():
+    if k >= FEW and _rises(cost) and _no_closer(cost):
         return "most", f"not reached in {_steps(k)}: the iterates oscillate and come no closer"
+    if k >= FEW and not _rises(cost) and cost[-1] > NO_CLOSER * cost[len(cost) // 2]:
+        return "most", f"not reached in {_steps(k)}: the iterates come closer very slowly, if at all"
     return "most", f"not reached in {_steps(k)}, still converging: more steps may reach it"
+
+
+def _jumped(points: Point, first: int) -> str:
+    near = bool(points.sigma_min[first - 1] <= NEAR * points.sigma_max[first - 1])
+    return (
+        f"jumped: {'near a singularity ' if near else ''}a step turned a joint by more than half a turn, "
+        f"first in step {first}"
+    )
+
+
+def _no_closer(cost: Floats) -> bool:
+    half = len(cost) // 2
+    return bool(cost[half:].min() > NO_CLOSER * cost[:half].min())
+
+
+def _rises(cost: Floats) -> bool:
+    """Return whether the cost rises in a step of the second half, by more than rounding."""
+    late = cost[max(len(cost) // 2 - 1, 0) :]
+    return bool(np.any(late[1:] > (1.0 + RISE) * late[:-1]))
+
+
+def _last(points: Point) -> Point:
+    return points.take(np.array([-1]))
 
 
 def at_limits(problem: Problem, q: NDArray[np.float64]) -> tuple[int, ...]:

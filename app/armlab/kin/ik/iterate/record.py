@@ -134,8 +134,7 @@ def filmed(
     if why_not and fate != Fate.CONVERGED:
         status, reason = why_not
     else:
-        last = points.take(np.array([-1]))
-        status, reason = verdict(problem, method, parameters, fate, last, points.sigma_max, cost, jumps)
+        status, reason = verdict(problem, method, parameters, fate, points, cost, jumps)
     objective = None if method.objective is None else method.objective(problem, points.q)
     damping = np.array([stage.damping[i] for stage, i in at[:-1]], dtype=float)
     return _trace(problem, method.key, parameters, points, damping, status, reason, objective)
@@ -158,7 +157,7 @@ def replayed(
     points = problem.at(path)
     cost, jumps = _cost(problem, points), jumps_of(problem, np.diff(path, axis=0))
     added = np.zeros(len(path) - 1) if damping is None else damping(2.0 * cost[:-1])
-    status, reason = plain_verdict(problem, converged, points.take(np.array([-1])), cost, jumps)
+    status, reason = plain_verdict(problem, converged, points, cost, jumps)
     return _trace(problem, key, parameters, points, added, status, reason, None)
 
 
