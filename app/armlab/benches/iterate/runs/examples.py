@@ -113,7 +113,7 @@ EXAMPLES: Registry[Example] = Registry(
             "planar_3r",
             _degrees(0.0, 30.0, 30.0),
             (1.2, 1.2, 0.0),
-            (("newton", {}), ("null_space_w", {}), ("gradient", {})),
+            (("newton", {}), ("null_space_w", {}), ("ccd", {})),
             "Three joints for two components: every run ends with the tool on the target but in another "
             "configuration, for there are infinitely many.",
             task="xy",
