@@ -9,6 +9,7 @@ import pytest
 
 from armlab.benches.iterate.basins.job import JOB, drawn, known_solutions, run
 from armlab.benches.iterate.basins.state import (
+    ONE_JOINT,
     Basins,
     CancelBasins,
     DrawBasins,
@@ -372,6 +373,7 @@ def test_another_arm_has_another_step_size_and_an_edited_one_keeps_it():
 def test_an_arm_that_had_one_joint_and_gets_a_second_has_two_axes():
     one = opened("planar_2r", RemoveJoint(1))
     assert one[Basins].joints == (0, 0)
+    assert refusal(one) == ONE_JOINT
     two = apply(one, AddJoint(0))
     assert sorted(two[Basins].joints) == [0, 1]
     Basins.from_json(two[Basins].to_json(), two[RobotPart].robot)

@@ -1,6 +1,7 @@
 """The page of the map of basins: its picture, its choices over the wire, and what is said."""
 
 import io
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +11,7 @@ from PIL import Image
 from armlab.benches.iterate.basins.job import drawn
 from armlab.benches.iterate.basins.state import Basins, DrawBasins, MapMethod, StartInMap
 from armlab.benches.iterate.basins.ui.map import here, legend, places, standing
-from armlab.benches.iterate.basins.ui.page import choices_markup
+from armlab.benches.iterate.basins.ui.page import WHAT_TO_DO, choices_markup
 from armlab.benches.iterate.basins.ui.picture import (
     LEAST_SIDE,
     enlarged,
@@ -20,19 +21,22 @@ from armlab.benches.iterate.basins.ui.picture import (
     scale_of,
     solution_colour,
 )
+from armlab.benches.iterate.runs.commands import ChooseTask
 from armlab.benches.iterate.runs.state import Iterations
 from armlab.benches.iterate.runs.worked import run_of
 from armlab.content.robots import catalogue
 from armlab.kin.ik.iterate import Basins as Found
+from armlab.kin.ik.iterate import task_vector
 from armlab.kin.ik.iterate.basins import FAILED, NOT_YET
+from armlab.session.edits import RemoveJoint
 from armlab.session.field_words import SetFields
 from armlab.session.fields import Set
-from armlab.session.parts.joints import MoveJoint
+from armlab.session.parts.joints import LockJoint, MoveJoint
 from armlab.session.state import State, apply
 from armlab.ui.colours import BLUE, GREY, ORANGE
 from armlab.ui.html import joined
 from armlab.ui.units import units_of
-from support.forms import asked
+from support.forms import BareForm, asked
 from support.student import run, student
 
 
@@ -147,6 +151,29 @@ def test_the_end_of_the_film_is_told_only_where_the_map_answers_the_same_questio
     )
     for other in others:
         assert "As the map was asked for, a start there: ends in" in here(same.replace(other))
+
+
+def test_of_a_start_between_those_of_the_map_only_the_end_of_the_nearest_is_told(state):
+    begun = apply(state, StartInMap(0.75, 0.625))
+    part = begun[Iterations]
+    assert "The film's start: " in here(begun)
+    between = replace(part, start=(math.radians(90.0), math.radians(45.0)))
+    assert "The film's start. The nearest start of the map: ends in" in here(begun.replace(between))
+    other = replace(between, most=part.most - 1)
+    assert "As the map was asked for, the nearest start of the map: ends in" in here(begun.replace(other))
+
+
+def test_what_to_do_is_said_only_where_there_are_joints_to_spare():
+    def said(key, command):
+        state = apply(State.initial(catalogue()[key]), command)
+        return joined(choices_markup(BareForm(), state, units_of(state)))
+
+    arm = catalogue()["planar_3r"].arm
+    assert WHAT_TO_DO in said("planar_3r", ChooseTask(task_vector(arm, "xy")))
+    for command, why in ((RemoveJoint(1), "A map needs two joints that move"), (LockJoint(0, True), "not locked")):
+        text = said("planar_2r", command)
+        assert why in text
+        assert WHAT_TO_DO not in text
 
 
 @pytest.mark.parametrize(

@@ -118,6 +118,8 @@ class Basins(FieldPart):
 
 PART = PartType(Basins, order=98)
 
+ONE_JOINT = "a map needs two joints that move, and this arm has only one"
+
 
 def question_of(state: State) -> Question:
     """Return the request for a map with the present settings; locked joints keep their present values."""
@@ -140,13 +142,20 @@ def question_of(state: State) -> Question:
 def refusal(state: State) -> str:
     """Return why there can be no map with the present settings, or an empty text."""
     locked = state[Joints].locked
-    if locked.count(False) <= vector_of(state).m and not any(locked[joint] for joint in state[Basins].joints):
+    if len(locked) < 2:
+        return ONE_JOINT
+    if not has_joints_to_spare(state) and not any(locked[joint] for joint in state[Basins].joints):
         return ""
     try:
         question_of(state).pieces()
     except InputError as why:
         return str(why)
     return ""
+
+
+def has_joints_to_spare(state: State) -> bool:
+    """Return whether the arm has more joints that move than the task has components."""
+    return state[Joints].locked.count(False) > vector_of(state).m
 
 
 def belongs_elsewhere(state: State) -> bool:

@@ -32,6 +32,9 @@ TICKS = 4
 MOST_NAMED = 16
 """Largest number of rows of the legend."""
 
+SAME_START = 1e-12
+"""Largest difference, in rad or m, of a start of the map and a start of the film that are the same."""
+
 
 def map_markup(form: Form, found: Map, units: Units, begin: Picked) -> Markup:
     """Return the picture with axes, marks of the solutions, and the marks that `places` moves."""
@@ -181,7 +184,10 @@ def places(state: State) -> Markup | None:
 
 
 def here(state: State) -> str:
-    """Return the end of the film from the present start, read from the map; it is that of the film if all is equal."""
+    """Return the end of the film from the present start, read from the map; it is that of the film if all is equal.
+
+    A start between those of the map may end elsewhere than the nearest of them.
+    """
     found, start = state[Basins].map, state[Iterations].start
     if found is None:
         return ""
@@ -196,9 +202,16 @@ def here(state: State) -> str:
         if index == FAILED
         else f"ends in {index + 1} after {_steps(steps)}"
     )
-    if _is_of_film(state, found.question):
+    nearest = found.start(x, y)
+    there = all(abs(start[joint] - nearest[joint]) <= SAME_START for joint in found.question.joints)
+    same = _is_of_film(state, found.question)
+    if same and there:
         return f"◉ The arm. ◇ The film's start: {ends}."
-    return f"◉ The arm. ◇ The film's start. As the map was asked for, a start there: {ends}."
+    if same:
+        return f"◉ The arm. ◇ The film's start. The nearest start of the map: {ends}."
+    if there:
+        return f"◉ The arm. ◇ The film's start. As the map was asked for, a start there: {ends}."
+    return f"◉ The arm. ◇ The film's start. As the map was asked for, the nearest start of the map: {ends}."
 
 
 def _is_of_film(state: State, question: Question) -> bool:

@@ -17,6 +17,7 @@ from armlab.benches.iterate.basins.state import (
     MapRest,
     StartInMap,
     TakeJoint,
+    has_joints_to_spare,
     refusal,
     start_in_map,
 )
@@ -218,7 +219,8 @@ def _action(form: Form, state: State) -> Inside:
     why = refusal(state)
     press = form.button("draw", "Draw", DrawBasins(), "main", off=bool(why))
     if why:
-        return verdict_box("no", "No map", f"{capitalised(why)}. {WHAT_TO_DO}"), tag("div.bar", press)
+        advice = f" {WHAT_TO_DO}" if has_joints_to_spare(state) else ""
+        return verdict_box("no", "No map", f"{capitalised(why)}.{advice}"), tag("div.bar", press)
     if part.map is None:
         return tag("p.dim", MAP), tag("div.bar", press)
     return tag("div.bar", press, tag("span.dim", CLICK))
