@@ -30,7 +30,13 @@ DASHES = """() => [...document.querySelectorAll(".tray-plot:first-child .curve")
 ENDS = """() => [...document.querySelectorAll('.tray-plot:first-child .tray-svg text')]
   .map(each => each.textContent).filter(each => /^[−0-9.]+$/.test(each))"""
 TIME = "() => Number(document.querySelector('.al-time .now')?.textContent.split(' ')[0] ?? NaN)"
-TIMED = "() => document.querySelector('.tray-plot:first-child .tray-over').innerHTML"
+FOLLOWS = """() => {
+  const over = document.querySelector('.tray-plot:first-child .tray-over'), before = over.innerHTML;
+  window.armlabTray.time(0.2 + Math.random() / 2);
+  return over.innerHTML !== before;
+}"""
+"""Whether the cursor of the first plot follows the time of the page."""
+
 FOCUS = "() => document.activeElement.dataset.curve ?? document.activeElement.className"
 SIZE = (1180, 760)
 
@@ -137,9 +143,7 @@ def _lets_the_cursor_go_when_it_is_closed_in_the_hand(lab, page):
     lab.rest()
     open_tray(lab)
     page.mouse.move(5, 300)
-    before = page.evaluate(TIMED)
-    page.evaluate("() => window.armlabTray.time(0.41)")
-    lab.until(lambda: page.evaluate(TIMED) != before)
+    lab.until(lambda: page.evaluate(FOLLOWS))
 
 
 def _saves_files_and_closes_with_its_page(lab, page):

@@ -56,6 +56,7 @@
     },
     canScrub: plot => clipOf(plot.key) !== '',
     scrub: (plot, at, done) => {
+      if (plots.get(plot.key) !== plot) return; // it was closed in the hand
       scrubbed = !done;
       [place, waiting] = [at, clipOf(plot.key)];
       since = performance.now();
