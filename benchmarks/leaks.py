@@ -29,8 +29,8 @@ EACH = 5
 ALLOCATORS = {"malloc": "C's", "pymalloc": "Python's own"}
 """Values of PYTHONMALLOC, and the allocator of memory that each stands for.
 
-Python's own gives back whole megabytes only, in which nothing is left; C's gives back each free page of 4 kB, and so
-shows what is held.
+Python's own gives back whole megabytes only, in which nothing is left, C's pages of 4 kB: both keep more than is held,
+which is counted in blocks of Python's own.
 """
 
 LAB = """
@@ -43,7 +43,7 @@ for _ in sys.stdin:
     gc.collect()
     if sys.platform == "linux":
         ctypes.CDLL(None).malloc_trim(0)
-    print("tidy", flush=True)
+    print(sys.getallocatedblocks(), flush=True)
 lab.stop()
 """
 
@@ -56,10 +56,11 @@ class Lab:
         self.url = f"http://127.0.0.1:{int(process.stdout.readline())}/"
         self._server = servers.Server(self.url, (process.pid,))
 
-    def megabytes(self) -> float:
+    def tidied(self) -> tuple[float, float]:
+        """Return its memory in megabytes, and how many million blocks of it Python holds in its own allocator."""
         print("tidy up", file=self._process.stdin, flush=True)
-        self._process.stdout.readline()
-        return self._server.memory() / 1e6
+        blocks = int(self._process.stdout.readline())
+        return self._server.memory() / 1e6, blocks / 1e6
 
 
 @contextmanager
@@ -81,13 +82,14 @@ def lab(allocator: str) -> Iterator[Lab]:
 def measure() -> Iterator[str]:
     yield f"Once garbage is collected and free memory given back; in brackets its part of that after the first {WARM}."
     yield ""
-    yield "| what has happened | " + " | ".join(f"memory, {name} allocator" for name in ALLOCATORS.values()) + " |"
-    yield "| --- |" + " --- |" * len(ALLOCATORS)
+    heads = [*(f"memory, {name} allocator" for name in ALLOCATORS.values()), "blocks that are held"]
+    yield "| what has happened | " + " | ".join(heads) + " |"
+    yield "| --- |" + " --- |" * len(heads)
     points, _ = drag.script()
     with ExitStack() as opened:
         labs = [opened.enter_context(lab(allocator)) for allocator in ALLOCATORS]
         cookies = [[cookie_of(each.url) for _ in range(STUDENTS)] for each in labs]
-        yield f"| nobody has come yet | {' | '.join(f'{each.megabytes():.0f} MB' for each in labs)} |"
+        yield f"| nobody has come yet | {' | '.join(_shown(_found(labs)))} |"
         bases: list[float] = []
         for said, story in (
             (f"{WARM} students have come, dragged and gone", lambda url, known: come(url, known, WARM, points)),
@@ -99,10 +101,21 @@ def measure() -> Iterator[str]:
             for each, known in zip(labs, cookies, strict=True):
                 asyncio.run(story(each.url, known))
             time.sleep(GONE)
-            found = [each.megabytes() for each in labs]
+            found = _found(labs)
             bases = bases or found
-            shown = (f"{now:.0f} MB ({now / base:.2f})" for now, base in zip(found, bases, strict=True))
+            shown = (f"{text} ({now / base:.2f})" for text, now, base in zip(_shown(found), found, bases, strict=True))
             yield f"| {said} | {' | '.join(shown)} |"
+
+
+def _found(labs: list[Lab]) -> list[float]:
+    """Return the memory of each lab, and the blocks that are held in the last, which has Python's own allocator."""
+    found = [each.tidied() for each in labs]
+    return [*(memory for memory, _ in found), found[-1][1]]
+
+
+def _shown(found: list[float]) -> list[str]:
+    *memory, blocks = found
+    return [*(f"{each:.0f} MB" for each in memory), f"{blocks:.2f} million"]
 
 
 async def come(url: str, cookies: list[str], count: int, points: np.ndarray) -> None:
