@@ -59,6 +59,17 @@ def moved_rows(rows: Rows, size: float, rng: np.random.Generator) -> Rows:
     ]
 
 
+def first_rows(rng: np.random.Generator, n: int, wrist: bool) -> Rows:
+    """Return joints that turn or slide, with quarter- and half-turn twists and half their lengths zero; and a wrist."""
+    a, d = rng.uniform(-1, 1, (2, n)) * (rng.random((2, n)) > 0.5)
+    twists = rng.choice([*QUARTERS, np.pi], n)
+    rows = [["P" if rng.random() < 0.4 else "R", a[i], twists[i], d[i], 0.0] for i in range(n)]
+    for row in rows:
+        row[4] = float(rng.choice([0.0, 0.0, np.pi / 2])) if row[0] == "P" else 0.0
+    turning = [["R", 0.0, np.pi / 2, rng.uniform(-1, 1), 0.0], ["R", 0.0, -np.pi / 2, 0.0, 0.0]]
+    return [*rows, *turning, ["R", 0.0, 0.0, rng.uniform(-1, 1), 0.0]] if wrist else rows
+
+
 def some_six(rng: np.random.Generator) -> tuple[str, Arm]:
     """Return a random arm of six turning joints with its kind, or a robot with its name."""
     kind = rng.integers(4)

@@ -13,6 +13,7 @@ from armlab.kin.task import task_named
 from judging.arms import (
     QUARTERS,
     arm_of,
+    first_rows,
     fold_along,
     general_rows,
     grown,
@@ -256,6 +257,24 @@ def sliding(rng: np.random.Generator) -> Iterator[Case]:
                 yield made(arm, inside(arm, rng), f"{kinds} for {arm.task.key}")
 
 
+def rounded(rng: np.random.Generator) -> Iterator[Case]:
+    """Tables whose quarter and half turns are typed with 3 to 12 decimals, of any size; joints at zero among others."""
+    while True:
+        n, wrist, decimals = int(rng.integers(2, 6)), rng.random() < 0.3, int(rng.integers(3, 13))
+        size = 10.0 ** float(rng.choice([0, 0, 0, -3, 3]))
+        rows = first_rows(rng, 3 if wrist else n, wrist)
+        for row in rows:
+            row[1:] = [size * row[1], np.round(row[2], decimals), size * row[3], np.round(row[4], decimals)]
+        arm = arm_of(rows, task="pose") if wrist else arm_of(rows)
+        if Probe(arm).least(turns(rng, arm.n)) > 1e-3:
+            for _ in range(3):
+                zeros = rng.choice([0.0, 0.0, np.pi, np.pi / 2], arm.n)
+                q = np.where(rng.random(arm.n) < 0.3, np.where(arm.revolute, zeros, 0.0), turns(rng, arm.n))
+                q = np.where(arm.revolute, q, size * q / np.pi)
+                kinds = "".join(row[0] for row in rows)
+                yield made(arm, q, f"{kinds} for {arm.task.key}, {decimals} decimals, {size:.0e} times as large")
+
+
 def spare(rng: np.random.Generator) -> Iterator[Case]:
     """Robots with joints to spare, anywhere and on lattices, and random arms of seven to twelve joints with limits."""
     arms = {key: arm for key, arm in robots().items() if arm.n > 6}
@@ -297,8 +316,8 @@ def hard(rng: np.random.Generator) -> Iterator[Case]:
 
 CLASSES: dict[str, tuple[Maker, int]] = {
     "general 6R": (general, 1500),
-    "structured 6R, moved by 0, 1e-10 to 1e-2": (structured, 3600),
-    "neighbouring axes one line to 0, 1e-10 to 1e-2": (nearly_one_line, 2400),
+    "structured 6R, moved by 0, 1e-10 to 1e-2": (structured, 3200),
+    "neighbouring axes one line to 0, 1e-10 to 1e-2": (nearly_one_line, 2000),
     "robots of 6 joints on lattices of 90, 45, 30 degrees": (lattices, 3200),
     "joints at 0, a quarter, half a turn + 0, 1e-10 to 1e-2": (zeros, 1500),
     "singular for one to three reasons + 0, 1e-10 to 1e-2": (singular, 1500),
@@ -311,5 +330,6 @@ CLASSES: dict[str, tuple[Maker, int]] = {
     "fewer than 6 joints": (fewer, 1000),
     "with slides": (sliding, 300),
     "7 to 12 joints": (spare, 400),
+    "tables with 3 to 12 decimals": (rounded, 800),
 }
 """By title: who makes them, and how many there are of 20,000."""

@@ -173,7 +173,7 @@ class _Trial:
     def _of_reached(self, q: np.ndarray) -> np.ndarray:
         """Return the larger of both errors of configurations (k, n), as parts of what counts as reached."""
         place, turn = self.probe.errors(q, self.G)
-        return np.maximum(place / min(REACHED, OF_REACH * self.case.arm.reach), turn / REACHED)
+        return np.maximum(place / (min(REACHED, OF_REACH * self.case.arm.reach) or REACHED), turn / REACHED)
 
     def _not_reached(self) -> Iterator[Charge]:
         if len(self.rows):

@@ -311,3 +311,22 @@ def test_what_the_closed_form_found_at_a_very_singular_pose_is_not_lost():
     assert worst_error(arm, found.q, arm.fk(q)) < REACHED_M
     # Known to the rounding over the singular value 2e-10, along its direction.
     assert apart(arm, found.q, np.array(q)).min() < 1e-4 or found.completeness == "infinite"
+
+
+def test_solutions_that_a_rounded_table_leaves_side_by_side_are_told_of():
+    """At a fold of an arm whose angles are quarter and half turns but for their digits, and not their middle."""
+    quarter, half = 1.57079633, 3.14159265
+    rows = [
+        ("R", 0.0, -quarter, 0.0, 0.0),
+        ("P", -0.9949502207312069, half, -0.04297382714338105, quarter),
+        ("R", 0.6378354636338068, 0.0, 0.0, 0.0),
+        ("R", 0.0, quarter, -0.020751626075412144, 0.0),
+        ("R", 0.0, -quarter, 0.0, 0.0),
+        ("R", 0.0, 0.0, 0.7270563762827467, 0.0),
+    ]
+    arm = Arm.from_dh(rows, task="pose")
+    q = [-0.9884440641598204, 0.0, 0.0, -2.384262991358076, 1.3920004051452022, 0.08037932330645559]
+    found = solve_all(arm, arm.fk(q))
+    assert found.completeness == "at least"
+    assert np.round(found.q[:, 0], 6).tolist() == [-0.988444] * 2 + [2.152542] * 2 + [2.153755] * 2
+    assert max(np.abs(arm.fk(row) - arm.fk(q)).max() for row in found.q) < 1e-9

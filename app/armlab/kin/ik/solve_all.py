@@ -12,6 +12,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.checks import whole_number
 from armlab.kin.ik.amounts import missed_in_words
 from armlab.kin.ik.answer import BEYOND, SURFACE, Answer, Verified, in_order, is_beyond, verified
+from armlab.kin.ik.beside import beside
 from armlab.kin.ik.branches import branch_names
 from armlab.kin.ik.closed_form import SAMPLES, closed_form_of, known_structure
 from armlab.kin.ik.general_6r import solve_general
@@ -155,7 +156,8 @@ def _is_family(arm: Arm, T: Vector, rows: Sequence[Vector]) -> bool:
 def _with_descents(arm: Arm, T: Vector, seed: int, some: Verified, key: str, why: str) -> Answer:
     """Return the solutions of a closed form at a singular pose, and those that descents find besides."""
     G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
-    every = verified(arm, T, [*some.rows, *many_starts(arm, G, seed=seed, starts=DESCENTS)])
+    starts = [*beside(arm, some.rows, G), *many_starts(arm, G, seed=seed, starts=DESCENTS)]
+    every = verified(arm, T, [*some.rows, *starts])
     if any(_moves(arm, row, T, None) for row in every.rows):
         reason = "Some of them move while the tool stands still."
         return Answer(every.rows[:SURFACE], "infinite", reason, key, why)
