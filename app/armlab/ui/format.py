@@ -46,6 +46,15 @@ def trimmed(value: float, decimals: int) -> str:
     return text.rstrip("0").rstrip(".") if "." in text else text
 
 
+def so_many(count: int | str, noun: str) -> str:
+    """Return a number, perhaps with a sign, and what is counted, in the singular where it is one.
+
+    >>> so_many(1, "joint"), so_many(0, "joint"), so_many("−1", "more point"), so_many("1.5", "year")
+    ('1 joint', '0 joints', '−1 more point', '1.5 years')
+    """
+    return f"{count} {noun}{'' if str(count).lstrip('+−-') == '1' else 's'}"
+
+
 def readable(value: float, decimals: int) -> str:
     """Return a number for a field, which reads back as nearly the same value, however small it is.
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from armlab.content.lessons import hurry, lessons_read
 from armlab.errors import ContentError
 from armlab.ui.form import Form, Pressed
+from armlab.ui.format import so_many
 from armlab.ui.html import Markup, tag
 from armlab.ui.markup import verdict_box
 
@@ -31,5 +32,5 @@ def broken_files(kind: str, problems: Sequence[ContentError]) -> Markup | None:
     """Return the mistakes in files of a kind, or nothing if there are none."""
     if not problems:
         return None
-    head = f"{len(problems)} mistake{'s' if len(problems) > 1 else ''} in {kind} files"
+    head = f"{so_many(len(problems), 'mistake')} in {kind} files"
     return verdict_box("no", head, [tag("p", str(problem)) for problem in problems])

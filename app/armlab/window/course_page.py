@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from armlab.content.course import Chapter, Course
 from armlab.content.lesson_head import Head, time_said
 from armlab.content.outline import Outline
+from armlab.ui.format import so_many
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.paper import address, document
 
@@ -48,7 +49,7 @@ def course_page(outline: Outline, key: str = "") -> str | None:
 def _head(course: Course, outline: Outline) -> Markup:
     count = len(course.lessons)
     minutes = time_said(sum(outline.heads[key].minutes for key in course.lessons))
-    told = ", ".join(filter(None, (f"{count} lesson{'s' if count > 1 else ''}", minutes)))
+    told = ", ".join(filter(None, (so_many(count, "lesson"), minutes)))
     about = tag("p", course.about) if course.about else None
     hint = tag("p.small.hint", "Ctrl+P prints this page. A title opens its lesson.")
     name = tag("div", tag("span", "Name"), tag("span", "Date"))

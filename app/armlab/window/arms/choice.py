@@ -9,6 +9,7 @@ from armlab.content.languages import ENGLISH, words_in
 from armlab.content.query import plain
 from armlab.content.robots import FAMILIES, Robot, catalogue
 from armlab.ui.form import Form, Wish
+from armlab.ui.format import so_many
 from armlab.ui.html import Inside, Markup, styles, tag
 from armlab.ui.picks import broken_files
 from armlab.ui.png import as_address
@@ -91,7 +92,7 @@ def kinds_of(robot: Robot) -> str:
 
 
 def _joints(robot: Robot) -> str:
-    return f"{robot.arm.n} joint{'s' if robot.arm.n > 1 else ''}"
+    return so_many(robot.arm.n, "joint")
 
 
 def _new(form: Form, begin: Callable[[], Wish]) -> Markup:

@@ -8,6 +8,7 @@ from armlab.content.index import LONGEST, Entry
 from armlab.content.rows import rows
 from armlab.session.state import State
 from armlab.ui.form import Form, Pressed, Typed
+from armlab.ui.format import so_many
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.search_button import glass
 from armlab.window.search.offers import Offer
@@ -153,5 +154,5 @@ def _leads(entry: Entry) -> str:
     if entry.absent:
         return f"{entry.detail} · {entry.absent}"
     counts = ((len(entry.lessons), "lesson"), (len(entry.benches), "page"))
-    told = ", ".join(f"{count} {word}{'s' if count > 1 else ''}" for count, word in counts if count)
+    told = ", ".join(so_many(count, word) for count, word in counts if count)
     return f"{entry.detail} · {told}" if told else entry.detail

@@ -26,7 +26,7 @@ from armlab.session.state import Post, State
 from armlab.ui.colours import BLUE, GREY, css
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import capitalised, dot, mathml, number, readable, scientific
+from armlab.ui.format import capitalised, dot, mathml, number, readable, scientific, so_many
 from armlab.ui.html import Inside, Markup, classes, joined, tag
 from armlab.ui.markup import verdict_box
 from armlab.ui.matrices import copy_buttons
@@ -151,7 +151,7 @@ def head_markup(form: Form, part: Exponential) -> Markup:
 def results_markup(part: Exponential) -> Markup:
     """Return the three results below each other, each with its difference from SciPy's."""
     found = part.found
-    count = f"{part.terms} term{'' if part.terms == 1 else 's'} of ", mathml(SERIES)
+    count = f"{so_many(part.terms, 'term')} of ", mathml(SERIES)
     series = float(found.errors[part.terms - 1])
     rows = [_result(count, found.sums[part.terms - 1], f"largest error {scientific(series)}")]
     if found.product is None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from armlab.benches.help.identities.state import Identities, comparison_of, kinds_of
 from armlab.content.identity import DRAWN, POINTS, TOLERANCE, Comparison
 from armlab.session.state import State
-from armlab.ui.format import MINUS, pairs, readable, scientific
+from armlab.ui.format import MINUS, pairs, readable, scientific, so_many
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import verdict_box
 
@@ -58,8 +58,7 @@ def _left_out(found: Comparison) -> Markup | None:
     missing = found.drawn - len(found.left)
     if not missing:
         return None
-    points = "1 more point" if missing == 1 else f"{missing} more points"
-    return tag("p", f"At {points} a part of them has no value, or one too large to compare.")
+    return tag("p", f"At {so_many(missing, 'more point')} a part of them has no value, or one too large to compare.")
 
 
 def value_text(value: complex) -> str:

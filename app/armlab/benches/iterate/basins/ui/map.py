@@ -20,7 +20,7 @@ from armlab.session.state import State
 from armlab.ui.colours import css
 from armlab.ui.file_names import file_name
 from armlab.ui.form import Form, Picked
-from armlab.ui.format import capitalised, dot, number, trimmed
+from armlab.ui.format import capitalised, dot, number, so_many, trimmed
 from armlab.ui.html import Inside, Markup, joined, styles, tag
 from armlab.ui.png import as_address
 from armlab.ui.symbols import with_indices
@@ -115,12 +115,8 @@ def _scale(found: Map) -> Markup | None:
     if not high:
         return None
     if low == high:
-        return tag("p.dim", f"Nearly every run that arrived took {_steps(low)}.")
-    return tag("p.dim", f"Bright: {_steps(low)} or fewer. Dark: {high} or more.")
-
-
-def _steps(count: int) -> str:
-    return f"{count} step{'' if count == 1 else 's'}"
+        return tag("p.dim", f"Nearly every run that arrived took {so_many(low, 'step')}.")
+    return tag("p.dim", f"Bright: {so_many(low, 'step')} or fewer. Dark: {high} or more.")
 
 
 def _about(found: Map, units: Units) -> Markup:
@@ -200,7 +196,7 @@ def here(state: State) -> str:
     ends = (
         f"no solution in {found.question.most} steps"
         if index == FAILED
-        else f"ends in {index + 1} after {_steps(steps)}"
+        else f"ends in {index + 1} after {so_many(steps, 'step')}"
     )
     nearest = found.start(x, y)
     there = all(abs(start[joint] - nearest[joint]) <= SAME_START for joint in found.question.joints)

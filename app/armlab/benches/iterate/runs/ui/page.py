@@ -21,6 +21,7 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
+from armlab.ui.format import so_many
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import fold
 from armlab.ui.option_text import option_value
@@ -152,7 +153,7 @@ def _wanted_markup(form: Form, state: State) -> Inside:
     name = units.variable(joint - 1, revolute)
     field = form.field("wanted", units.text(value, revolute), f"Wanted value of {name}", partial(_wanted, state))
     many = len(arms_found(state))
-    arms = f"{many} arm{'s' if many != 1 else ''} found, drawn pale" if many else ""
+    arms = f"{so_many(many, 'arm')} found, drawn pale" if many else ""
     wanted = tag("label", tag("span", f"{name} wanted"), field, tag("i", units.unit(revolute)))
     return tag("div.kit-numbers", wanted), tag("p.dim", arms)
 

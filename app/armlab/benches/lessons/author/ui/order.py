@@ -18,6 +18,7 @@ from armlab.errors import ArmlabError, InputError
 from armlab.session.parts.own_lessons import OwnLessons
 from armlab.session.parts.teacher import Teacher
 from armlab.session.state import Post, State
+from armlab.ui.format import so_many
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import fold, row, verdict_box
 from armlab.ui.widgets import Gui
@@ -97,7 +98,7 @@ class Order:
         if may_give and desk() is not None:
             give = form.chip("order-give", "For everybody", partial(self._give, course, there), off=bool(wrong))
         away = form.chip("order-end", "Forget it", ArrangeCourse(False), "Forget this order; the course is as it was")
-        head = f"{len(wrong)} mistake{'s' if len(wrong) > 1 else ''} in this order"
+        head = f"{so_many(len(wrong), 'mistake')} in this order"
         box = verdict_box("no", head, [tag("p", str(each)) for each in wrong], role="status") if wrong else None
         alone = [there.files[key] for key in course.lessons if key in there.files]
         yours = tag("p", f"So far only you see {', '.join(alone)}. {BESIDE}") if alone else None

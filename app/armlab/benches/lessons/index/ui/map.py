@@ -10,6 +10,7 @@ from armlab.content.lesson_head import time_said
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.way import Way
 from armlab.ui.form import Form
+from armlab.ui.format import so_many
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import fold
 
@@ -86,7 +87,7 @@ class Map:
         lessons = [self._found[key] for key in chapter.lessons]
         states = [self._state(lesson.key) for lesson in lessons]
         done, minutes = len(self._way.done & set(chapter.lessons)), time_said(sum(each.minutes for each in lessons))
-        count = f"{done} of {len(lessons)}" if done else f"{len(lessons)} lesson{'s' if len(lessons) > 1 else ''}"
+        count = f"{done} of {len(lessons)}" if done else so_many(len(lessons), "lesson")
         told = tag("small", ", ".join(filter(None, (count, minutes))))
         marks = [tag(f"u.{self._marks(lesson.key, state)}") for lesson, state in zip(lessons, states, strict=True)]
         strip = tag("span.lm-strip", marks, aria_hidden="true")
@@ -103,7 +104,7 @@ class Map:
         count = f"{passed} of {steps}" if 0 < passed < steps else ""
         lacks = [self._found[key].title for key in self._way.lacks(lesson.key)] if state == "early" else []
         first = f"first: {', '.join(lacks)}" if lacks else ""
-        hint = f"{lesson.robot_used.name}, {steps} step{'s' if steps > 1 else ''}"
+        hint = f"{lesson.robot_used.name}, {so_many(steps, 'step')}"
         done = "done" if lesson.key in self._way.done else state
         words = dict.fromkeys((WORDS.get(done, ""), WORDS.get(state, "")))
         said = ", ".join(filter(None, (lesson.title, *words, first, count, minutes)))

@@ -14,6 +14,7 @@ from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Post, State
 from armlab.session.way import Way
 from armlab.ui.form import Form
+from armlab.ui.format import so_many
 from armlab.ui.html import Inside, tag
 from armlab.ui.load_work import load_work
 from armlab.ui.markup import on_paper, row
@@ -64,7 +65,7 @@ def _told(way: Way, found: Lessons) -> str:
     count = len(way.course.lessons)
     left = [key for key in way.course.lessons if key not in way.done]
     minutes = time_said(sum(found.lessons[key].minutes for key in left))
-    lessons = f"{count} lesson{'s' if count > 1 else ''}"
+    lessons = so_many(count, "lesson")
     if len(left) == count:
         return ", ".join(filter(None, (lessons, minutes)))
     done = f"{count - len(left)} of {lessons} done"

@@ -26,7 +26,7 @@ from armlab.kin.paths.polynomial import Rules
 from armlab.session.fields import Set
 from armlab.ui.colours import css
 from armlab.ui.form import Form
-from armlab.ui.format import dot, matrix, number, subscript
+from armlab.ui.format import dot, matrix, number, so_many, subscript
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import fold
 from armlab.ui.matrices import copy_buttons
@@ -99,8 +99,7 @@ def _spline(solved: SplineSolved, of: str) -> Inside:
     meaning = "; ".join(f"{count}: {words}" for count, words in solved.conditions)
     cubics = len(solved.times) - 1
     law = f"4(N+1) = 4·{cubics}" if solved.virtual else f"4(N−1) = 4·{cubics}"
-    parted = "1 cubic" if cubics == 1 else f"{cubics} cubics"
-    equations = f"{parted} with {law} = {solved.unknowns} coefficients; as many equations: {counted} "
+    equations = f"{so_many(cubics, 'cubic')} with {law} = {solved.unknowns} coefficients; as many equations: {counted} "
     parts.append(tag("p", equations, tag("span.dim", f"({meaning})"), "."))
     if n:
         edge = f" The first and last rows are in 1 and {unit(1, of)}." if solved.first == 1 else ""

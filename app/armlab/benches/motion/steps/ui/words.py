@@ -17,7 +17,7 @@ from armlab.kin.conditioning import NEAR
 from armlab.kin.motion import law_types
 from armlab.kin.motion.path_types import PathType
 from armlab.kin.rotations import euler_zyx
-from armlab.ui.format import capitalised, dot, lowered, mathml, number, pairs
+from armlab.ui.format import capitalised, dot, lowered, mathml, number, pairs, so_many
 from armlab.ui.html import Inside, Markup, classes, joined, tag
 from armlab.ui.small_numbers import NO_BREAK, small, with_unit
 from armlab.ui.symbols import with_indices
@@ -229,7 +229,7 @@ def inverse(found: Steps, units: Units) -> Markup:
         rows.append((with_indices("smallest σ_min/σ_max"), f"{number(least, 3)} at s = {number(s, 2)}"))
     near = int(np.sum(found.worth == Feasible.NEAR_SINGULAR))
     if near:
-        rows.append((f"below {NEAR:g}", f"{_counted(near, 'sample')}, where joints are fast"))
+        rows.append((f"below {NEAR:g}", f"{so_many(near, 'sample')}, where joints are fast"))
     said = (
         "One configuration for each sample. Each search begins at the solution before, so that the arm stays on one "
         "branch."
@@ -253,7 +253,7 @@ def _followed(found: Steps) -> Markup:
         return tag("p.ok", "✓ The whole path is followed on one branch.")
     stops = found.followed.stops
     said = [stop.sentence for stop in stops[:STOPS]] or [found.followed.reason]
-    more = tag("p.dim", f"… and {_counted(len(stops) - STOPS, 'more place')}.") if len(stops) > STOPS else None
+    more = tag("p.dim", f"… and {so_many(len(stops) - STOPS, 'more place')}.") if len(stops) > STOPS else None
     behind = tag("p.dim", "What is solved beyond does not form one motion with what comes before.")
     parts = behind if len(found.followed.parts) > 1 else None
     return joined([tag("p.no", f"✕ {capitalised(each)}") for each in said], more, parts)
@@ -327,11 +327,6 @@ def _untimed(found: Steps) -> Markup | None:
     """Return why there is no timing law."""
     text = found.leg.trouble
     return tag("p.no", f"✕ The timing law: {text}.") if text else None
-
-
-def _counted(count: int, name: str) -> str:
-    """Return a number of things with their name, such as ``"1 sample"``."""
-    return f"{count} {name}{'' if count == 1 else 's'}"
 
 
 def _turn(value: float, units: Units) -> str:

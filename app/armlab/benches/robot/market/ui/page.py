@@ -12,7 +12,7 @@ from armlab.session.parts.notation import Notation
 from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import mathml, readable, trimmed
+from armlab.ui.format import mathml, readable, so_many, trimmed
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import fold
 from armlab.ui.plugin import Panel, Show
@@ -78,7 +78,11 @@ def calculator_markup(form: Form, part: Market) -> Inside:
     names = form.chips("compute", NUMBERS, part.unknown, "What is computed from the others", ComputeNumber)
     rate = found["rate"]
     words = "doubles" if rate > 0.0 else "halves"
-    time = f"At this rate a value {words} in {_years(doubling_time(rate), 1)}" if rate else "Nothing changes"
+    time = (
+        f"At this rate a value {words} in {so_many(trimmed(doubling_time(rate), 1), 'year')}"
+        if rate
+        else "Nothing changes"
+    )
     whole = _whole(found["end"] / found["begin"])
     return (
         tag("h3", "Compound growth"),
@@ -87,14 +91,9 @@ def calculator_markup(form: Form, part: Market) -> Inside:
         tag("div.ma-fields", [_field(form, part, name, found[name]) for name in NUMBERS]),
         tag(
             "p",
-            f"{percent(rate)} a year over {_years(found['years'], 2)}: {whole}. {time}.",
+            f"{percent(rate)} a year over {so_many(trimmed(found['years'], 2), 'year')}: {whole}. {time}.",
         ),
     )
-
-
-def _years(count: float, digits: int) -> str:
-    text = trimmed(count, digits)
-    return f"{text} year" if text == "1" else f"{text} years"
 
 
 def _whole(factor: float) -> str:

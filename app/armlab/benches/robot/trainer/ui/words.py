@@ -7,7 +7,7 @@ import re
 from armlab.benches.robot.trainer.state import Trainer
 from armlab.benches.robot.trainer.table import parallel_runs
 from armlab.kin.dh import Row
-from armlab.ui.format import subscript
+from armlab.ui.format import so_many, subscript
 from armlab.ui.html import Markup, tag
 from armlab.ui.units import Units
 
@@ -104,17 +104,13 @@ def indexed(text: str) -> str:
 def end_line(trainer: Trainer) -> str:
     """Return in words the number of checks of the finished exercise."""
     answers = trainer.answers
-    text = f"{_times(answers.axes_checks, 'check')} of the axes, {answers.table_checks} of the table"
-    return text + (f", {_times(answers.shown, 'solution')} shown." if answers.shown else ", no solution shown.")
+    text = f"{so_many(answers.axes_checks, 'check')} of the axes, {answers.table_checks} of the table"
+    return text + (f", {so_many(answers.shown, 'solution')} shown." if answers.shown else ", no solution shown.")
 
 
 def mark(ok: bool, text: str) -> Markup:
     """Return ✓ or ✕ with its sentence as a hint."""
     return tag("i.ok" if ok else "i.no", "✓" if ok else "✕", title=text)
-
-
-def _times(count: int, noun: str) -> str:
-    return f"{count} {noun}{'' if count == 1 else 's'}"
 
 
 def _rows(trainer: Trainer) -> tuple[Row, ...]:

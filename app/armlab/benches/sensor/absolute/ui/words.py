@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from armlab.benches.sensor.absolute.state import Absolute
 from armlab.kin.sensors.absolute import CODES, Disk, changes, words_of
-from armlab.ui.format import capitalised, scientific, trimmed
+from armlab.ui.format import capitalised, scientific, so_many, trimmed
 from armlab.ui.html import Inside, Markup, classes, tag
 from armlab.ui.markup import verdict_box
 from armlab.ui.tables import head_line
@@ -23,7 +23,7 @@ def sectors(count: int) -> str:
     >>> sectors(1), sectors(-3)
     ('1 sector', '3 sectors')
     """
-    return f"{abs(count)} sector{'' if abs(count) == 1 else 's'}"
+    return so_many(abs(count), "sector")
 
 
 def off(error: int, count: int) -> str:

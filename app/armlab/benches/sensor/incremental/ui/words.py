@@ -7,7 +7,7 @@ from armlab.benches.sensor.incremental.state import RULES, Incremental
 from armlab.kin.sensors.quadrature import DECODERS
 from armlab.session.fields import Set
 from armlab.ui.form import Form
-from armlab.ui.format import capitalised, mathml, pairs, trimmed
+from armlab.ui.format import capitalised, mathml, pairs, so_many, trimmed
 from armlab.ui.html import Inside, Markup, classes, joined, tag
 from armlab.ui.markup import verdict_box
 from armlab.ui.tables import head_line
@@ -27,15 +27,6 @@ WHY = {
 def signed(count: int) -> str:
     """Return a number of counts with its sign."""
     return f"{count:+d}".replace("-", "−") if count else "0"
-
-
-def counts(number: str) -> str:
-    """Return a number of counts in words.
-
-    >>> counts("+1"), counts("−3")
-    ('+1 count', '−3 counts')
-    """
-    return f"{number} count{'' if number.lstrip('+−') == '1' else 's'}"
 
 
 def rules_markup(form: Form, part: Incremental, found: Now, units: Units) -> Markup:
@@ -74,10 +65,10 @@ def verdict(part: Incremental, found: Now, units: Units) -> Markup:
     angle = units.constant(counted.angle, True, 2)
     are = "is" if abs(counted.count) == 1 else "are"
     number = str(counted.count).replace("-", "−")
-    told = f"{counts(number)} of {units.constant(counted.resolution, True, 3)} {are} {angle}."
+    told = f"{so_many(number, 'count')} of {units.constant(counted.resolution, True, 3)} {are} {angle}."
     if counted.missed:
         by = units.constant(counted.missed * counted.resolution, True, 2)
-        return verdict_box("no", f"Wrong by {counts(signed(counted.missed))}, {by}", f"{told} {_why(part)}")
+        return verdict_box("no", f"Wrong by {so_many(signed(counted.missed), 'count')}, {by}", f"{told} {_why(part)}")
     if decoder.unevenness:
         gaps = " and ".join(units.constant(gap, True, 0) for gap in decoder.gaps)
         more = trimmed(1.0 + decoder.unevenness, 2)

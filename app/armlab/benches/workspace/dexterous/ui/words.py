@@ -23,7 +23,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION, VIRIDIS_CSS, YELLOW, Rgb, css
 from armlab.ui.form import Form
-from armlab.ui.format import number, pairs
+from armlab.ui.format import number, pairs, so_many
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.units import Units
 
@@ -250,7 +250,7 @@ def _at_tool(here: AtTool, found: Study) -> str:
     if found.question.method == "count":
         count = "infinitely many" if math.isinf(here.value) else f"{here.value:.0f}" if here.value else "no"
         turned = "" if found.question.arm.task.rotation == "none" else ", with the tool turned as on the slice"
-        return f"{count} solution{'' if here.value == 1 else 's'} inside the limits{turned}"
+        return f"{so_many(count, 'solution')} inside the limits{turned}"
     if math.isnan(here.value):
         return "nothing was found in its cell"
     if found.wrist is not None:
