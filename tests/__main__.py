@@ -37,7 +37,7 @@ NOT_QUICK = """
     kin/test_assignment kin/test_basins kin/test_closed_forms kin/test_dimension kin/test_general_6r kin/test_ik
     kin/test_ik_reachable kin/test_ik_solve kin/test_peers kin/test_solve_all kin/test_structure
     kin/test_structure_parts kin/test_volume_trial kin/test_workspace_* session/test_edits session/test_facts
-    benches/motion/test_motion_lesson session/test_share session/test_trips start ui/test_asking ui/test_bad_manners
+    benches/motion/test_motion_lesson session/test_share teaching/test_trips start ui/test_asking ui/test_bad_manners
     ui/test_lesson_* ui/test_manners window/test_lesson_* window/test_live window/test_opening window/test_player
 """
 """Folders, and files without their ending, that `--quick` leaves out: what takes long, and what opens a whole lab."""

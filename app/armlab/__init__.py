@@ -104,6 +104,6 @@ def check_lesson(key: str, q: ArrayLike, step: int = 1, variant: int = 0) -> tup
     >>> armlab.check_lesson("first_arm", [0.0, 0.0])[0]
     True
     """
-    from armlab.session.play import check_at
+    from armlab.teaching.play import check_at
 
     return check_at(key, q, step, variant)

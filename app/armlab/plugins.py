@@ -51,7 +51,7 @@ def discover(package: ModuleType, constant: str, kind: type[K], word: str = "") 
     return _collected(_public(package), constant, kind, word)
 
 
-def discover_in_benches(role: str, constant: str, kind: type[K], *shared: ModuleType) -> Registry[K]:
+def discover_in_benches(role: str, constant: str, kind: type[K], *shared: ModuleType | str) -> Registry[K]:
     """Collect one constant from every module with a role in the folder of a page.
 
     Parameters
@@ -61,8 +61,8 @@ def discover_in_benches(role: str, constant: str, kind: type[K], *shared: Module
         ``job_proof.py``, or ``"ui.scene"``.
     constant, kind
         As of `discover`.
-    shared : module
-        Folders with more of the kind that belong to no page.
+    shared : module or str
+        Folders with more of the kind that belong to no page, or their names.
 
     Returns
     -------
@@ -74,7 +74,8 @@ def discover_in_benches(role: str, constant: str, kind: type[K], *shared: Module
     PluginError
         As of `discover`.
     """
-    names = [name for package in shared for name in _public(package)]
+    folders = [_imported(each) if isinstance(each, str) else each for each in shared]
+    names = [name for package in folders for name in _public(package)]
     return _collected([*names, *_with_role(role)], constant, kind)
 
 

@@ -213,7 +213,7 @@ from support.everything import everything
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
 from armlab.front.page import make_page
-from armlab.session.play import problems
+from armlab.teaching.play import problems
 
 async def main(url):
     browser = FakeBrowser(url, cookie_of(url))

@@ -7,7 +7,7 @@ import pytest
 
 from support.sources import PACKAGE, files_with, tree_of
 
-LAYERS = ["kin", "content", "session", "ui", "benches", "window", "front", "commands", ""]
+LAYERS = ["kin", "content", "session", "teaching", "ui", "benches", "window", "front", "commands", ""]
 """The folders of the package; the last one is what lies in none of them."""
 
 SENTENCE = re.compile(r"(?:\A|(?<=[.!?])\s+|\n\s*\n\s*|\n\s*-{3,}\n\s*)((?:What|Of|Those that)\b[^\n]*)")

@@ -18,10 +18,11 @@ LEVELS = {
     "kin": 1,
     "content": 2,
     "session": 3,
-    "ui": 4,
-    "benches": 5,
-    "window": 6,
-    "front": 7,
+    "teaching": 4,
+    "ui": 5,
+    "benches": 6,
+    "window": 7,
+    "front": 8,
 }
 """Modules and folders by layer; those at the top, such as the command line, may use everything."""
 

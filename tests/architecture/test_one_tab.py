@@ -4,7 +4,7 @@ import pytest
 
 from support.sources import PACKAGE, imports_of
 
-BELOW = ("content", "session", "ui")
+BELOW = ("content", "session", "teaching", "ui")
 """The layers below the benches, without the mathematics, which is a library of its own."""
 
 STAYS = {

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from armlab.session.hand_in_assignment import judge_assignment
+from armlab.teaching.hand_in_assignment import judge_assignment
 
 pytestmark = pytest.mark.browser
 

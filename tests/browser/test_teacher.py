@@ -8,13 +8,13 @@ import pytest
 from armlab.cli import main
 from armlab.content.lessons import lessons
 from armlab.content.robots import catalogue
-from armlab.session.assignment_commands import HandIn, OpenAssignment
-from armlab.session.hand_in import hand_in
-from armlab.session.lesson_commands import SignAs, UnlockHint
 from armlab.session.parts.joints import MoveJoint
-from armlab.session.parts.lesson import LessonPart
-from armlab.session.play import problems
 from armlab.session.state import State, apply
+from armlab.teaching.assignment_commands import HandIn, OpenAssignment
+from armlab.teaching.hand_in import hand_in
+from armlab.teaching.lesson_commands import SignAs, UnlockHint
+from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.play import problems
 from support.lab import running_lab
 
 pytestmark = pytest.mark.browser

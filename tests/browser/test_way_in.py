@@ -7,7 +7,7 @@ import pytest
 
 from armlab.content.lessons import lessons
 from armlab.content.robots import catalogue
-from armlab.session.parts.welcome import STOPS
+from armlab.teaching.parts.welcome import STOPS
 from armlab.ui.figure.drawn import Gallery
 from support.hand import Hand
 from support.patience import WAIT

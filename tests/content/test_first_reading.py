@@ -12,9 +12,9 @@ from armlab.content.lesson_reading import Readings
 from armlab.content.lessons import lesson, lessons
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError
-from armlab.session.lesson_commands import OpenLesson
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State, apply
+from armlab.teaching.lesson_commands import OpenLesson
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.window import lab as lab_module
 from armlab.window.lesson.page import _choice
 from support.forms import BareForm

@@ -14,10 +14,10 @@ from armlab.errors import ContentError
 from armlab.kin.ik.iterate import iterate, newton_1d
 from armlab.kin.ik.solve_all import solve_all
 from armlab.kin.transforms import transform
-from armlab.session.lesson_commands import GoToStep, OpenLesson
-from armlab.session.parts.lesson import LessonPart, check_line
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.session import Session
+from armlab.teaching.lesson_commands import GoToStep, OpenLesson
+from armlab.teaching.parts.lesson import LessonPart, check_line
 
 VARIANTS = range(4)
 

@@ -10,17 +10,17 @@ from armlab.content.robots import catalogue
 from armlab.errors import UnknownName
 from armlab.front.wishes import refused
 from armlab.session.bench import benches, page_of, robot_of
-from armlab.session.errata_links import LookUp
 from armlab.session.example_links import LookAt
-from armlab.session.lesson_commands import OpenLesson
 from armlab.session.pages import pages
 from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.panels import Panels
 from armlab.session.parts.robot import ChooseRobot, RobotPart
-from armlab.session.parts.shelf import BackToLesson, OpenShared, ToSandbox
 from armlab.session.share import from_short, short
 from armlab.session.state import State, apply
+from armlab.teaching.errata_links import LookUp
+from armlab.teaching.lesson_commands import OpenLesson
+from armlab.teaching.parts.shelf import BackToLesson, OpenShared, ToSandbox
 from armlab.window.wished import wished
 from support.fake_browser import cookie_of
 from support.lab import running_lab

@@ -7,9 +7,9 @@ import pytest
 
 from armlab.content.lessons import library
 from armlab.content.robots import catalogue
-from armlab.session.lesson_commands import OpenLesson
-from armlab.session.parts.shelf import BackToLesson, Shelf, ToSandbox
 from armlab.session.state import State, apply
+from armlab.teaching.lesson_commands import OpenLesson
+from armlab.teaching.parts.shelf import BackToLesson, Shelf, ToSandbox
 from armlab.window.wished import wished
 from support.fake_browser import cookie_of
 from support.lab import running_lab

@@ -6,7 +6,6 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.errors import UnknownName
-from armlab.session.lesson_commands import CloseLesson, GoToStep, OpenLesson
 from armlab.session.pages import FIRST, pages, tab_of, tabs
 from armlab.session.panel_commands import (
     CloseWindow,
@@ -18,14 +17,15 @@ from armlab.session.panel_commands import (
     hidden_tabs,
 )
 from armlab.session.parts.joints import MoveJoint, TakePose
-from armlab.session.parts.lesson import LessonPart, observed
 from armlab.session.parts.panels import Panels, Window
 from armlab.session.parts.robot import ChooseRobot
-from armlab.session.parts.shelf import BackFromShared, BackToLesson, OpenShared, ToSandbox
 from armlab.session.session import Redo, Session, StartFresh, Undo
 from armlab.session.share import from_short, short
 from armlab.session.state import State, apply
 from armlab.session.store import Store
+from armlab.teaching.lesson_commands import CloseLesson, GoToStep, OpenLesson
+from armlab.teaching.parts.lesson import LessonPart, observed
+from armlab.teaching.parts.shelf import BackFromShared, BackToLesson, OpenShared, ToSandbox
 from support.own_lessons import lesson
 from support.small_lessons import library_fixture
 

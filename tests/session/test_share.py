@@ -21,18 +21,18 @@ from armlab.kin.arm import Arm
 from armlab.session import share
 from armlab.session.edits import SetCell
 from armlab.session.fields import Set
-from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson, SignAs
 from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
-from armlab.session.parts.shelf import OpenShared, Shelf
 from armlab.session.parts.target import PlaceTarget, Target
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.share import VERSION, from_short, short
 from armlab.session.share_text import LONGEST
 from armlab.session.state import State, apply
+from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson, SignAs
+from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.parts.shelf import OpenShared, Shelf
 from support.arms import random_arm, random_q
 
 PUMA = catalogue()["puma560"]

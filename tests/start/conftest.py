@@ -11,11 +11,11 @@ from armlab.cli import main
 from armlab.content import lessons as library_module
 from armlab.content.lessons import Library
 from armlab.content.robots import catalogue
-from armlab.session.hand_in import hand_in
-from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson, SignAs
 from armlab.session.parts.joints import MoveJoint
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State, apply
+from armlab.teaching.hand_in import hand_in
+from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson, SignAs
+from armlab.teaching.parts.lesson import LessonPart
 from support.command import end_all
 from support.small_lessons import TWO_STEPS, VARIED
 

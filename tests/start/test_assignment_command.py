@@ -9,12 +9,12 @@ import pytest
 
 from armlab.content import lessons as library_module
 from armlab.content.robots import catalogue
-from armlab.session.assignment_commands import HandIn, OpenAssignment
-from armlab.session.hand_in import hand_in
-from armlab.session.lesson_commands import Answer, GoToStep, SignAs
 from armlab.session.parts.joints import MoveJoint
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State, apply
+from armlab.teaching.assignment_commands import HandIn, OpenAssignment
+from armlab.teaching.hand_in import hand_in
+from armlab.teaching.lesson_commands import Answer, GoToStep, SignAs
+from armlab.teaching.parts.lesson import LessonPart
 
 SHEET = """title = "Sheet 1"
 due = 2026-11-30T10:00:00Z

@@ -7,7 +7,7 @@ import os
 
 import pytest
 
-from armlab.session.hand_in import MOST
+from armlab.teaching.hand_in import MOST
 
 
 def one_line(err):

@@ -8,13 +8,13 @@ import pytest
 from armlab.content.lessons import changed, lessons
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.session.assignment_commands import OpenAssignment
-from armlab.session.hand_in import hand_in
-from armlab.session.hand_in_assignment import judge_assignment
-from armlab.session.lesson_commands import Answer, GoToStep, SignAs
 from armlab.session.parts.joints import MoveJoint
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State, apply
+from armlab.teaching.assignment_commands import OpenAssignment
+from armlab.teaching.hand_in import hand_in
+from armlab.teaching.hand_in_assignment import judge_assignment
+from armlab.teaching.lesson_commands import Answer, GoToStep, SignAs
+from armlab.teaching.parts.lesson import LessonPart
 
 NOON = 1_800_000_000.0
 EXAM = """title = "Exam"

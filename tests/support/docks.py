@@ -17,15 +17,14 @@ from armlab.content.lesson import Lesson
 from armlab.content.lessons import Lessons, lessons
 from armlab.content.robots import catalogue
 from armlab.content.words import without_numbers
-from armlab.session.assignment_commands import HandIn, LookAtClock, OpenAssignment, OpenTask, TakeUp
-from armlab.session.assignment_rules import refuse_forgetting
 from armlab.session.edits import RemoveJoint
-from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson, SignAs, TakeLessonArm, UnlockHint
 from armlab.session.parts.joints import LockJoint, MoveJoint
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.state import Command, State, apply
+from armlab.teaching.assignment_commands import HandIn, LookAtClock, OpenAssignment, OpenTask, TakeUp
+from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson, SignAs, TakeLessonArm, UnlockHint
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.asking import Draft, asked
 from armlab.window.lesson import end, page
 from support.assigned import NOON, folder_fixture
@@ -227,7 +226,7 @@ def on_assignment(listener: Listener, key: str) -> None:
         dock.do(OpenTask(task), HandIn())
         dock.solve()
     dock.do(OpenTask(9), OpenLesson("t"), OpenAssignment("exam"), OpenAssignment("homework"), SignAs("Ada"))
-    listener.try_out(lambda: refuse_forgetting(dock.part))
+    listener.try_out(dock.part.refuse_forgetting)
     begun = dock.state
     dock.do(HandIn(), Answer("1"), TakeUp(), HandIn(), TakeUp(), OpenAssignment(key, 5))
     for state in (dock.state, begun):

@@ -247,8 +247,8 @@ from armlab.session.parts.timeline import clips
 from armlab.content.lessons import lesson
 from armlab.session.facts import fact_of
 from armlab.session.parts.joints import Joints
-from armlab.session.play import Player, problems
-from armlab.session.seen_again import seen_again
+from armlab.teaching.play import Player, problems
+from armlab.teaching.seen_again import seen_again
 from armlab.session.state import part_types
 
 async def main(url):

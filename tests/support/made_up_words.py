@@ -49,7 +49,7 @@ from dataclasses import dataclass
 from armlab.benches.made_up.made_up.job import JOB
 from armlab.benches.made_up.made_up.state import CountTo, MadeUp
 from armlab.benches.made_up.made_up.vocabulary import Count
-from armlab.session.taught import Taught
+from armlab.teaching.taught import Taught
 
 @dataclass(frozen=True)
 class Told:

@@ -8,12 +8,12 @@ import json
 from armlab.content.robots import catalogue
 from armlab.session.parts.display import Show
 from armlab.session.parts.joints import MoveJoint
-from armlab.session.parts.lesson import LessonPart
-from armlab.session.parts.shelf import Shelf
 from armlab.session.session import Session
 from armlab.session.share import short
 from armlab.session.state import Command, Json, State, part_types
 from armlab.session.store import state_from_text
+from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.parts.shelf import Shelf
 
 NOT_COMPARED = (Shelf, LessonPart)
 

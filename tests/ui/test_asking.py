@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.content.question import Choices, Field, Grid
-from armlab.session.lesson_commands import Answer
+from armlab.teaching.lesson_commands import Answer
 from armlab.ui.asking import CHECK, CHOICE, ENTRY, Draft
 from armlab.ui.plugin import layers
 from armlab.window.tab import COVERED

@@ -6,9 +6,9 @@ import pytest
 
 from armlab.benches.velocity.statics.state import SetComponent
 from armlab.content.robots import catalogue
-from armlab.session.lesson_commands import GoToStep, OpenLesson
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State, apply
+from armlab.teaching.lesson_commands import GoToStep, OpenLesson
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.window.lesson.text import step_text
 from support.bench_lesson import BENCHES
 from support.small_lessons import library_fixture

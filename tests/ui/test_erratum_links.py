@@ -2,7 +2,7 @@
 
 import pytest
 
-from armlab.session.errata_links import LookUp
+from armlab.teaching.errata_links import LookUp
 from armlab.ui.erratum_links import with_links, without_links
 from armlab.ui.html import Markup
 from support.forms import BareForm, asked

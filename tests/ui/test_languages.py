@@ -14,12 +14,12 @@ from armlab.content.po import Message, read_po, write_po
 from armlab.content.robots import catalogue
 from armlab.content.words import Words, placeholders
 from armlab.errors import ContentError
-from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.language import OF_BROWSER, LanguagePart, ReadIn
-from armlab.session.parts.shelf import BackFromShared, OpenShared
 from armlab.session.share import short
 from armlab.session.state import State, apply
+from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson
+from armlab.teaching.parts.shelf import BackFromShared, OpenShared
 from armlab.ui.door import Door
 from armlab.ui.speech import Speech, speech_in
 from armlab.window.script_words import SCRIPT_WORDS

@@ -13,9 +13,9 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion.law_types import law_type
 from armlab.session.edits import MOST_TEXT, PasteTable
-from armlab.session.hand_in import MOST
-from armlab.session.lesson_progress import MOST_TYPED
 from armlab.session.state import State
+from armlab.teaching.hand_in import MOST
+from armlab.teaching.lesson_progress import MOST_TYPED
 from armlab.ui import option_text
 from armlab.ui.fields import LONGEST_CELL, LONGEST_TYPED, Fields
 from armlab.ui.units import units_of

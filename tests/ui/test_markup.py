@@ -9,8 +9,8 @@ from armlab.benches.control.loop.state import Loop
 from armlab.content.languages import ENGLISH
 from armlab.content.robots import catalogue
 from armlab.session.fields import Set
-from armlab.session.parts.welcome import LeaveWelcome
 from armlab.session.session import Redo, Session, Undo
+from armlab.teaching.parts.welcome import LeaveWelcome
 from armlab.ui import markup
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.html import styles, tag

@@ -10,10 +10,10 @@ from armlab.benches.drive.motor.state import Motor
 from armlab.content.lessons import lessons, library
 from armlab.content.robots import catalogue
 from armlab.session.fields import Set
-from armlab.session.lesson_commands import GoToStep, OpenLesson
-from armlab.session.lesson_progress import Progress
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State, apply
+from armlab.teaching.lesson_commands import GoToStep, OpenLesson
+from armlab.teaching.lesson_progress import Progress
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.window.lesson import page
 from armlab.window.tab import CLOSED
 from support.fake_browser import cookie_of

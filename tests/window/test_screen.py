@@ -7,9 +7,9 @@ import pytest
 
 from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
-from armlab.session.lesson_start import set_up
 from armlab.session.parts.display import SYSTEM_DARK, Display, Show
 from armlab.session.state import State, apply
+from armlab.teaching.lesson_start import set_up
 from armlab.ui.camera import HANDLE
 from armlab.ui.figure.marks import FRAME_LENGTH
 from armlab.ui.switches import DARK

@@ -14,8 +14,8 @@ from armlab.content.lessons import lessons
 from armlab.content.robots import catalogue
 from armlab.page import Export
 from armlab.session.pages import pages, tabs
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.commands import shortcuts
 from armlab.ui.plugin import layers, switches
 from armlab.window.search import finds
@@ -151,6 +151,9 @@ class InLesson:
 
     def __getitem__(self, kind):
         return self._lesson if kind is LessonPart else self._state[kind]
+
+    def with_own(self, name):
+        return [self._lesson]
 
 
 def test_what_a_lesson_hides_is_not_found_nor_what_belongs_to_it(start):

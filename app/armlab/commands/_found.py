@@ -17,7 +17,7 @@ from armlab.content.lesson_folder import COURSE, ENDING, GUIDE, LESSON, OF_ASSIG
 from armlab.content.lessons import Lesson, Lessons, add_folder, folders_of_the_lab, lessons
 from armlab.content.robots import KEY
 from armlab.errors import ContentError, InputError
-from armlab.session.assignment_commands import refuse_unknown_pages
+from armlab.teaching.assignment_commands import refuse_unknown_pages
 
 README = "readme.md"
 

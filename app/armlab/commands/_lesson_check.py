@@ -117,7 +117,7 @@ def _names(found: Found, lesson: Lesson) -> Iterator[str]:
 
 def _played(found: Found, lesson: Lesson, told: set[tuple[int, str]]) -> Iterator[str]:
     """Yield the problems of a variant that no earlier one has."""
-    from armlab.session.play import problems
+    from armlab.teaching.play import problems
 
     for problem in problems(lesson.key, lesson.variant):
         if (problem.step, problem.says) not in told:

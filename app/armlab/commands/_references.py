@@ -23,8 +23,8 @@ from armlab.session.pages import pages
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import clips
 from armlab.session.state import State
-from armlab.session.taught import taught
 from armlab.session.words import command_of
+from armlab.teaching.taught import taught
 
 
 def of_front(lesson: Lesson) -> Iterator[tuple[str, str]]:

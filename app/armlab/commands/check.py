@@ -15,8 +15,8 @@ from armlab.errors import ArmlabError, InputError
 
 if TYPE_CHECKING:
     from armlab.commands._found import Place
-    from armlab.session.hand_in import Report
-    from armlab.session.hand_in_reports import Judged
+    from armlab.teaching.hand_in import Report
+    from armlab.teaching.hand_in_reports import Judged
 
 FORMATS = ("table", "csv", "gradescope")
 ENDING = ".json"
@@ -52,7 +52,7 @@ def run(options: argparse.Namespace) -> int:
     """Judge the files; return 0 when all of them could be."""
     from armlab.commands._found import Place
     from armlab.commands._lesson_sheet import names_of
-    from armlab.session.hand_in_class import looked_at_together
+    from armlab.teaching.hand_in_class import looked_at_together
 
     judged_as = _judge_of(Place(options.lessons), options.lesson)
     students = names_of(options.students) if options.students else None
@@ -95,8 +95,8 @@ def files_of(given: Sequence[str]) -> Iterator[tuple[Path, str]]:
 
 def _judge_of(place: Place, typed: str) -> Callable[[str], Report]:
     """Return what gives the verdict on the text of a file: of the lesson or the assignment that was typed."""
-    from armlab.session.hand_in import judge
-    from armlab.session.hand_in_assignment import judge_assignment
+    from armlab.teaching.hand_in import judge
+    from armlab.teaching.hand_in_assignment import judge_assignment
 
     assigned = place.assignment(typed)
     if assigned is not None:
@@ -108,8 +108,8 @@ def _judge_of(place: Place, typed: str) -> Callable[[str], Report]:
 
 def judge_file(path: Path, shown: str, judge: Callable[[str], Report]) -> Judged:
     """Return the verdict on a file, or why there is none."""
-    from armlab.session.hand_in_reports import Judged
     from armlab.session.plain_text import printable
+    from armlab.teaching.hand_in_reports import Judged
 
     file = printable(shown)
     try:
@@ -129,7 +129,7 @@ def _is_work(entry: Path) -> bool:
 
 
 def _read(path: Path) -> str:
-    from armlab.session.hand_in import MOST
+    from armlab.teaching.hand_in import MOST
 
     with path.open("rb") as stream:
         data = stream.read(4 * MOST + 1)
@@ -158,7 +158,7 @@ def _names(paths: Sequence[Path]) -> list[str]:
 
 
 def _text(judged: Sequence[Judged], options: argparse.Namespace, inputs: set[Path]) -> None:
-    from armlab.session.hand_in_reports import rows, table
+    from armlab.teaching.hand_in_reports import rows, table
 
     if options.format == "csv":
         # Excel takes a file for UTF-8 only when it begins with a mark.
@@ -168,7 +168,7 @@ def _text(judged: Sequence[Judged], options: argparse.Namespace, inputs: set[Pat
 
 
 def _gradescope(judged: Sequence[Judged], names: Sequence[str], out: str | None, inputs: set[Path]) -> None:
-    from armlab.session.hand_in_reports import gradescope
+    from armlab.teaching.hand_in_reports import gradescope
 
     written: Callable[[Judged], str] = lambda one: json.dumps(gradescope(one), indent=1, ensure_ascii=False) + "\n"  # noqa: E731
     folder = out is not None and (len(judged) > 1 or out.endswith(("/", "\\")) or Path(out).is_dir())

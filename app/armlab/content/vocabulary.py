@@ -18,7 +18,7 @@ T = TypeVar("T")
 
 
 class BenchAction(Protocol):
-    """An action of a kind that a bench adds; `armlab.session.taught.Taught` tells which commands it is."""
+    """An action of a kind that a bench adds; `armlab.teaching.taught.Taught` tells which commands it is."""
 
     def says(self) -> str:
         """Return what is to be done, for the solution sheet."""

@@ -1,4 +1,4 @@
-"""Commands that open panels: for a window that comes, a person who turns to one, a lesson and its steps."""
+"""Commands that open panels: for a window that comes, and a person who turns to one; which panels are hidden."""
 
 from __future__ import annotations
 
@@ -7,52 +7,33 @@ from typing import ClassVar
 
 from armlab.registry import known_name
 from armlab.session.pages import FIRST, pages, tabs
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.panels import Panels, Window
 from armlab.session.state import Command, State
 
 
 def hidden_panels(state: State) -> frozenset[str]:
-    """Return the keys of the panels that the open lesson hides."""
-    return state[LessonPart].hidden
+    """Return the keys of the panels that the parts of a state hide, such as the open lesson."""
+    return frozenset().union(*(part.hidden for part in state.with_own("hidden")))
 
 
 def hidden_tabs(state: State) -> tuple[str, ...]:
-    """Return the titles of the tabs all of whose pages the open lesson hides."""
+    """Return the titles of the tabs all of whose pages are hidden."""
     hidden = hidden_panels(state)
     return tuple(pages[0].title for pages in tabs().values() if all(page.key in hidden for page in pages))
 
 
 def first_window(state: State) -> Window:
-    """Return a window as it opens: at the bench of the lesson, or else where the student was last."""
-    there = [key for key in pages() if key not in hidden_panels(state)]
-    wanted = (state[LessonPart].bench, state[Panels].last or FIRST)
-    return Window.on(next((key for key in (*wanted, *there) if key in there), FIRST))
-
-
-def lesson_followed(before: State, now: State) -> State:
-    """Return a state with the panel open that a lesson, or a step of it, brings to the front by being opened.
-
-    Another lesson brings its bench to the front, or any other panel where that in front is hidden now. A step does so
-    when it names a panel or is on another bench than the one before.
+    """Return a window as it opens: at the panel that a part, such as the lesson, brings to the front, or where the
+    student was last.
     """
-    was, part, panels = before[LessonPart], now[LessonPart], now[Panels]
-    if part.lesson is None or (part.open, part.name) == (was.open, was.name):
-        return now
-    there = [key for key in pages() if key not in part.hidden]
-    if part.open == was.open:
-        step = part.step
-        wanted = part.bench if part.bench != was.bench or (step is not None and step.panel) else ""
-    else:
-        wanted = part.bench
-        if wanted not in there and not set(panels.open()) <= set(there):
-            wanted = next(iter(there), "")
-    return now.replace(panels.opening(wanted)) if wanted in there else now
+    there = [key for key in pages() if key not in hidden_panels(state)]
+    wanted = (*(part.bench for part in state.with_own("bench")), state[Panels].last or FIRST)
+    return Window.on(next((key for key in (*wanted, *there) if key in there), FIRST))
 
 
 @dataclass(frozen=True)
 class OpenPanel(Command):
-    """Bring a panel to the front, unless the open lesson hides it.
+    """Bring a panel to the front, unless it is hidden.
 
     Parameters
     ----------

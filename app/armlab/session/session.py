@@ -2,38 +2,25 @@
 
 from __future__ import annotations
 
-import hashlib
 import logging
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
-from typing import ClassVar, NamedTuple
+from dataclasses import dataclass, field
+from typing import ClassVar
 
 import numpy as np
 
 from armlab.content.robots import Robot
 from armlab.errors import ArmlabError, InputError, in_one_line
-from armlab.session.assignment_rules import refuse_forgetting
 from armlab.session.history import HEAVIEST, History
 from armlab.session.mailbox import Mailbox
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.panels import Panels
-from armlab.session.parts.preview import Preview
 from armlab.session.parts.robot import RobotPart
-from armlab.session.parts.shelf import Shelf
-from armlab.session.parts.welcome import CARD, Welcome
-from armlab.session.state import Command, State, apply, guard
+from armlab.session.state import Command, Stand, State, apply, guard
 
 log = logging.getLogger(__name__)
 
 LONGEST_NOTICE = 600
 """Longest notice, in characters."""
-
-VARIANTS = 1000
-"""Number of variants of lessons that are assigned to students: 0 to 999."""
-
-
-PREVIEW = "preview"
-"""Name of the place in which a lesson is looked at as a student sees it."""
 
 
 @dataclass(frozen=True)
@@ -109,7 +96,7 @@ class Session:
         How often a page may show what a person did and what does not hold: a command was refused, changed nothing, or
         was taken back before anybody was shown it. Pages then show again what holds.
     switched_by : int or None
-        The window that has last opened or closed a lesson, None for the lab itself.
+        The window that has last changed what is open by some part (`Part.opened`), None for the lab itself.
     """
 
     token: str
@@ -126,7 +113,7 @@ class Session:
     @classmethod
     def fresh(cls, token: str, opening: Robot) -> Session:
         """Return a new session."""
-        return cls(token, opening, _beginning(token, opening))
+        return cls(token, opening, State.begun(opening, token))
 
     @property
     def robot(self) -> Robot:
@@ -153,8 +140,9 @@ class Session:
             elif isinstance(command, Redo):
                 self._become(self._stepped(self.history.redo, self.history.undo, at), window)
             elif isinstance(command, StartFresh):
-                refuse_forgetting(self.state[LessonPart])
-                fresh = _beginning(self.token, self.opening)
+                for part in self.state.with_own("refuse_forgetting"):
+                    part.refuse_forgetting()
+                fresh = State.begun(self.opening, self.token)
                 self._become(fresh.replace(self.state[Panels]), window)
                 self.history = History()
                 self._elsewhere.clear()
@@ -173,8 +161,8 @@ class Session:
             self.untaken += 1
 
     def _become(self, state: State, window: int | None) -> None:
-        """Take on a state; who sees that its lesson is another one also sees which window has switched it."""
-        if state[LessonPart].open != self.state[LessonPart].open:
+        """Take on a state; who sees that something else is open also sees which window has switched it."""
+        if _opened(state) != _opened(self.state):
             self.switched_by = window
         self.state = state
 
@@ -190,14 +178,14 @@ class Session:
 
     def _note(self, command: Command, after: State, at: float) -> None:
         """Record a step of undo. Each place has its own history; a shared one and a preview start empty."""
-        before, here, there = self.state, _place(self.state), _place(after)
+        before, here, there = self.state, stand_of(self.state), stand_of(after)
         if here != there:
             if not here.passing:
                 self._elsewhere[here.name] = self.history
                 while len(self._elsewhere) > 1 and sum(each.held for each in self._elsewhere.values()) > HEAVIEST:
                     del self._elsewhere[next(iter(self._elsewhere))]
             self.history = History() if there.passing else self._elsewhere.pop(there.name, History())
-            before = before[Shelf].parked.get(there.name, before)
+            before = _waiting(before, there.name)
         if command.undoable and _is_work(before, after):
             self.history.note(before, after, command, at)
 
@@ -209,30 +197,33 @@ class Session:
             return restored
         try:
             guard(self.state, restored)
-            # The lesson is not taken back, and looks at the arm as it stands now.
-            lesson = restored[LessonPart].after(self.state, restored.dated(at))
+            now = restored.dated(at)
+            adapted = [(part, part.after(self.state, now)) for part in restored.with_own("looks_at_undo")]
         except ArmlabError:
             back(found)
             raise
-        return restored if lesson is restored[LessonPart] else restored.replace(lesson)
+        changed = [new for part, new in adapted if new is not part]
+        return restored.replace(*changed) if changed else restored
 
     def tell(self, text: str) -> None:
         """Show a notice to the student."""
         self.notice = Notice(1 if self.notice is None else self.notice.number + 1, cut(text))
 
 
-class _Place(NamedTuple):
-    """A place with a history of its own; ``passing`` tells apart those whose history ends when they are left."""
+def stand_of(state: State) -> Stand:
+    """Return the place at which the student works: the last that a part knows of lies over those before it."""
+    stands = [part.stand for part in state.with_own("stand")]
+    return next((stand for stand in reversed(stands) if stand is not None), Stand(""))
 
-    name: str
-    passing: str
+
+def _waiting(state: State, stand: str) -> State:
+    """Return the state that waits at another place, or the same one if none does."""
+    found = [part.waiting_at(stand) for part in state.with_own("waiting_at")]
+    return next((each for each in found if each is not None), state)
 
 
-def _place(state: State) -> _Place:
-    shelf, preview = state[Shelf], state[Preview]
-    if preview.before is not None:
-        return _Place(PREVIEW, f"{PREVIEW} {preview.number}")
-    return _Place(shelf.place, shelf.shared)
+def _opened(state: State) -> list[str]:
+    return [part.opened for part in state.with_own("opened")]
 
 
 def cut(text: str) -> str:
@@ -242,13 +233,6 @@ def cut(text: str) -> str:
 
 def _nowhere(_: str) -> bool:
     return False
-
-
-def _beginning(token: str, opening: Robot) -> State:
-    """Return the first state of a student, with a personal variant for lessons and the card of the first visit."""
-    state = State.initial(opening)
-    number = int.from_bytes(hashlib.sha256(token.encode()).digest()[:4], "big") % VARIANTS
-    return state.replace(replace(state[LessonPart], number=number), Welcome(CARD))
 
 
 def _with_kept(restored: State, present: State) -> State:

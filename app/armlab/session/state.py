@@ -15,8 +15,26 @@ from typing import Any, ClassVar, Self, TypeVar
 from armlab.content.robots import Robot
 from armlab.plugins import discover_in_benches
 
+PARTS = ("armlab.session.parts", "armlab.teaching.parts")
+"""Names of the packages with parts that belong to no page: they are walked, as benches are."""
+
 Json = Any
 """Data that `json.dumps` takes."""
+
+
+@dataclass(frozen=True)
+class Stand:
+    """A place at which a student works, with a history of its own.
+
+    Parameters
+    ----------
+    name : str
+    passing : str
+        Tells apart those whose history ends when they are left; empty for the others.
+    """
+
+    name: str
+    passing: str = ""
 
 
 class Part:
@@ -26,6 +44,9 @@ class Part:
 
     kept_by_undo: ClassVar[bool] = False
     """Whether undo leaves the part as it is: what is shown is not work that is taken back."""
+
+    looks_at_undo: ClassVar[bool] = False
+    """Whether a part that undo leaves as it is reacts to what an undo has brought, as it does to a command."""
 
     saved: ClassVar[bool] = True
     """Whether files and links hold the part; one that is of the moment only is not looked for there either."""
@@ -53,6 +74,37 @@ class Part:
     def after(self, before: State, now: State) -> Self:
         """Return the part adapted to the changes of other parts by a command; called once for each command."""
         return self
+
+    @property
+    def opened(self) -> str:
+        """Name of the thing that is open, such as a lesson; a window is told when another one has switched it."""
+        return ""
+
+    @property
+    def bench(self) -> str:
+        """Key of the panel that the part brings to the front of a new window; empty for none."""
+        return ""
+
+    @property
+    def hidden(self) -> frozenset[str]:
+        """Keys of the panels that the part hides."""
+        return frozenset()
+
+    @property
+    def stand(self) -> Stand | None:
+        """The place at which the student works by the part; None where it knows of none."""
+        return None
+
+    def begun(self, token: str) -> Self:
+        """Return the part, as it is at first, for a new student with a token; by default it is the same for all."""
+        return self
+
+    def refuse_forgetting(self) -> None:
+        """Raise `InputError` where a student who starts fresh would lose what must not be lost."""
+
+    def waiting_at(self, stand: str) -> State | None:
+        """Return the state that waits at another place while the student stands here; None for none."""
+        return None
 
     def rewound(self, clip: str) -> Self:
         """Return the part with its film at the start, if the film with this key is its own and open."""
@@ -99,9 +151,7 @@ class PartType:
 @cache
 def part_types() -> tuple[type[Part], ...]:
     """Return all parts, in order."""
-    from armlab.session import parts
-
-    return tuple(found.part for found in discover_in_benches("state", "PART", PartType, parts).values())
+    return tuple(found.part for found in discover_in_benches("state", "PART", PartType, *PARTS).values())
 
 
 class State:
@@ -122,6 +172,15 @@ class State:
     def initial(cls, robot: Robot) -> State:
         """Return the state in which an arm opens."""
         return cls(_initial_parts(robot))
+
+    @classmethod
+    def begun(cls, robot: Robot, token: str) -> State:
+        """Return the first state of a new student; see `Part.begun`."""
+        return cls(part.begun(token) for part in _initial_parts(robot))
+
+    def with_own(self, name: str) -> Iterator[Part]:
+        """Yield, in order, the parts whose class has something of its own under a name of `Part`."""
+        return (self[kind] for kind in _own_of(tuple(map(type, self)), name))
 
     def __getitem__(self, kind: type[P]) -> P:
         part: Any = self._parts[self._places[kind]]
@@ -263,20 +322,14 @@ def apply(state: State, command: Command, at: float = 0.0) -> State:
         return changed.dated(at)
     guard(state, changed)
     changed = changed.dated(at)
-    parts = [changed[kind] for kind in _with_own(changed, "after")]
-    adapted = [(part, part.after(state, changed)) for part in parts]
+    adapted = [(part, part.after(state, changed)) for part in changed.with_own("after")]
     return changed.replace(*(new for part, new in adapted if new is not part))
 
 
 def guard(before: State, now: State) -> None:
     """Ask every part whether a change is allowed; see `Part.guard`."""
-    for kind in _with_own(before, "guard"):
-        before[kind].guard(before, now)
-
-
-def _with_own(state: State, name: str) -> tuple[type[Part], ...]:
-    """Return the types of the parts of a state that have something of their own to say to a change."""
-    return _own_of(tuple(map(type, state)), name)
+    for part in before.with_own("guard"):
+        part.guard(before, now)
 
 
 @cache

@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 
 from armlab.content.question import Choices, Field, Grid, Question, Verdict
 from armlab.content.question import Form as Answered
-from armlab.session.lesson_commands import Answer
 from armlab.session.state import Command
+from armlab.teaching.lesson_commands import Answer
 from armlab.ui.erratum_links import without_links
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag

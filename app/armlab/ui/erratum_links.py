@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from armlab.session.errata_links import LookUp
+from armlab.teaching.errata_links import LookUp
 from armlab.ui.form import Form
 from armlab.ui.html import Markup
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from armlab.session.hand_in import MOST
-from armlab.session.hand_in_open import OpenWork
+from armlab.teaching.hand_in import MOST
+from armlab.teaching.hand_in_open import OpenWork
 from armlab.ui.form import Form
 from armlab.ui.html import Markup, tag
 

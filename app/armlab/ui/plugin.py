@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from armlab.errors import PluginError
 from armlab.plugins import constant_of, discover_in_benches
 from armlab.session.pages import pages
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Part, Post, State
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.camera import Wish
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.eye import Facing

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from armlab.content.lesson_head import Headed, time_said
 from armlab.content.lessons import lessons_read
 from armlab.content.outline import first_heads
-from armlab.session.lesson_commands import OpenLesson
 from armlab.session.pages import pages
 from armlab.session.panel_commands import OpenPanel
-from armlab.session.parts.lesson import LessonPart
-from armlab.session.parts.welcome import CARD, LEFT, LeaveWelcome, TakeTour, Welcome
 from armlab.session.state import Command, State
-from armlab.session.way import Way
+from armlab.teaching.lesson_commands import OpenLesson
+from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.parts.welcome import CARD, LEFT, LeaveWelcome, TakeTour, Welcome
+from armlab.teaching.way import Way
 from armlab.ui.form import Form
 from armlab.ui.html import Markup, tag
 

@@ -19,11 +19,9 @@ from armlab.content.lessons import add_folder, changed, lessons, lessons_read, r
 from armlab.content.robots import Robot
 from armlab.kin.ik import methods
 from armlab.session.job import jobs
-from armlab.session.lesson_commands import ReloadLesson
 from armlab.session.pages import tabs
 from armlab.session.panel_commands import hidden_panels
 from armlab.session.parts.language import ReadIn
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.panels import Panels
 from armlab.session.parts.timeline import Play, Timeline, clips
 from armlab.session.runner import Runner
@@ -31,6 +29,8 @@ from armlab.session.session import Session
 from armlab.session.state import Command, part_types
 from armlab.session.store import Store
 from armlab.session.worker import Worker
+from armlab.teaching.lesson_commands import ReloadLesson
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui import adapter
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.manners import DEAR

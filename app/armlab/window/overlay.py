@@ -15,18 +15,18 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import viser
 
-from armlab.session.lesson_places import at_place
 from armlab.session.panel_commands import hidden_tabs
-from armlab.session.parts.former import BackToFormer, ForgetFormer, offered
-from armlab.session.parts.lesson import LessonPart
-from armlab.session.parts.preview import Preview
 from armlab.session.parts.robot import ChooseRobot, RobotPart
-from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf
 from armlab.session.parts.target import Target, verdict
-from armlab.session.parts.welcome import CARD, LeaveWelcome, Welcome
-from armlab.session.preview_commands import EndPreview
 from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import Post, State
+from armlab.teaching.lesson_places import at_place
+from armlab.teaching.parts.former import BackToFormer, ForgetFormer, offered
+from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.parts.preview import Preview
+from armlab.teaching.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf
+from armlab.teaching.parts.welcome import CARD, LeaveWelcome, Welcome
+from armlab.teaching.preview_commands import EndPreview
 from armlab.ui.fields import Fields
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.form import Form

@@ -8,10 +8,10 @@ from typing import Any
 
 from armlab.page import Page
 from armlab.session.panel_commands import OpenPanel, hidden_panels
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Post, State
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.form import Form
 from armlab.ui.html import tag
 from armlab.ui.markup import verdict_box

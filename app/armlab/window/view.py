@@ -15,12 +15,12 @@ from armlab.session.pages import pages, tabs
 from armlab.session.panel_commands import CloseWindow, OpenPanel, OpenWindow, SeeTabs, first_window, hidden_panels
 from armlab.session.parts.display import SYSTEM_DARK, Display, Show
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.panels import Panels, Window
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.session import Session
 from armlab.session.state import Post, State
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui import commands
 from armlab.ui.camera import Camera
 from armlab.ui.canvas import Canvas

@@ -11,16 +11,16 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from armlab.errors import InputError
-from armlab.session.assignment_commands import OpenAssignment
-from armlab.session.errata_links import LookUp
 from armlab.session.example_links import LookAt
-from armlab.session.lesson_commands import OpenLesson
 from armlab.session.panel_commands import OpenPanel
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import ChooseRobot, RobotPart
-from armlab.session.parts.shelf import BackToLesson, OpenShared, Shelf
 from armlab.session.share import short
 from armlab.session.state import Command, State
+from armlab.teaching.assignment_commands import OpenAssignment
+from armlab.teaching.errata_links import LookUp
+from armlab.teaching.lesson_commands import OpenLesson
+from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.parts.shelf import BackToLesson, OpenShared, Shelf
 
 
 def wished(state: State, wish: str) -> Command | None:

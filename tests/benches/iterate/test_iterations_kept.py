@@ -29,7 +29,6 @@ from armlab.kin.ik.iterate.problem import Problem
 from armlab.session.arm_on_clip import standing
 from armlab.session.edits import AddJoint, SetCell, SetLimits
 from armlab.session.fields import Set
-from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.joints import Joints, LockJoint, TakePose
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import Target
@@ -37,6 +36,7 @@ from armlab.session.parts.timeline import OpenClip, Seek, Timeline, duration
 from armlab.session.session import Session, Undo
 from armlab.session.share import from_short, short
 from armlab.session.state import State, apply
+from armlab.teaching.lesson_commands import OpenLesson
 from support.clips import another_clip
 from support.iterating import done, opened, started
 

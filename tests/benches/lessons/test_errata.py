@@ -15,16 +15,16 @@ from armlab.content.errata_task import task_of, with_tasks
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
 from armlab.kin.errata import POINTS, run, trials
-from armlab.session.errata_links import LookUp
 from armlab.session.facts import facts_again, worked_out
 from armlab.session.fields import Set
-from armlab.session.lesson_commands import OpenLesson
-from armlab.session.parts.errata_practice import LONGEST, Practice
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.panels import Panels
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.share import from_short, short
 from armlab.session.state import State, apply
+from armlab.teaching.errata_links import LookUp
+from armlab.teaching.lesson_commands import OpenLesson
+from armlab.teaching.parts.errata_practice import LONGEST, Practice
 
 OPEN = frozenset({PANEL})
 

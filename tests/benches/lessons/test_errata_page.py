@@ -17,9 +17,9 @@ from armlab.content.errata import SEVERITIES, errata
 from armlab.content.errata_task import task_of, with_tasks
 from armlab.content.robots import catalogue
 from armlab.session.fields import Set
-from armlab.session.lesson_commands import GoToStep, OpenLesson
-from armlab.session.parts.errata_practice import Practice
 from armlab.session.state import State, apply
+from armlab.teaching.lesson_commands import GoToStep, OpenLesson
+from armlab.teaching.parts.errata_practice import Practice
 from support.bare_gui import BarePage, content
 from support.forms import BareForm, asked
 from support.student import run

@@ -9,8 +9,8 @@ from armlab.benches.lessons.index.ui.map import SIGNS, Map
 from armlab.benches.lessons.index.ui.page import _told
 from armlab.content.course import Chapter, Course
 from armlab.content.lessons import lessons
-from armlab.session.lesson_commands import OpenLesson
-from armlab.session.way import Standing, Way
+from armlab.teaching.lesson_commands import OpenLesson
+from armlab.teaching.way import Standing, Way
 from armlab.ui import picks
 from support.forms import BareForm
 from support.lab import running_lab

@@ -6,8 +6,8 @@ from armlab.benches.lessons.own_commands import LoadFile
 from armlab.content.desk import Desk, open_desk
 from armlab.content.lessons import changed, lessons
 from armlab.content.upload import read_upload
-from armlab.session.parts.own_lessons import OwnLessons
-from armlab.session.parts.teacher import LetIn
+from armlab.teaching.parts.own_lessons import OwnLessons
+from armlab.teaching.parts.teacher import LetIn
 from support.filled import Filled
 from support.small_lessons import TWO_STEPS, library_fixture
 

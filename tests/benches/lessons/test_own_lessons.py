@@ -11,21 +11,21 @@ from armlab.content.robots import catalogue
 from armlab.content.upload import MOST_TEXT, Upload, read_upload
 from armlab.content.write_robot import robot_toml
 from armlab.errors import ArmlabError
-from armlab.session.assignment_commands import HandIn, OpenAssignment
-from armlab.session.hand_in import hand_in
-from armlab.session.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson, SignAs
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.language import LanguagePart, ReadIn
-from armlab.session.parts.lesson import LessonPart
-from armlab.session.parts.own_lessons import MOST_FILES, OwnLessons, key_of
-from armlab.session.parts.preview import Preview
 from armlab.session.parts.robot import RobotPart
-from armlab.session.parts.shelf import BackToLesson, OpenShared, ToSandbox
-from armlab.session.parts.teacher import LetIn, Teacher
-from armlab.session.preview_commands import EndPreview, PreviewAssignment, PreviewLesson
 from armlab.session.session import Session, Undo
 from armlab.session.share import from_short, short, state_of_parts
 from armlab.session.state import State, apply
+from armlab.teaching.assignment_commands import HandIn, OpenAssignment
+from armlab.teaching.hand_in import hand_in
+from armlab.teaching.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson, SignAs
+from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.parts.own_lessons import MOST_FILES, OwnLessons, key_of
+from armlab.teaching.parts.preview import Preview
+from armlab.teaching.parts.shelf import BackToLesson, OpenShared, ToSandbox
+from armlab.teaching.parts.teacher import LetIn, Teacher
+from armlab.teaching.preview_commands import EndPreview, PreviewAssignment, PreviewLesson
 from support.small_lessons import TWO_STEPS, VARIED, library_fixture
 
 own = pytest.fixture(library_fixture, name="own")

@@ -10,12 +10,12 @@ from armlab.content.bench_words import BenchWord
 from armlab.content.lesson_file import parse_lesson
 from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
-from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.joints import Joints, MoveJoint
-from armlab.session.play import problems
 from armlab.session.put_words import begun_as
 from armlab.session.state import State, apply
 from armlab.session.words import command_of
+from armlab.teaching.lesson_commands import OpenLesson
+from armlab.teaching.play import problems
 from support.small_lessons import library_fixture
 
 own = pytest.fixture(library_fixture, name="own")

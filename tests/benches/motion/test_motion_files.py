@@ -23,10 +23,10 @@ from armlab.benches.motion.plan.state import planned_now
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import Trajectory, law_type, path_type
-from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.joints import Joints, LockJoint
 from armlab.session.parts.timeline import OpenClip
 from armlab.session.state import State, apply
+from armlab.teaching.lesson_commands import OpenLesson
 from armlab.ui.figure.anatomy import anatomy_of
 from armlab.ui.plugin import layers, panel
 from armlab.ui.recording import LONGEST, POSES_PER_SECOND, Scenario, maker, record

@@ -22,15 +22,15 @@ from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
 from armlab.session.bench import benches, choosing, refuse_other_arm, robot_of
-from armlab.session.hand_in import hand_in, judge
 from armlab.session.job import Deliver
-from armlab.session.lesson_commands import GoToStep, OpenLesson, TakeLessonArm
 from armlab.session.parts.joints import Joints, MoveJoint
-from armlab.session.parts.lesson import LessonPart, check_line, observed
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline, duration
-from armlab.session.play import Player, problems
 from armlab.session.state import State, apply
+from armlab.teaching.hand_in import hand_in, judge
+from armlab.teaching.lesson_commands import GoToStep, OpenLesson, TakeLessonArm
+from armlab.teaching.parts.lesson import LessonPart, check_line, observed
+from armlab.teaching.play import Player, problems
 from support.motion_lesson import MOTION
 from support.small_lessons import library_fixture
 

@@ -13,12 +13,12 @@ from armlab.content.course import Course
 from armlab.content.lessons import lessons
 from armlab.content.upload import ASSIGNMENT, COURSE_KIND, LESSON_KIND, Upload
 from armlab.errors import InputError
-from armlab.session.assignment_rules import refuse_in_assignment
 from armlab.session.edits import PasteTable
-from armlab.session.parts.lesson import LessonPart
-from armlab.session.parts.own_lessons import OwnLessons, course_in
-from armlab.session.preview_commands import EndPreview
 from armlab.session.state import Command, State
+from armlab.teaching.assignment_rules import refuse_in_assignment
+from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.parts.own_lessons import OwnLessons, course_in
+from armlab.teaching.preview_commands import EndPreview
 
 
 @dataclass(frozen=True)

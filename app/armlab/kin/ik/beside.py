@@ -14,8 +14,9 @@ from armlab.kin.ik.nearly_still import SLACK, slack_ways
 Vector = NDArray[np.float64]
 
 DISTANCES = (1e-5, 1e-4, 1e-3, 1e-2, 3e-2)
-"""How far from a solution, over all joints, in radians or length scales. Nearer than the first, two are told apart by
-nothing; farther than the last, closed forms and descents from anywhere find both."""
+"""Lengths of the steps away from a solution, over all joints, in radians or length scales. Nearer than the first, two
+are told apart by nothing; farther than the last, closed forms and descents from anywhere find both.
+"""
 
 
 def beside(arm: Arm, rows: Sequence[Vector], G: NDArray[np.floating]) -> list[Vector]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import viser
 
 from armlab.content.check import Goal
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.colours import VERDICT
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show

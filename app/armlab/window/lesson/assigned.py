@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from armlab.content.assignment import Assignment, said_date
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
-from armlab.session.assignment_commands import OpenTask, TakeUp
-from armlab.session.assignment_work import Work
 from armlab.session.clock import now
-from armlab.session.lesson_commands import CloseLesson, GoToStep, TakeLessonArm
-from armlab.session.lesson_places import at_place, place_of, where_in
-from armlab.session.lesson_progress import Progress, step_names
-from armlab.session.parts.lesson import LessonPart
+from armlab.teaching.assignment_commands import OpenTask, TakeUp
+from armlab.teaching.assignment_work import Work
+from armlab.teaching.lesson_commands import CloseLesson, GoToStep, TakeLessonArm
+from armlab.teaching.lesson_places import at_place, place_of, where_in
+from armlab.teaching.lesson_progress import Progress, step_names
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.form import Form, Wish
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import verdict_box

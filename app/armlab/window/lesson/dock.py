@@ -14,10 +14,10 @@ from typing import Any
 import viser
 
 from armlab.content.lessons import Lessons, lessons_read
-from armlab.session.assignment_commands import LookAtClock
 from armlab.session.clock import now
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Post, State
+from armlab.teaching.assignment_commands import LookAtClock
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.widgets import Gui
 from armlab.window.lesson.page import LessonPage
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_head import time_said
 from armlab.content.lessons import Lessons, lessons_read
-from armlab.session.lesson_commands import OpenLesson
-from armlab.session.parts.lesson import LessonPart
-from armlab.session.way import Way
+from armlab.teaching.lesson_commands import OpenLesson
+from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.way import Way
 from armlab.ui.form import Form
 from armlab.ui.html import Markup, joined, tag
 

@@ -9,10 +9,11 @@ from armlab.content.lessons import Lesson, lessons_read
 from armlab.content.question import Choices
 from armlab.content.question import Form as Answered
 from armlab.errors import InputError
-from armlab.session.assignment_commands import HandIn
 from armlab.session.clock import now
-from armlab.session.hand_in import MOST, hand_in, hand_in_name
-from armlab.session.lesson_commands import (
+from armlab.session.state import Post, State
+from armlab.teaching.assignment_commands import HandIn
+from armlab.teaching.hand_in import MOST, hand_in, hand_in_name
+from armlab.teaching.lesson_commands import (
     CloseLesson,
     GoToStep,
     OpenLesson,
@@ -20,9 +21,8 @@ from armlab.session.lesson_commands import (
     TakeLessonArm,
     UnlockHint,
 )
-from armlab.session.parts.lesson import LessonPart, check_line, has_its_arm
-from armlab.session.parts.shelf import ToSandbox
-from armlab.session.state import Post, State
+from armlab.teaching.parts.lesson import LessonPart, check_line, has_its_arm
+from armlab.teaching.parts.shelf import ToSandbox
 from armlab.ui.asking import Draft, asked, said
 from armlab.ui.erratum_links import with_links, without_links
 from armlab.ui.form import Form, Wish

@@ -13,9 +13,9 @@ from armlab.content.live import all_live_values
 from armlab.content.live_value import NONE
 from armlab.content.markdown import IN_METRES
 from armlab.session.pages import pages, place_of
-from armlab.session.parts.lesson import LessonPart, observed
 from armlab.session.parts.timeline import clips
 from armlab.session.state import State
+from armlab.teaching.parts.lesson import LessonPart, observed
 from armlab.ui.html import Markup, joined, tag
 from armlab.ui.plugin import switches
 from armlab.ui.units import units_of

@@ -16,11 +16,11 @@ from armlab.content.absent import absent
 from armlab.content.index import Entry, Place
 from armlab.content.lessons import lessons_read
 from armlab.content.rows import known, rows
-from armlab.session.lesson_commands import OpenLesson
 from armlab.session.pages import tab_of
 from armlab.session.parts.display import Display
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State
+from armlab.teaching.lesson_commands import OpenLesson
 from armlab.ui.commands import Page
 from armlab.ui.fields import Fields
 from armlab.ui.form import Form

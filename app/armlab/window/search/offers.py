@@ -16,10 +16,10 @@ from armlab.page import Page as PageData
 from armlab.session.fields import Set
 from armlab.session.pages import pages
 from armlab.session.panel_commands import hidden_panels
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.state import State
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.commands import Page, Shortcut, shortcuts, toggle
 from armlab.ui.plugin import layers, switches
 from armlab.ui.settings import NOTATION, Setting

@@ -7,8 +7,8 @@ from typing import ClassVar
 
 from armlab.benches.lessons.errata.state import Choose, Errata
 from armlab.content.errata_task import with_tasks
-from armlab.session.parts.errata_practice import Practice
 from armlab.session.state import Command, State
+from armlab.teaching.parts.errata_practice import Practice
 
 
 def task_key(state: State) -> str:

@@ -8,8 +8,8 @@ from collections.abc import Callable
 from armlab.benches.lessons.errata.job import JOB
 from armlab.benches.lessons.errata.state import Errata, Found
 from armlab.session.facts import Fact, Facts
-from armlab.session.parts.errata_practice import Practice
 from armlab.session.state import State
+from armlab.teaching.parts.errata_practice import Practice
 
 
 def _of_run(value: Callable[[Found], float]) -> Callable[[State], float | None]:

@@ -13,9 +13,9 @@ from armlab.benches.motion.plan.planning import making
 from armlab.benches.motion.plan.question import Planned, Question
 from armlab.benches.motion.plan.state import CLIP_KEY, Plan, question
 from armlab.session.job import Job, Wanted
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
+from armlab.teaching.parts.lesson import LessonPart
 
 MOTION = "motion"
 """Name by which lessons request the planned motion."""

@@ -18,7 +18,7 @@ from armlab.content.robots import Robot
 from armlab.errors import InputError, suggestion
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, Json, State
-from armlab.session.taught import Taught
+from armlab.teaching.taught import Taught
 
 MOST_POSES = 30_000
 """Largest number of poses for which the inverse kinematics of one plan is solved again; no lesson needs more."""

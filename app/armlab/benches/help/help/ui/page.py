@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from armlab.session.parts.robot import RobotPart
-from armlab.session.parts.welcome import ShowCard
 from armlab.session.state import Post, State
+from armlab.teaching.parts.welcome import ShowCard
 from armlab.ui.commands import shortcuts
 from armlab.ui.html import Markup, tag
 from armlab.ui.jog import KEYS as JOG

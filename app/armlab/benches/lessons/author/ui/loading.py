@@ -12,12 +12,12 @@ from armlab.content.held import HeldLesson
 from armlab.content.lessons import lessons
 from armlab.content.upload import ASSIGNMENT, MOST_SENT, MOST_ZIP, Upload, read_upload
 from armlab.errors import ArmlabError, InputError
-from armlab.session.assignment_commands import refuse_unknown_pages
-from armlab.session.parts.lesson import LessonPart
-from armlab.session.parts.own_lessons import Held, OwnLessons, key_of
-from armlab.session.parts.teacher import LetIn, Teacher
-from armlab.session.preview_commands import PreviewAssignment, PreviewLesson
 from armlab.session.state import Command, Post, State
+from armlab.teaching.assignment_commands import refuse_unknown_pages
+from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.parts.own_lessons import Held, OwnLessons, key_of
+from armlab.teaching.parts.teacher import LetIn, Teacher
+from armlab.teaching.preview_commands import PreviewAssignment, PreviewLesson
 from armlab.ui.form import Wish
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import fold, row

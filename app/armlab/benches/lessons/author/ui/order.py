@@ -15,9 +15,9 @@ from armlab.content.lesson_folder import COURSE
 from armlab.content.lessons import Lessons, lessons
 from armlab.content.upload import COURSE_KIND, Upload
 from armlab.errors import ArmlabError, InputError
-from armlab.session.parts.own_lessons import OwnLessons
-from armlab.session.parts.teacher import Teacher
 from armlab.session.state import Post, State
+from armlab.teaching.parts.own_lessons import OwnLessons
+from armlab.teaching.parts.teacher import Teacher
 from armlab.ui.format import so_many
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import fold, row, verdict_box

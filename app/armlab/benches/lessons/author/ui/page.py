@@ -15,14 +15,14 @@ from armlab.content.lessons import lessons, lessons_read
 from armlab.errors import ArmlabError, InputError
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.lesson import LessonPart
-from armlab.session.parts.own_lessons import OwnLessons
-from armlab.session.parts.preview import Preview
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
-from armlab.session.parts.teacher import Teacher
 from armlab.session.put_words import begun_as
 from armlab.session.state import Post, State
+from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.parts.own_lessons import OwnLessons
+from armlab.teaching.parts.preview import Preview
+from armlab.teaching.parts.teacher import Teacher
 from armlab.ui.form import Form, Pressed, Typed
 from armlab.ui.format import pairs
 from armlab.ui.html import Inside, tag

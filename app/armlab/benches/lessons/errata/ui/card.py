@@ -13,9 +13,9 @@ from armlab.content.errata import Erratum
 from armlab.content.lessons import lessons
 from armlab.kin.errata.trial import POINTS, Trial
 from armlab.session.fields import Set
-from armlab.session.lesson_commands import GoToStep, OpenLesson
 from armlab.session.pages import pages, place_of
 from armlab.session.state import State
+from armlab.teaching.lesson_commands import GoToStep, OpenLesson
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import fold

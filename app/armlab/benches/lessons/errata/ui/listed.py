@@ -9,8 +9,8 @@ from armlab.benches.lessons.errata.state import ALL, Choose, Errata
 from armlab.content.errata import CHAPTERS, SEVERITIES, Erratum, errata
 from armlab.content.rows import chapters
 from armlab.session.fields import Set
-from armlab.session.parts.errata_practice import Practice
 from armlab.session.state import State
+from armlab.teaching.parts.errata_practice import Practice
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
 

@@ -14,11 +14,11 @@ from armlab.benches.lessons.errata.ui.practice import Spotting, view_chips
 from armlab.benches.lessons.errata.ui.scene import around
 from armlab.content.errata_sheet import FORMATS, sheet
 from armlab.content.lessons import lessons_read
-from armlab.session.parts.errata_practice import Practice
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Post, State
+from armlab.teaching.parts.errata_practice import Practice
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, tag

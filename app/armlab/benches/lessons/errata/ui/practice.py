@@ -11,8 +11,8 @@ from armlab.content.errata import erratum
 from armlab.content.errata_task import Place, Task, task_of, with_tasks
 from armlab.content.question import Choices
 from armlab.session.fields import Set
-from armlab.session.parts.errata_practice import Practice, Tried, is_done
 from armlab.session.state import State
+from armlab.teaching.parts.errata_practice import Practice, Tried, is_done
 from armlab.ui.asking import Draft, asked, said
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, classes, tag

@@ -7,10 +7,10 @@ from functools import partial
 
 from armlab.content.assignment import Assignment, said_date
 from armlab.content.lesson_head import time_said
-from armlab.session.assignment_commands import OpenAssignment
-from armlab.session.assignment_work import Work
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Post
+from armlab.teaching.assignment_commands import OpenAssignment
+from armlab.teaching.assignment_work import Work
+from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.form import Form, Wish
 from armlab.ui.html import Markup, tag
 from armlab.ui.markup import fold

@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from armlab.content.course import Chapter
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_head import time_said
-from armlab.session.lesson_commands import OpenLesson
-from armlab.session.way import Way
+from armlab.teaching.lesson_commands import OpenLesson
+from armlab.teaching.way import Way
 from armlab.ui.form import Form
 from armlab.ui.format import so_many
 from armlab.ui.html import Inside, Markup, tag

@@ -8,11 +8,11 @@ from armlab.benches.lessons.index.ui.assignments import listed
 from armlab.benches.lessons.index.ui.map import Map
 from armlab.content.lesson_head import time_said
 from armlab.content.lessons import Lessons, lessons, lessons_read
-from armlab.session.hand_in import MOST
-from armlab.session.lesson_commands import ChooseCourse
-from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Post, State
-from armlab.session.way import Way
+from armlab.teaching.hand_in import MOST
+from armlab.teaching.lesson_commands import ChooseCourse
+from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.way import Way
 from armlab.ui.form import Form
 from armlab.ui.format import so_many
 from armlab.ui.html import Inside, tag

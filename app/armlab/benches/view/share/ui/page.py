@@ -9,13 +9,13 @@ from urllib.parse import urlsplit
 
 from armlab.benches.view.share.ui.qr import qr_svg
 from armlab.benches.view.share.worksheet import worksheet
-from armlab.session.lesson_places import at_place
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
-from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf
 from armlab.session.parts.target import Target
 from armlab.session.share import short
 from armlab.session.state import Post, State
+from armlab.teaching.lesson_places import at_place
+from armlab.teaching.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf
 from armlab.ui.file_names import file_name
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag

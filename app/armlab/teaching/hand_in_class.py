@@ -1,0 +1,83 @@
+"""Comparison of the hand-ins of a class: copied work, variants that were not assigned, and the attempt that counts."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from armlab.teaching.hand_in import Report
+from armlab.teaching.hand_in_reports import Judged
+
+
+def looked_at_together(judged: Sequence[Judged], students: Mapping[int, str] | None = None) -> list[Judged]:
+    """Return the verdicts with marks: work that agrees with another's to the last digit, and another's variant.
+
+    Parameters
+    ----------
+    judged : sequence of Judged
+    students : mapping of int to str, optional
+        Names by the variant that each was given. Work in another variant, or of somebody else, does not count.
+    """
+    prints: list[frozenset[str]] = [frozenset() if one.report is None else one.report.prints for one in judged]
+    having: dict[str, list[int]] = defaultdict(list)
+    for i, each in enumerate(prints):
+        for found in each:
+            having[found].append(i)
+    marked = []
+    for i, (one, each) in enumerate(zip(judged, prints, strict=True)):
+        others = sorted({k for found in each for k in having[found]} - {i})
+        others = [k for k in others if not _attempts_of_one(one.report, judged[k].report)]
+        problem = one.problem
+        if one.report is not None:
+            problem = one.report.handed.problem if one.report.handed is not None else ""
+            problem = problem or (_not_assigned(one.report, students) if students is not None else "")
+        marked.append(replace(one, problem=problem, same_as=tuple(judged[k].file for k in others)))
+    return _last_attempts(marked)
+
+
+def _attempts_of_one(one: Report | None, other: Report | None) -> bool:
+    """Return whether both are attempts of one student at an assignment, of which one goes on from the other."""
+    if one is None or other is None or one.handed is None or other.handed is None:
+        return False
+    return bool(one.student) and _plain(one.student) == _plain(other.student)
+
+
+def _last_attempts(judged: Sequence[Judged]) -> list[Judged]:
+    """Return the verdicts with all but the last attempt of each student marked as not counting."""
+    last: dict[str, Judged] = {}
+    for one in judged:
+        if one.report is not None and not one.problem and one.report.handed is not None and one.report.student:
+            who = _plain(one.report.student)
+            last[who] = max(last.get(who, one), one, key=_attempt)
+    return [replace(one, problem=_earlier(one, last)) for one in judged]
+
+
+def _attempt(one: Judged) -> tuple[int, float]:
+    handed = one.report.handed if one.report is not None else None
+    return (0, 0.0) if handed is None else (handed.attempt, handed.handed)
+
+
+def _earlier(one: Judged, last: Mapping[str, Judged]) -> str:
+    """Return the reason why the work does not count; that it is an earlier attempt where there was none."""
+    if one.problem or one.report is None or one.report.handed is None:
+        return one.problem
+    counts = last.get(_plain(one.report.student), one)
+    return "" if counts is one else f"Another attempt counts: {counts.file}."
+
+
+def _not_assigned(report: Report, students: Mapping[int, str]) -> str:
+    """Return the reason why the work is not the one assigned to the student; empty when it is."""
+    name = _plain(report.student)
+    given = [number for number, student in students.items() if _plain(student) == name]
+    if not given:
+        return "There is nobody of this name in the list." if name else "The work is not signed."
+    if not report.varies or report.variant in given:
+        return ""
+    return f"This is variant {report.variant}; the one given was {' or '.join(map(str, given))}."
+
+
+def _plain(name: str) -> str:
+    # An accent is a letter with its mark on one computer, and two signs in a row on another.
+    return unicodedata.normalize("NFC", " ".join(name.split()).casefold())

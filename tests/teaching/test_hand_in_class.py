@@ -1,0 +1,75 @@
+"""The work of a class, looked at together: who has another's work, and who another's variant."""
+
+import csv
+import io
+import json
+
+import numpy as np
+import pytest
+
+from armlab.content.robots import catalogue
+from armlab.session.parts.joints import MoveJoint
+from armlab.session.state import State, apply
+from armlab.teaching.hand_in import hand_in, judge
+from armlab.teaching.hand_in_class import looked_at_together
+from armlab.teaching.hand_in_reports import Judged, gradescope, rows, table
+from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson, SignAs
+from armlab.teaching.parts.lesson import LessonPart
+from support.small_lessons import library_fixture
+
+own = pytest.fixture(library_fixture, name="own")
+
+
+@pytest.fixture
+def fresh():
+    return State.initial(catalogue()["puma560"])
+
+
+def timed(state, *commands, at=0.0):
+    for command in commands:
+        state, at = apply(state, command, at), at + 1.37
+    return state
+
+
+def student_work(fresh, name, at, variant=3):
+    """Return the file of a student who does everything in the same way, at a time of its own."""
+    state = timed(fresh, SignAs(name), OpenLesson("v", variant=variant), at=at)
+    goal = state[LessonPart].lesson.values["goal"]
+    state = apply(state, MoveJoint(0, np.radians(goal)), 2.0 * at)
+    state = timed(state, GoToStep(1), Answer(f"{goal:g}"), GoToStep(2), at=3.0 * at)
+    return hand_in(apply(state, Answer(state[LessonPart].step.question.right_answer), 5.0 * at))
+
+
+def test_work_that_agrees_to_the_last_digit_is_marked_with_both(fresh, own):
+    ada, bob, eve = (student_work(fresh, name, at) for name, at in (("Ada", 7.31), ("Bob", 9.17), ("Eve", 7.31)))
+    data = json.loads(eve)
+    del data["progress"]["evidence"]["Turn"]  # something of the copy is different
+    files = [Judged(name, judge(text)) for name, text in (("a", ada), ("b", bob), ("e", json.dumps(data)))]
+    marked = looked_at_together(files)
+    assert [one.same_as for one in marked] == [("e",), (), ("a",)]
+    assert "Agrees to the last digit with e." in table(marked).splitlines()[1]
+    assert gradescope(marked[0])["output"].endswith("Agrees to the last digit with e.")
+
+
+def test_work_of_nothing_is_not_marked(fresh, own):
+    files = [Judged(name, judge(hand_in(timed(fresh, SignAs(name), OpenLesson("v", variant=3))))) for name in "ab"]
+    assert [one.same_as for one in looked_at_together(files)] == [(), ()]
+
+
+def test_work_in_the_variant_of_another_does_not_count(fresh, own):
+    names = {3: "Ada  Lovelace", 4: "Bob", 5: "Rene\u0301"}
+    files = [
+        Judged(str(k), judge(student_work(fresh, name, 5.0 + k, variant)))
+        for k, (name, variant) in enumerate((("ada lovelace", 3), ("Bob", 3), ("Mallory", 4), ("", 3), ("René", 5)))
+    ]
+    marked = looked_at_together(files, names)
+    assert [one.problem for one in marked] == [
+        "",
+        "This is variant 3; the one given was 4.",
+        "There is nobody of this name in the list.",
+        "The work is not signed.",
+        "",
+    ]
+    assert [one.passed for one in marked] == [3, 0, 0, 0, 3]
+    assert [gradescope(one)["score"] for one in marked] == [3.0, 0.0, 0.0, 0.0, 3.0]
+    assert [row["score"] for row in csv.DictReader(io.StringIO(rows(marked)))] == ["100", "0", "0", "0", "100"]
