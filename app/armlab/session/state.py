@@ -163,9 +163,9 @@ class State:
         Time of the state, or of the command that is applied to it, in seconds of the session's clock; not saved.
     """
 
-    def __init__(self, parts: Iterable[Part], at: float = 0.0, places: dict[type[Part], int] | None = None) -> None:
+    def __init__(self, parts: Iterable[Part], at: float = 0.0, kinds: _Kinds | None = None) -> None:
         self._parts, self.at = tuple(parts), at
-        self._places = _places_of(tuple(map(type, self._parts))) if places is None else places
+        self._kinds = _kinds_of(tuple(map(type, self._parts))) if kinds is None else kinds
         self._derived: dict[Callable[[State], Any], Any] = {}
 
     @classmethod
@@ -178,12 +178,12 @@ class State:
         """Return the first state of a new student; see `Part.begun`."""
         return cls(part.begun(token) for part in _initial_parts(robot))
 
-    def with_own(self, name: str) -> Iterator[Part]:
-        """Yield, in order, the parts whose class has something of its own under a name of `Part`."""
-        return (self[kind] for kind in _own_of(tuple(map(type, self)), name))
+    def with_own(self, name: str) -> list[Part]:
+        """Return, in order, the parts whose class has something of its own under a name of `Part`."""
+        return [self._parts[place] for place in self._kinds.with_own(name)]
 
     def __getitem__(self, kind: type[P]) -> P:
-        part: Any = self._parts[self._places[kind]]
+        part: Any = self._parts[self._kinds.places[kind]]
         found: P = part
         return found
 
@@ -193,18 +193,18 @@ class State:
     def holds_the_same(self, other: State) -> bool:
         """Return whether a file of another state would be a file of this one."""
         pairs = zip(self._parts, other._parts, strict=False)
-        return self._places is other._places and all(mine is its for mine, its in pairs if mine.saved)
+        return self._kinds is other._kinds and all(mine is its for mine, its in pairs if mine.saved)
 
     def replace(self, *parts: Part) -> State:
         """Return the state with these parts in place of the present ones of their types."""
         changed = list(self._parts)
         for part in parts:
-            changed[self._places[type(part)]] = part
-        return State(changed, self.at, self._places)
+            changed[self._kinds.places[type(part)]] = part
+        return State(changed, self.at, self._kinds)
 
     def dated(self, at: float) -> State:
         """Return the same state with another time."""
-        state = State(self._parts, at, self._places)
+        state = State(self._parts, at, self._kinds)
         state._derived = self._derived
         return state
 
@@ -247,10 +247,32 @@ def _initial_parts(robot: Robot) -> tuple[Part, ...]:
     return tuple(kind.initial(robot) for kind in part_types())
 
 
+class _Kinds:
+    """The types of the parts of a state, kept once for all states that have them: each step of undo is one.
+
+    Attributes
+    ----------
+    places : dict of type to int
+        Where the part of each type stands.
+    """
+
+    def __init__(self, kinds: tuple[type[Part], ...]) -> None:
+        self.places = {kind: place for place, kind in enumerate(kinds)}
+        self._own: dict[str, tuple[int, ...]] = {}
+
+    def with_own(self, name: str) -> tuple[int, ...]:
+        """Return where the parts stand that have something of their own under a name of `Part`."""
+        found = self._own.get(name)
+        if found is None:
+            theirs = getattr(Part, name)
+            found = tuple(place for kind, place in self.places.items() if getattr(kind, name) is not theirs)
+            self._own[name] = found
+        return found
+
+
 @cache
-def _places_of(kinds: tuple[type[Part], ...]) -> dict[type[Part], int]:
-    """Return where in a state the part of each kind stands, kept once for all states: each step of undo is one."""
-    return {kind: place for place, kind in enumerate(kinds)}
+def _kinds_of(kinds: tuple[type[Part], ...]) -> _Kinds:
+    return _Kinds(kinds)
 
 
 class Command:
@@ -330,8 +352,3 @@ def guard(before: State, now: State) -> None:
     """Ask every part whether a change is allowed; see `Part.guard`."""
     for part in before.with_own("guard"):
         part.guard(before, now)
-
-
-@cache
-def _own_of(kinds: tuple[type[Part], ...], name: str) -> tuple[type[Part], ...]:
-    return tuple(kind for kind in kinds if getattr(kind, name) is not getattr(Part, name))
