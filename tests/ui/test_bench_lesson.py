@@ -1,4 +1,4 @@
-"""The text of a lesson shows facts of benches as they are at the moment."""
+"""A lesson and the benches: facts in its text as they are at the moment, and what a question leaves in the scene."""
 
 import re
 
@@ -9,6 +9,7 @@ from armlab.content.robots import catalogue
 from armlab.session.state import State, apply
 from armlab.teaching.lesson_commands import GoToStep, OpenLesson
 from armlab.teaching.parts.lesson import LessonPart
+from armlab.ui.plugin import OF_THE_ARM, hidden_layers, panel
 from armlab.window.lesson.text import step_text
 from support.bench_lesson import BENCHES
 from support.small_lessons import library_fixture
@@ -42,3 +43,11 @@ def test_a_prediction_hides_facts(own):
     own(benches=BENCHES.replace("```check", f"```question\n{asked}\n```\n\n```check", 1))
     state = apply(State.initial(catalogue()["planar_2r"]), OpenLesson("benches", variant=0))
     assert shown(state) == {"velocity.statics.torques": "?"}
+
+
+def test_a_prediction_on_a_page_without_the_arm_brings_no_arm(own):
+    asked = 'kind = "number"\ntext = "x?"\nanswer = 1\ntolerance = 0.1\nhide = ["values"]'
+    own(benches=BENCHES.replace("```check", f"```question\n{asked}\n```\n\n```check", 1))
+    state = apply(State.initial(catalogue()["planar_2r"]), OpenLesson("benches", variant=0))
+    assert {*OF_THE_ARM, "gizmo"} <= hidden_layers(state, [panel("motor")])
+    assert not {"arm", "gizmo"} & hidden_layers(state, [panel("velocity")])

@@ -197,11 +197,10 @@ def hidden_layers(state: State, opened: Iterable[Panel]) -> frozenset[str]:
     predicted = state[LessonPart].hides
     if "arm" in predicted:
         return frozenset(layers()) - OF_THE_ROOM
+    of_panels = frozenset(key for panel in opened for key in (*panel.hides, *panel.hides_then(state)))
     if predicted:
-        return frozenset(key for key, layer in layers().items() if not layer.silent)
-    on = (layer.hides for layer in _hiding() if layer.switch is not None and layer.switch.on(state))
-    of_panels = (key for panel in opened for key in (*panel.hides, *panel.hides_then(state)))
-    return frozenset(of_panels).union(*on)
+        return of_panels.union(key for key, layer in layers().items() if not layer.silent)
+    return of_panels.union(*(layer.hides for layer in _hiding() if layer.switch is not None and layer.switch.on(state)))
 
 
 def _refuse_unknown(key: str, hides: tuple[str, ...], known: Collection[str] | None = None) -> None:
