@@ -1,14 +1,16 @@
 """Handles and typed targets offer and take just what the arm's task controls."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from armlab.content.robots import catalogue
+from armlab.content.robots import catalogue, own_robot
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
-from armlab.kin.rotations import euler_zyx, rotation_about
+from armlab.kin.ik.target import feasible
+from armlab.kin.rotations import euler_zyx, rotation_about, rotation_from_axis_angle
 from armlab.kin.task import task_named
 from armlab.kin.transforms import transform
 from armlab.session.parts.joints import Joints
@@ -16,10 +18,12 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.target import PlaceTarget, target_pose, verdict
 from armlab.session.state import State, apply
 from armlab.ui.pose_fields import typed_component
-from armlab.ui.scene._handle import handles_of
+from armlab.ui.scene import gizmo
+from armlab.ui.scene._handle import axes_of, handles_of
 from armlab.ui.units import Units
 
 UNITS = Units(Notation())
+H = np.pi / 2
 
 
 @pytest.mark.parametrize(
@@ -53,6 +57,51 @@ def test_a_scara_turns_about_z_only():
 def test_a_direction_is_turned_about_two_axes():
     arm = replace(catalogue()["puma560"].arm, task=task_named("xyz approach"))
     assert [ring["active_axes"] for ring in handles_of(arm, "turn")] == [(False, True, True), (True, False, True)]
+
+
+def test_an_arm_that_can_only_turn_has_a_ring_from_the_start(monkeypatch):
+    arm, shown = Arm.from_dh([("R", 0.5, 0, 0, 0)]), []
+    monkeypatch.setattr(gizmo, "Handle", lambda *_: SimpleNamespace(show=lambda pose, *how: shown.append(how), held=0))
+    gizmo.Gizmo(SimpleNamespace()).show(State.initial(own_robot(arm, "mine")))
+    ((handle, _),) = shown
+    (ring,) = handles_of(arm, handle)
+    assert ring["active_axes"] == (True, True, False)
+
+
+SCARA = catalogue()["scara"].arm
+ACROSS = {
+    "the last twist, in a plane": (Arm.from_dh([("R", 1.0, 0, 0, 0), ("R", 0.5, H, 0, 0)], task="xy"), (0.4, 0.5)),
+    "a hand in the plane": (
+        Arm.from_dh([("R", 1, 0, 0, 0), ("R", 0.5, 0, 0, 0), ("R", 0, H, 0, H)], task="xy phi"),
+        (0.4, 0.5, 0.3),
+    ),
+    "a tool turned on a SCARA": (
+        replace(SCARA, tool=transform(rotation_about("y", H), [0.1, 0, 0])),
+        catalogue()["scara"].home,
+    ),
+    "as it stands": (SCARA, catalogue()["scara"].home),
+}
+"""Arms whose tool has its z axis across that of frame 0, and one with it against it, with a configuration."""
+
+
+@pytest.mark.parametrize("handle", ["move", "turn"])
+@pytest.mark.parametrize(("arm", "q"), ACROSS.values(), ids=ACROSS.keys())
+def test_what_is_offered_along_the_axes_of_the_tool_moves_the_target_all_the_way(arm, q, handle):
+    pose = np.array(arm.fk(np.array(q)))
+    axes = axes_of(arm, handle, "tool", pose)
+    for options in handles_of(arm, handle):
+        for axis in axes.T[np.array(options["active_axes"])] if handle == "move" else [axes[:, 2]]:
+            wanted = np.array(pose)
+            if handle == "move":
+                wanted[:3, 3] += 0.05 * axis
+            else:
+                wanted[:3, :3] = rotation_from_axis_angle(axis, 0.5) @ pose[:3, :3]
+            np.testing.assert_allclose(feasible(arm, wanted, pose), wanted, atol=1e-9)
+
+
+def test_a_scara_s_handle_has_the_axes_of_its_tool_where_they_serve():
+    pose = np.array(SCARA.fk(np.array(catalogue()["scara"].home)))
+    np.testing.assert_array_equal(axes_of(SCARA, "turn", "tool", pose), pose[:3, :3])
 
 
 @pytest.fixture

@@ -11,12 +11,16 @@ from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.rotations import quaternion_from_rotation, rotation_from_quaternion
+from armlab.kin.task import Task
 from armlab.kin.transforms import transform
 from armlab.ui import adapter
 from armlab.ui.camera import HANDLE
 from armlab.ui.drawing import LayerCanvas
 
 Floats = NDArray[np.floating]
+
+ALONG = 1e-6
+"""Sine of the angle within which an axis of the tool lies along those of the task."""
 
 
 class Handle:
@@ -105,8 +109,7 @@ class Handle:
         ``handle`` is ``"move"`` or ``"turn"``, ``axes`` is ``"world"`` or ``"tool"``.
         """
         arm = self._canvas.drawn.figure.anatomy.arm
-        turned = pose[:3, :3] if _along_tool(arm, handle, axes) else arm.base[:3, :3]
-        self._show(pose, turned, (arm.task.key, handle, axes), handles_of(arm, handle))
+        self._show(pose, axes_of(arm, handle, axes, pose), (arm.task.key, handle, axes), handles_of(arm, handle))
 
     def show_rings(self, pose: Floats, axes: Floats) -> None:
         """Put rings that turn something freely, whatever the task of the arm, about axes (3, 3) at a pose (4, 4)."""
@@ -169,12 +172,34 @@ class Handle:
             self.at(*self._then)
 
 
-def _along_tool(arm: Arm, handle: str, axes: str) -> bool:
-    """Return whether a handle has the tool's axes; controls of only some axes keep those of frame 0."""
+def axes_of(arm: Arm, handle: str, axes: str, pose: Floats) -> Floats:
+    """Return the axes (3, 3) of a handle at a pose (4, 4): the tool's, or those of frame 0.
+
+    The tool's serve where the task controls everything that is offered along them or about them. Parallel joint axes
+    keep the turn of the tool against the plane of the task, so that a drag never changes the axes under the hand.
+    """
+    base, tool = arm.base[:3, :3], pose[:3, :3]
     if handle == "turn" and arm.task.rotation == "approach":
-        return True
-    whole = arm.task.position == "xyz" or arm.description.axes_parallel
-    return axes == "tool" and whole
+        return tool
+    offered = _offered(arm.task, handle)
+    others = [k for k in range(3) if k not in offered]
+    leaks = (base.T @ tool)[np.ix_(others, offered)]
+    whole = not others or (arm.description.axes_parallel and bool(np.all(np.abs(leaks) < ALONG)))
+    return tool if axes == "tool" and whole else base
+
+
+def _offered(task: Task, handle: str) -> list[int]:
+    """Return the indices of the axes along which a handle moves, or about which it turns."""
+    if handle == "move":
+        return task.coordinates
+    return [2] if task.rotation == "phi" else [0, 1, 2]
+
+
+def handle_for(task: Task, wanted: str) -> str:
+    """Return whether a handle moves or turns: as is wanted, if the task has both a position and an orientation."""
+    if task.rotation == "none":
+        return "move"
+    return wanted if task.position else "turn"
 
 
 def handles_of(arm: Arm, handle: str) -> list[dict[str, Any]]:

@@ -14,7 +14,7 @@ from armlab.session.parts.target import DragTarget, EndDrag, Target, aimed_arm, 
 from armlab.session.state import State
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
-from armlab.ui.scene._handle import Handle
+from armlab.ui.scene._handle import Handle, handle_for
 from armlab.ui.scene._nodes import move, seen
 from armlab.ui.scene.frames import SWITCH as FRAMES
 
@@ -34,8 +34,7 @@ class Gizmo:
     def show(self, state: State) -> None:
         """Put the handle on the target."""
         target = state[Target]
-        turns = aimed_arm(state).task.rotation != "none"
-        self._handle.show(target_pose(state), target.handle if turns else "move", target.axes)
+        self._handle.show(target_pose(state), handle_for(aimed_arm(state).task, target.handle), target.axes)
         self._show_name(state)
         if self._handle.held and target.catching_up:
             self._catch_up_later()

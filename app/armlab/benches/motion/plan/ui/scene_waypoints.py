@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.motion.plan.points import DragWaypoint, SelectWaypoint
 from armlab.benches.motion.plan.state import CLIP_KEY, Plan
+from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
@@ -18,7 +19,7 @@ from armlab.ui import adapter
 from armlab.ui.colours import BLUE, GREY
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
-from armlab.ui.scene._handle import Handle
+from armlab.ui.scene._handle import Handle, handle_for
 from armlab.ui.scene._nodes import add_triad, move, put, seen, write
 from armlab.ui.scene._strokes import add_name
 
@@ -77,7 +78,8 @@ class _Points:
         part, target, runs = state[Plan], state[Target], state[Timeline].clip == CLIP_KEY
         seen(self._frame, not part.handled and not runs)
         shown = part.handled and not runs
-        there = partial(self._handle.show, pose, target.handle, target.axes)
+        handle = handle_for(state[Joints].arm.task, target.handle)
+        there = partial(self._handle.show, pose, handle, target.axes)
         self._handle.at(part.selected if shown else NOTHING, there if shown else None)
 
     def _dragged(self, pose: NDArray[np.floating], drag: object, ends: bool) -> None:
