@@ -1,6 +1,7 @@
 """The drawn arm: it is where the kinematics says, at any size, for any table."""
 
 import io
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from armlab.ui.figure.marks import SYMBOL_STEP, symbol_height, symbols_of
 from armlab.ui.figure.mesh import Solid, placed
 from armlab.ui.figure.solids import CREASE, SIDES, along, band, block, drum, lathe, lid, torus
 from armlab.ui.figure.tubes import tube
+from armlab.ui.scene.skeleton import _segments
 from support.arms import random_arm, random_q
 
 H = np.pi / 2
@@ -121,6 +123,28 @@ def test_rods_stay_in_their_sleeves_and_reach_the_end():
     for q in arm.limits[2]:
         low = rod[:, 2].min() + body.offset + q
         assert low < 0.0
+
+
+@pytest.mark.parametrize("limits", [(0.1, 0.6), (-0.3, 0.3), (-0.4, 0.0), (-1.0, -0.5), (-0.001, 0.6)], ids=str)
+def test_a_rod_is_in_its_sleeve_and_at_its_node_wherever_its_stroke_lies(limits):
+    rows = [("R", 0, -H, 0.5, 0), ("R", 0, H, 0.2, 0), ("P", 0, 0, 0.1, 0), ("R", 0, 0, 0.1, 0)]
+    arm = Arm.from_dh(rows, limits=[(-3, 3), (-3, 3), np.subtract(limits, 0.1), (-3, 3)])
+    figure = build_figure(arm)
+    (rod,) = (mesh for material, mesh in figure.parts[3] if material == "steel")
+    shell = np.vstack([mesh.vertices for material, mesh in figure.parts[2] if material == "shell"][-1:])
+    into_mount = np.linalg.inv(figure.anatomy.bodies[2].mount)
+    sleeve = (shell @ into_mount[:3, :3].T + into_mount[:3, 3])[:, 2]
+    assert closed(rod).volume > 0.0
+    for stroke in limits:
+        low, high = rod.vertices[:, 2].min() + stroke, rod.vertices[:, 2].max() + stroke
+        assert min(high, sleeve.max()) - max(low, sleeve.min()) > 0.2 * np.ptp(sleeve)
+        assert low <= stroke + 1e-9
+        assert high >= stroke - 4.0 * figure.anatomy.radius[-1]
+    canvas = SimpleNamespace(drawn=SimpleNamespace(figure=figure), size=figure.anatomy.size)
+    strokes = _segments(canvas, 2)[:, :, 2]
+    # The line of the skeleton reaches from the node, at 0, to the box, at -stroke.
+    assert strokes.min() <= min(0.0, -limits[1]) + 1e-6
+    assert strokes.max() >= max(0.0, -limits[0]) - 1e-6
 
 
 def closed(solid):

@@ -45,7 +45,8 @@ def rail(anatomy: Anatomy, i: int) -> tuple[list[Part], list[Part], float]:
 def ram(anatomy: Anatomy, i: int, tip: float) -> tuple[list[Part], list[Part], float]:
     """Return the fixed and the moving parts of a ram, and its foot; the rod ends ``tip`` before the node.
 
-    The rod is long enough to stay in the sleeve at full stroke and carries a mark each tenth of the arm's size.
+    The rod is long enough to stay in the sleeve at full stroke, and reaches beyond the node if that goes behind the
+    sleeve. It carries a mark each tenth of the arm's size, and a cap where it may leave the sleeve.
     """
     body, r, colour = anatomy.bodies[i], float(anatomy.radius[i]), joint_material(i)
     low, high = body.offset + body.low, body.offset + body.high
@@ -54,10 +55,24 @@ def ram(anatomy: Anatomy, i: int, tip: float) -> tuple[list[Part], list[Part], f
     fixed: list[Part] = [("shell", block((1.75 * w, 1.75 * w, 2.0 * sleeve), 0.3 * r))]
     ends = (sleeve - 0.5 * r, 0.5 * r - sleeve)
     fixed.extend((colour, block((1.82 * w, 1.82 * w, 0.34 * r), 0.1 * r, (0.0, 0.0, z))) for z in ends)
-    length = high + sleeve + 0.8 * r - tip
-    moving: list[Part] = [("steel", block((0.8 * w, 0.8 * w, length), 0.1 * r, (0.0, 0.0, -tip - length / 2.0)))]
+    bottom, top = _ends_of_rod(low, high, tip, sleeve, 0.8 * r)
+    rod = block((0.8 * w, 0.8 * w, top - bottom), 0.1 * r, (0.0, 0.0, (bottom + top) / 2.0))
+    moving: list[Part] = [("steel", rod)]
     step = 0.1 * anatomy.size
-    marks = (-tip - k * step for k in range(1, int(length / step) + 1))
+    behind, ahead = int((-tip - bottom) / step), int((top + tip) / step)
+    marks = (k * step - tip for k in (*range(-1, -behind - 1, -1), *range(1, ahead + 1)))
     moving.extend(("dark", block((0.83 * w, 0.83 * w, 0.09 * r), 0.01 * r, (0.0, 0.0, z))) for z in marks)
-    moving.append((colour, block((0.95 * w, 0.95 * w, 0.4 * r), 0.08 * r, (0.0, 0.0, -tip - length))))
+    caps = (z for z in (bottom, top) if z != -tip)
+    moving.extend((colour, block((0.95 * w, 0.95 * w, 0.4 * r), 0.08 * r, (0.0, 0.0, z))) for z in caps)
     return fixed, moving, -sleeve
+
+
+def _ends_of_rod(low: float, high: float, tip: float, sleeve: float, over: float) -> tuple[float, float]:
+    """Return the lower and the upper end of a rod in the node of its body.
+
+    It reaches through the sleeve, and ``over`` beyond, on each side of the node on which the sleeve comes to be: behind
+    it when the rod is out, ahead of it when the travel is negative.
+    """
+    ahead = low < -0.5 * sleeve
+    behind = high > 0.5 * sleeve or not ahead
+    return -(high + sleeve + over) if behind else -tip, sleeve + over - low if ahead else -tip

@@ -84,12 +84,14 @@ def _segments(canvas: LayerCanvas, i: int) -> Segments:
     anatomy = canvas.drawn.figure.anatomy
     body = anatomy.bodies[i]
     points = [np.zeros(3), np.array([0.0, 0.0, body.d]), np.array([body.a, 0.0, body.d])]
-    if not body.revolute:
-        # The rod is as long as the full stroke; it reaches back into its box.
-        points.insert(0, np.array([0.0, 0.0, -(body.offset + body.high)]))
     if i == len(anatomy.bodies) - 1:
         points.append(anatomy.tool_on_last()[:3, 3])
-    pairs = np.array(list(pairwise(points)))
+    strokes = list(pairwise(points))
+    if not body.revolute:
+        # The rod is as long as the full stroke; it reaches back into its box, ahead where the travel is negative.
+        ends = -max(body.offset + body.high, 0.0), max(-body.offset - body.low, 0.0)
+        strokes += [(np.array([0.0, 0.0, end]), np.zeros(3)) for end in ends]
+    pairs = np.array(strokes)
     long_enough = np.linalg.norm(pairs[:, 0] - pairs[:, 1], axis=1) > 1e-6 * canvas.size
     drawn: Segments = pairs[long_enough].astype(np.float32)
     return drawn
