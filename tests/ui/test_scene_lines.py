@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
-from armlab.ui.scene import projections
-from armlab.ui.scene.trace import Trace
+from armlab.ui.scene import projections, trace
 
 
 @pytest.fixture
@@ -33,26 +32,52 @@ def test_a_dashed_line_ends_at_its_point_whatever_direction_it_had_before(box, w
         np.testing.assert_allclose(ends[np.argmax(np.linalg.norm(ends, axis=1))], (x, y, 0.0), atol=1e-12)
 
 
-def test_a_trace_is_kept_while_nobody_sees_it_and_goes_on_with_another_stroke():
-    drawn = {}
+class Paper:
+    """A canvas of size 1 that keeps the lines drawn on it by name."""
 
-    def add(name, segments, *_, **__):
-        drawn[name] = np.array(segments)
-        return SimpleNamespace(name=name, remove=lambda: drawn.pop(name))
+    size = 1.0
 
+    def __init__(self, arm):
+        self.lines, self.scene, self.listeners = {}, SimpleNamespace(add_line_segments=self._add), []
+        self.drawn = SimpleNamespace(figure=SimpleNamespace(anatomy=SimpleNamespace(arm=arm)))
+        self.on_pose, self.on_hide, self.on_off = self.listeners.append, lambda call: None, lambda call: None
+
+    def _add(self, name, segments, *_, **__):
+        self.lines[name] = np.array(segments)
+        return SimpleNamespace(name=name, remove=lambda: self.lines.pop(name))
+
+    def path(self, name):
+        return name
+
+    def pose(self, *q):
+        """Show a configuration."""
+        self.shown_pose = np.array(q)
+        for listener in self.listeners:
+            listener(self.shown_pose)
+
+
+def test_a_trace_begins_where_the_tool_stands():
     arm = catalogue()["planar_2r"].arm
-    figure = SimpleNamespace(anatomy=SimpleNamespace(arm=arm))
-    scene = SimpleNamespace(add_line_segments=add)
-    trace = Trace(SimpleNamespace(drawn=SimpleNamespace(figure=figure), size=1.0, scene=scene, path=lambda name: name))
+    paper = Paper(arm)
+    paper.pose(0.0, 0.0)
+    trace.build(paper, None)(None)
+    paper.pose(0.3, 0.0)
+    (line,) = paper.lines.values()
+    np.testing.assert_allclose(line, [[arm.position((0.0, 0.0)), arm.position((0.3, 0.0))]], atol=1e-6)
+
+
+def test_a_trace_is_kept_while_nobody_sees_it_and_goes_on_with_another_stroke():
+    paper = Paper(catalogue()["planar_2r"].arm)
+    path, drawn = trace.Trace(paper), paper.lines
     for q in (0.0, 0.1, 0.2):
-        trace.add(np.array([q, 0.5]))
+        path.add(np.array([q, 0.5]))
     before = {name: segments.copy() for name, segments in drawn.items()}
-    trace.lift()
+    path.lift()
     for q in (1.0, 1.1):
-        trace.add(np.array([q, 0.5]))
+        path.add(np.array([q, 0.5]))
     assert len(drawn) == 2
     assert all((drawn[name] == segments).all() for name, segments in before.items())
     longest = max(np.linalg.norm(np.diff(segments, axis=1), axis=2).max() for segments in drawn.values())
     assert longest < 0.5, "no stroke leads to where the arm went meanwhile"
-    trace.clear()
+    path.clear()
     assert drawn == {}

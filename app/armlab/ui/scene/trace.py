@@ -69,7 +69,8 @@ def build(canvas: LayerCanvas, state: State) -> Show:
     canvas.on_pose(trace.add)
     canvas.on_hide(trace.lift)
     canvas.on_off(trace.clear)
-    return lambda state: None
+    # A stroke begins where the tool stands when the trace comes or comes back, not where its next move has taken it.
+    return lambda state: trace.add(canvas.shown_pose)
 
 
 SWITCH = Switch("trace", "Trace", "The path of the tool point. Switch off to clear it.", "T")
