@@ -183,6 +183,14 @@ def test_events_keep_their_place_among_snapshots():
     assert taken(mailbox) == posted
 
 
+def test_catching_up_replaces_no_pose_of_the_hand_that_waits():
+    mailbox, poses = Mailbox(), [DragTarget(np.eye(4), "drag"), DragTarget(2.0 * np.eye(4), "drag")]
+    on = DragTarget(None, "drag")
+    for command in (on, poses[0], on, poses[1], on):
+        mailbox.post(command)
+    assert taken(mailbox) == [poses[1]]
+
+
 def test_a_mailbox_holds_so_many_and_no_more():
     mailbox = Mailbox()
     assert all(mailbox.post(Show("frames", True)) for _ in range(MOST))

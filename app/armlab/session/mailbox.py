@@ -36,7 +36,7 @@ class Mailbox:
         with self._lock:
             last = self._waiting[-1].command if self._waiting else None
             if last is not None and last.snapshot and command.snapshot and last.channel == command.channel:
-                self._waiting[-1] = letter
+                self._waiting[-1] = letter._replace(command=command.instead_of(last))
             elif len(self._waiting) >= MOST:
                 return False
             else:

@@ -308,6 +308,10 @@ class Command:
         """A key of snapshots that replace each other."""
         return type(self)
 
+    def instead_of(self, waiting: Command) -> Command:
+        """Return what counts of this snapshot and one of its channel that waits: this, the newer one."""
+        return self
+
     @property
     def stroke(self) -> object:
         """A key of successive commands that are one step of undo; None for a step of its own.

@@ -192,6 +192,10 @@ class DragTarget(Command):
         """The drag: one drag is one step of undo."""
         return DragTarget, self.drag
 
+    def instead_of(self, waiting: Command) -> Command:
+        """Return the newer one, unless that only goes on: a pose of the hand that waits says more."""
+        return waiting if self.pose is None else self
+
     def apply(self, state: State) -> State:
         """Return the state with the arm closer to the handle, each joint moved by at most `DRAG_TRAVEL`."""
         return _followed(state, self.pose, DRAG_TRAVEL)
