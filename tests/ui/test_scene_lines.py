@@ -6,6 +6,9 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
+from armlab.kin.arm import Arm
+from armlab.kin.rotations import rotation_about
+from armlab.kin.transforms import transform
 from armlab.ui.scene import projections, trace
 
 
@@ -30,6 +33,21 @@ def test_a_dashed_line_ends_at_its_point_whatever_direction_it_had_before(box, w
         line = box._drops["r"]
         ends = np.asarray(line.points).reshape(-1, 3) * line.factors
         np.testing.assert_allclose(ends[np.argmax(np.linalg.norm(ends, axis=1))], (x, y, 0.0), atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("rows", "flat"),
+    [
+        ([("R", 0.4, 0, 0, 0), ("R", 0.3, 0, 0, 0)], True),
+        ([("R", 0.4, 0, 0.35, 0), ("R", 0.3, 0, -0.35, 0)], True),
+        ([("R", 0.4, 0, 0.35, 0), ("R", 0.3, 0, 0, 0)], False),
+        ([("R", 0.4, 0, 0, 0), ("R", 0.3, 0, 0, 0), ("P", 0, 0, 0, 0)], False),
+    ],
+    ids=["in the plane", "back in the plane", "above the plane", "with a slide"],
+)
+def test_z_is_left_out_only_where_it_stays_zero(rows, flat):
+    base = transform(rotation_about("x", 0.5), (1.0, 2.0, 3.0))
+    assert projections.is_flat(Arm.from_dh(rows, base=base, task="xy"), 0.7) == flat
 
 
 class Paper:

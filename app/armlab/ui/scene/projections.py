@@ -8,6 +8,7 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
+from armlab.kin.arm import Arm
 from armlab.kin.rotations import quaternion_from_rotation
 from armlab.kin.transforms import inverse
 from armlab.session.parts.display import Display
@@ -28,6 +29,14 @@ SMALLEST = 0.004
 """Smallest coordinate that is drawn, in sizes of the arm."""
 
 
+def is_flat(arm: Arm, size: float) -> bool:
+    """Return whether the tool point of an arm is always in the plane of x and y of frame 0, and its task too."""
+    if arm.task.position != "xy" or not arm.description.axes_parallel or not np.all(arm.revolute):
+        return False
+    height = (inverse(arm.base) @ arm.fk(np.zeros(arm.n)))[2, 3]
+    return abs(float(height)) <= SMALLEST * size
+
+
 class _Box:
     """The strokes, each a line of unit length that is scaled and moved."""
 
@@ -36,7 +45,7 @@ class _Box:
         self._arm = canvas.drawn.figure.anatomy.arm
         base = self._arm.base
         self._into_base = np.array(inverse(base))
-        self._flat = self._arm.task.position == "xy" and self._arm.description.axes_parallel
+        self._flat = is_flat(self._arm, self._size)
         self._scene.add_frame(
             self._path, show_axes=False, wxyz=quaternion_from_rotation(base[:3, :3]), position=base[:3, 3]
         )
