@@ -84,14 +84,17 @@ def test_dimension_lines_measure_the_constants_between_the_frames(seed, conventi
         assert (("d", i + 1) in found) == (row.revolute and row.d != 0.0)
         assert (("a", before) in found) == (row.a != 0.0)
         assert (("alpha", before) in found) == (row.alpha != 0.0)
+        assert (("theta", i + 1) in found) == (not row.revolute and row.theta != 0.0)
     for (field, index), one in found.items():
         T = nodes[one.body]
         lines = one.lines.astype(float) @ T[:3, :3].T + T[:3, 3]
-        if field == "alpha":
+        if field in ("alpha", "theta"):
             centre = lines[-1, 0]
             first, last = (ray / np.linalg.norm(ray) for ray in (lines[-2, 1] - centre, lines[-1, 1] - centre))
             start = axes[index - 1] if index else arm.base[:3, 2]
             end = axes[index] if index < arm.n else frames[-1, :3, 2]
+            if field == "theta":
+                start, end = frames[index - 1, :3, 0], frames[index, :3, 0]
             np.testing.assert_allclose(first, start, atol=1e-5)
             np.testing.assert_allclose(last, end, atol=1e-5)
             continue
@@ -113,6 +116,7 @@ def test_names_follow_units_letters_and_offsets():
     assert name_of(TABLE, 1, Row("R", theta=0.25), 0.5) == "θ₂ + 0.25 rad = 0.750 rad"
     texts = {one.text(PLAIN) for one in dimensions_of(anatomy_of(catalogue()["puma560"].arm))}
     assert {"d₁ 671.83 mm", "a₂ 431.8 mm", "α₁ 90°", "α₃ −90°"} <= texts
+    assert "θ₃ −90°" in {one.text(PLAIN) for one in dimensions_of(anatomy_of(catalogue()["stanford"].arm))}
     texts = {one.text(TABLE) for one in dimensions_of(anatomy_of(catalogue()["puma560"].arm))}
     assert {"d₁ 0.67183 m", "a₂ 0.4318 m", "α₁ 1.5708 rad"} <= texts
 

@@ -1,4 +1,4 @@
-"""Places at which the constants of the table are drawn: dimension lines for lengths, arcs for twists."""
+"""Places at which the constants of the table are drawn: dimension lines for lengths, arcs for angles."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from armlab.kin.sweeps import arc
 from armlab.kin.transforms import inverse
 from armlab.ui.figure.anatomy import Anatomy
 from armlab.ui.scene._strokes import HEAD, Floats, Segments, polyline
+from armlab.ui.scene._turns import before_turn
 from armlab.ui.units import Units
 
 SMALLEST = 1e-6
@@ -24,12 +25,15 @@ ASIDE = 2.5
 OVER = 0.5
 """Distance of a dimension line from the axis of its link, and how far the ticks reach beyond it, in tube radii."""
 
-TWIST_RADIUS = 3.0
+ARC_RADIUS = 3.0
 NAME_AT = (1.75, 1.3)
-"""Distances of the names of twists, in radii of their arcs, in turn: where links have no length, arcs share their
+"""Distances of the names of angles, in radii of their arcs, in turn: where links have no length, arcs share their
 centre."""
 
 STEP = math.radians(6.0)
+
+ANGLES = ("alpha", "theta")
+"""Fields that are angles."""
 
 _TO_Z = np.array([[0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
 """Axes with z along x of the frame and x along its z: a twist is measured from z about x."""
@@ -41,7 +45,7 @@ class Dimension:
 
     Attributes
     ----------
-    field : "a", "d" or "alpha"
+    field : "a", "d", "alpha" or "theta"
     index : int
         Of its symbol.
     value : float
@@ -65,7 +69,7 @@ class Dimension:
 
     def text(self, units: Units) -> str:
         """Return the name and the value."""
-        return f"{units.symbol(self.field, self.index)} {units.constant(self.value, self.field == 'alpha')}"
+        return f"{units.symbol(self.field, self.index)} {units.constant(self.value, self.field in ANGLES)}"
 
 
 def dimensions_of(anatomy: Anatomy) -> list[Dimension]:
@@ -75,8 +79,11 @@ def dimensions_of(anatomy: Anatomy) -> list[Dimension]:
     first = float(anatomy.radius[0])
     base = np.array(inverse(anatomy.root) @ anatomy.arm.base)
     found += _link(0, *links[0], 0, base, first, anatomy.size)
-    for i, body in enumerate(anatomy.bodies):
+    for i, (body, row) in enumerate(zip(anatomy.bodies, anatomy.arm.rows, strict=True)):
         r = float(anatomy.radius[i])
+        if not body.revolute and abs(row.theta) > SMALLEST:
+            place = before_turn(body, row.theta)
+            found.append(_angle("theta", i + 1, row.theta, i, place, ARC_RADIUS * r, HEAD * anatomy.size))
         if abs(body.d) > SMALLEST * anatomy.size:
             aside = np.array([-math.copysign(1.0, body.a) if body.a else 0.0, 0.0 if body.a else -1.0, 0.0])
             found.append(
@@ -96,7 +103,7 @@ def _link(index: int, a: float, alpha: float, body: int, start: Floats, r: float
     if abs(alpha) > SMALLEST:
         end = np.array(start)
         end[:3, 3] += a * start[:3, 0]
-        found.append(_twist(index, alpha, body, end @ _TO_Z, TWIST_RADIUS * r, HEAD * size))
+        found.append(_angle("alpha", index, alpha, body, end @ _TO_Z, ARC_RADIUS * r, HEAD * size))
     return found
 
 
@@ -122,13 +129,13 @@ def _distance(
     )
 
 
-def _twist(index: int, alpha: float, body: int, place: Floats, radius: float, head: float) -> Dimension:
-    """Return the arc of a twist about z of a place, counted from its x."""
+def _angle(field: str, index: int, value: float, body: int, place: Floats, radius: float, head: float) -> Dimension:
+    """Return the arc of an angle about z of a place, counted from its x."""
     R, p = place[:3, :3], place[:3, 3]
-    points = arc(alpha, radius, STEP)
+    points = arc(value, radius, STEP)
     rays = [[np.zeros(3), 1.15 * points[0]], [np.zeros(3), 1.15 * points[-1]]]
     lines = np.concatenate([polyline(points), np.array(rays, dtype=np.float32)])
-    back = arc(alpha - math.copysign(head / radius, alpha), radius)[-1]
-    middle = arc(0.5 * alpha, NAME_AT[index % 2] * radius)[-1]
-    heads = [(p + R @ points[-1], R @ (points[-1] - back))] if abs(alpha) * radius > 1.5 * head else []
-    return Dimension("alpha", index, alpha, body, (lines @ R.T + p).astype(np.float32), heads, p + R @ middle)
+    back = arc(value - math.copysign(head / radius, value), radius)[-1]
+    middle = arc(0.5 * value, NAME_AT[index % 2] * radius)[-1]
+    heads = [(p + R @ points[-1], R @ (points[-1] - back))] if abs(value) * radius > 1.5 * head else []
+    return Dimension(field, index, value, body, (lines @ R.T + p).astype(np.float32), heads, p + R @ middle)

@@ -1,4 +1,4 @@
-"""The constants of the table in the scene: link lengths and offsets as dimension lines, twists as arcs."""
+"""The constants of the table in the scene: lengths and offsets as dimension lines, angles as arcs."""
 
 from __future__ import annotations
 
