@@ -9,7 +9,7 @@ import trimesh
 
 from armlab.content.robots import catalogue
 from armlab.kin.arm import Arm
-from armlab.kin.rotations import rotation_from_quaternion
+from armlab.kin.rotations import rotation_about, rotation_from_quaternion
 from armlab.kin.transforms import transform
 from armlab.ui.figure.anatomy import anatomy_of
 from armlab.ui.figure.figure import build_figure
@@ -19,6 +19,7 @@ from armlab.ui.figure.mesh import Solid, placed
 from armlab.ui.figure.solids import CREASE, SIDES, along, band, block, drum, lathe, lid, torus
 from armlab.ui.figure.tubes import tube
 from armlab.ui.scene.skeleton import _segments
+from armlab.ui.scene.stage import ground_height
 from support.arms import random_arm, random_q
 
 H = np.pi / 2
@@ -145,6 +146,30 @@ def test_a_rod_is_in_its_sleeve_and_at_its_node_wherever_its_stroke_lies(limits)
     # The line of the skeleton reaches from the node, at 0, to the box, at -stroke.
     assert strokes.min() <= min(0.0, -limits[1]) + 1e-6
     assert strokes.max() >= max(0.0, -limits[0]) - 1e-6
+
+
+BASES = {
+    "upright": transform(position=(0.0, 0.0, 0.3)),
+    "wall": transform(rotation_about("x", H), (0.0, 0.0, 1.0)),
+    "other wall": transform(rotation_about("y", -H), (0.0, 0.0, 1.0)),
+    "ceiling": transform(rotation_about("x", np.pi), (0.0, 0.0, 2.0)),
+}
+
+
+@pytest.mark.parametrize("base", BASES.values(), ids=BASES.keys())
+@pytest.mark.parametrize("key", ["puma560", "planar_2r", "cartesian_3p"])
+def test_the_ground_is_below_the_base_and_below_an_arm_that_hangs_from_it(key, base):
+    robot = catalogue()[key]
+    figure = build_figure(Arm.from_dh(robot.arm.rows, base=base, limits=robot.arm.limits))
+    ground, root = ground_height(figure, robot.home), figure.anatomy.root
+    lowest = min((mesh.vertices @ root[:3, :3].T + root[:3, 3])[:, 2].min() for _, mesh in figure.parts[0])
+    assert ground <= lowest + 1e-9
+    if base[2, 2] > 0.5:
+        assert ground == pytest.approx(root[2, 3] + figure.foot)
+    elif base[2, 2] < -0.5:
+        assert ground <= figure.bounds(robot.home)[0, 2] + 1e-9
+    else:
+        assert ground == pytest.approx(lowest)
 
 
 def closed(solid):

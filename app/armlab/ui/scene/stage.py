@@ -6,10 +6,15 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from armlab.session.parts.display import Display
+from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State
 from armlab.ui.colours import Rgb
 from armlab.ui.drawing import LayerCanvas
+from armlab.ui.figure.figure import Figure
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.switches import DARK, SHADOWS
 
@@ -19,6 +24,9 @@ KEY: Position = (-1.35, -1.86, 3.0)
 FILL: Position = (2.0, 1.5, 1.0)
 RIM: Position = (-1.0, 2.5, 1.2)
 """Positions of the lamps, in sizes of the arm."""
+
+HANGS = -0.5
+"""Height of the tip of the base's z axis, 1 upright and 0 on a wall, below which an arm hangs from its base."""
 
 
 @dataclass(frozen=True)
@@ -54,11 +62,12 @@ def build(canvas: LayerCanvas, state: State) -> Show:
         canvas.path("stage/sky"), sky_color=(244, 248, 255), ground_color=(168, 172, 180), intensity=2.7
     )
     _light(canvas, "rim", RIM, False, intensity=0.5)
+    height = ground_height(canvas.drawn.figure, state[RobotPart].robot.home)
 
     def show(state: State) -> None:
         look, shadows = NIGHT if DARK.on(state) else DAY, SHADOWS.on(state)
         _light(canvas, "key", KEY, shadows, intensity=look.key, color=(255, 250, 244))
-        _ground(canvas, look, shadows)
+        _ground(canvas, look, shadows, height)
 
     return show
 
@@ -69,10 +78,17 @@ def _light(canvas: LayerCanvas, name: str, towards: Position, shadows: bool, **o
     canvas.scene.add_light_directional(canvas.path(f"stage/{name}"), cast_shadow=shadows, position=(x, y, z), **options)
 
 
-def _ground(canvas: LayerCanvas, look: Look, shadows: bool) -> None:
+def ground_height(figure: Figure, home: NDArray[np.float64]) -> float:
+    """Return the height of the ground in the world: below the base, or below an arm that hangs from its base."""
+    root = figure.anatomy.root
+    if root[2, 2] < HANGS:
+        return float(figure.bounds(home)[0, 2])
+    return min(float(np.min(mesh.vertices @ root[2, :3])) for _, mesh in figure.parts[0]) + float(root[2, 3])
+
+
+def _ground(canvas: LayerCanvas, look: Look, shadows: bool, height: float) -> None:
     """Add the grid, on which shadows fall."""
     size = canvas.size
-    foot = float(canvas.drawn.figure.anatomy.root[2, 3]) + canvas.drawn.figure.foot
     canvas.scene.add_grid(
         canvas.path("stage/ground"),
         infinite_grid=True,
@@ -87,7 +103,7 @@ def _ground(canvas: LayerCanvas, look: Look, shadows: bool) -> None:
         fade_from="origin",
         shadow_opacity=look.shadow if shadows else 0.0,
         # A little below the plate, or the two would fight for the same pixels.
-        position=(0.0, 0.0, foot - 0.002 * size),
+        position=(0.0, 0.0, height - 0.002 * size),
     )
 
 
