@@ -5,6 +5,7 @@ Its commands are in `armlab.benches.robot.trainer.commands`.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import ClassVar, Self
@@ -139,7 +140,9 @@ class Trainer(Part):
             filled = [value for value in cells if value is not None]
             if len(filled) < len(FIELDS) or max(abs(filled[0]), abs(filled[2])) > most:
                 break
-            rows.append(Row(of_arm.kind, *filled))
+            a, alpha, d, theta = filled
+            # A table takes no angle beyond a full turn, and a student may type one: 450°, or degrees for radians.
+            rows.append(Row(of_arm.kind, a, math.remainder(alpha, math.tau), d, math.remainder(theta, math.tau)))
         return tuple(rows)
 
     @cached_property
