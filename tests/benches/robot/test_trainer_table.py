@@ -70,8 +70,27 @@ def test_the_sentence_on_a_free_sum_names_the_rows():
     rows = [Row("R", 1.0, 0.0, 0.0), Row("R", 0.5, 0.0, 0.7)]
     table = [cells_of(rows[0]) | {"d": 0.7}, cells_of(rows[1]) | {"d": 0.0}]
     assert judge_table(rows, table)[1]["d"].text == "right: only the sum of d over rows 1 to 2 is defined"
-    table[1]["d"] = None
-    assert wrong_cells(judge_table(rows, table)) == {(0, "d"), (1, "d")}
+
+
+def test_a_sum_along_axes_that_point_against_each_other_says_in_which_direction_it_is_counted():
+    rows = [Row("R", 0.3, math.pi, 0.4), Row("P", 0.2, 0.0, 0.0)]
+    table = [cells_of(rows[0]) | {"d": 0.0}, cells_of(rows[1]) | {"d": 0.4}]
+    named = "only the sum of d over rows 1 to 2, counted along z0,"
+    assert judge_table(rows, table)[1]["d"].text == f"{named} counts, and it is not correct yet"
+    table[1]["d"] = -0.4
+    assert judge_table(rows, table)[1]["d"].text == f"right: {named} is defined"
+
+
+def test_no_d_is_judged_by_itself_while_another_along_parallel_axes_is_missing():
+    rows = [Row("R", 1.0, 0.0, 0.0), Row("R", 0.5, 0.0, 0.7)]
+    table = [cells_of(rows[0]) | {"d": 0.7}, cells_of(rows[1]) | {"d": None}]
+    assert "d" not in judge_table(rows, table)[0]
+    assert wrong_cells(judge_table(rows, table)) == {(1, "d")}
+    table = [cells_of(rows[0]) | {"d": None}, cells_of(rows[1]) | {"d": -0.7}]
+    assert "d" not in judge_table(rows, table)[1]
+    # What cannot be a shifted origin is told at once.
+    table[1]["d"] = 700.0
+    assert judge_table(rows, table)[1]["d"].mistake == "millimetres"
 
 
 def test_another_number_of_rows_is_refused():
@@ -86,3 +105,12 @@ def test_a_wrong_sum_along_parallel_axes_blames_no_cell_alone():
     assert texts == {"only the sum of d over rows 1 to 3 counts, and it is not correct yet"}
     cells[2]["d"] = 0.0
     assert all(verdict["d"].ok for verdict in judge_table(rows, cells))
+
+
+def test_a_sign_is_blamed_only_where_no_other_d_differs():
+    rows = [Row("R", a=0.3), Row("R", a=0.3, d=0.2), Row("R", a=0.1)]
+    cells = [cells_of(row) for row in rows]
+    cells[1]["d"] = -0.2
+    assert judge_table(rows, cells)[1]["d"].mistake == "sign"
+    cells[0]["d"] = 0.5
+    assert [judge_table(rows, cells)[i]["d"].mistake for i in (0, 1)] == ["wrong", "wrong"]

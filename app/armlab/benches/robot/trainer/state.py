@@ -117,9 +117,9 @@ class Trainer(Part):
         verdicts = judge_table(self.assignment.rows, typed, length_tolerance(self._arm))
         return tuple(
             {
-                name: verdict
-                for k, (name, verdict) in enumerate(marks.items())
-                if table[i][k] is not None and table[i][k] == checked[i][k]
+                name: marks[name]
+                for k, name in enumerate(FIELDS)
+                if name in marks and table[i][k] is not None and table[i][k] == checked[i][k]
             }
             for i, marks in enumerate(verdicts)
         )

@@ -17,8 +17,9 @@ def judge_table(
     """Return the verdicts on the cells of all rows; see `judge_row`.
 
     The place of an origin along parallel axes is free (notes, section 4.1): where the sum of d over rows of parallel
-    axes is right, counted along the first of them, each d of these rows is right; where it is not, none is blamed
-    alone.
+    axes is right, counted along the first of them, each d of these rows is right. Where it is not, none is blamed
+    alone, but for a wrong unit or a swapped cell, or for its sign if it is the only one that differs. As long as one
+    is missing, the others may still become right, and one that differs without such a reason has no verdict.
 
     The tolerance of lengths is in metres.
 
@@ -31,19 +32,22 @@ def judge_table(
         raise InputError(f"table: expected {len(expected)} rows, got {len(got)}")
     verdicts = [judge_row(row, cells, tolerance) for row, cells in zip(expected, got, strict=True)]
     for run in parallel_runs(expected):
-        rows = f"the sum of d over rows {run[0] + 1} to {run[-1] + 1}"
         off = _off(expected, got, run)
-        if off is not None and abs(off) > tolerance:
+        if off is None:
+            _leave_open(verdicts, run)
+        elif abs(off) > tolerance:
+            _blame_sum(verdicts, run, _sum_of(expected, run))
+        else:
+            _set_free(verdicts, run, _sum_of(expected, run))
             for i in run:
-                if verdicts[i]["d"].mistake == "wrong":
-                    verdicts[i]["d"] = CellVerdict(False, "wrong", f"only {rows} counts, and it is not correct yet")
-        elif off is not None:
-            free = CellVerdict(True, "", f"right: only {rows} is defined")
-            for i in run:
-                verdicts[i]["d"] = free
                 if verdicts[i]["a"].mistake == "swapped":
                     verdicts[i]["a"] = judge_cell(expected[i].a, got[i].get("a"), "length", tolerance)
     return verdicts
+
+
+def along_first(rows: Sequence[Row], run: range) -> bool:
+    """Return whether the sum of d must be counted along the first of parallel axes, because some point against it."""
+    return any(math.cos(rows[i].alpha) < 0.0 for i in run[:-1])
 
 
 def parallel_runs(rows: Sequence[Row]) -> list[range]:
@@ -56,6 +60,34 @@ def parallel_runs(rows: Sequence[Row]) -> list[range]:
                 runs.append(range(start, i + 1))
             start = i + 1
     return runs
+
+
+def _sum_of(rows: Sequence[Row], run: range) -> str:
+    """Return what the sum is called, with z of frame 3 as z3."""
+    way = f", counted along z{run[0]}," if along_first(rows, run) else ""
+    return f"the sum of d over rows {run[0] + 1} to {run[-1] + 1}{way}"
+
+
+def _leave_open(verdicts: list[dict[str, CellVerdict]], run: range) -> None:
+    """Remove the verdicts on each d that a missing one may still make right."""
+    for i in run:
+        if verdicts[i]["d"].mistake in ("wrong", "sign"):
+            del verdicts[i]["d"]
+
+
+def _blame_sum(verdicts: list[dict[str, CellVerdict]], run: range, name: str) -> None:
+    """Blame the sum where no d alone can be."""
+    different = [i for i in run if not verdicts[i]["d"].ok]
+    for i in different:
+        mistake = verdicts[i]["d"].mistake
+        if mistake == "wrong" or (mistake == "sign" and len(different) > 1):
+            verdicts[i]["d"] = CellVerdict(False, "wrong", f"only {name} counts, and it is not correct yet")
+
+
+def _set_free(verdicts: list[dict[str, CellVerdict]], run: range, name: str) -> None:
+    """Call each d of a right sum right."""
+    for i in run:
+        verdicts[i]["d"] = CellVerdict(True, "", f"right: only {name} is defined")
 
 
 def _off(expected: Sequence[Row], got: Sequence[Mapping[str, float | None]], run: range) -> float | None:

@@ -9,7 +9,15 @@ from armlab.benches.robot.trainer.answers import FIELDS
 from armlab.benches.robot.trainer.commands import ENOUGH_MISSES, CheckTable, ReviseAxes, SetAnswer, ShowCell
 from armlab.benches.robot.trainer.state import Trainer
 from armlab.benches.robot.trainer.ui.axes import shown_direction
-from armlab.benches.robot.trainer.ui.words import end_line, parallel_line, reversed_line, rule, symbol
+from armlab.benches.robot.trainer.ui.words import (
+    end_line,
+    indexed,
+    open_line,
+    parallel_line,
+    reversed_line,
+    rule,
+    symbol,
+)
 from armlab.kin.assignment import CellVerdict
 from armlab.session.state import Post
 from armlab.ui.colours import css, joint_colour
@@ -169,7 +177,7 @@ class TableStage:
     def _mark(self, i: int, field: str, verdict: CellVerdict) -> Markup:
         sign = "✓" if verdict.ok else "✕"
         ask = partial(self._ask, i, field)
-        return self._form.button(f"trainer-ask-{i + 1}-{field}", sign, ask, "sign", verdict.text)
+        return self._form.button(f"trainer-ask-{i + 1}-{field}", sign, ask, "sign", indexed(verdict.text))
 
     def _about(self, trainer: Trainer) -> Inside:
         """Return the progress, and the explanation of the chosen cell."""
@@ -178,9 +186,11 @@ class TableStage:
             return verdict_box("ok", f"All {cells} cells right", end_line(trainer))
         i, field = self._row, self._field
         name, verdict = symbol(self._units, field, i), trainer.cell_marks[i].get(field)
-        line = None
-        if verdict is not None:
-            line = tag("p.ok" if verdict.ok else "p.no", f"{name}: {verdict.text}.")
+        if verdict is None:
+            unmarked = open_line(trainer, i, field, self._units)
+            line = tag("p.dim", unmarked) if unmarked else None
+        else:
+            line = tag("p.ok" if verdict.ok else "p.no", f"{name}: {indexed(verdict.text)}.")
         about = "The rule of this cell"
         hints = [self._foot.chip("trainer-rule", f"Hint for {name}", self._turn_rule, about, self._rule_seen)]
         if trainer.answers.cell_misses[i][FIELDS.index(field)] >= ENOUGH_MISSES and not (verdict and verdict.ok):

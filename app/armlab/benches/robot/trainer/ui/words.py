@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
+from armlab.benches.robot.trainer.answers import FIELDS
 from armlab.benches.robot.trainer.state import Trainer
-from armlab.benches.robot.trainer.table import parallel_runs
+from armlab.benches.robot.trainer.table import along_first, parallel_runs
 from armlab.kin.dh import Row
 from armlab.ui.format import so_many, subscript
 from armlab.ui.html import Markup, tag
@@ -39,9 +41,12 @@ def rule(trainer: Trainer, i: int, field: str, units: Units) -> str:
         text = f"{name} is the angle from {x0} to {x1} about {z0}, by the right-hand rule."
     else:
         text = f"{name} is the distance from {o0} to {o1} along {z0}; it is negative in the opposite direction."
-        run = next((run for run in parallel_runs(_rows(trainer)) if i in run), None)
+        run = _run_of(trainer, i)
         if run is not None:
-            text += f" Axes {run[0] + 1} to {run[-1] + 1} are parallel: any values of d with the right sum are correct."
+            text += (
+                f" Axes {run[0] + 1} to {run[-1] + 1} are parallel: any values of d with the right sum"
+                f"{_along(_rows(trainer), run)} are correct."
+            )
     row = _rows(trainer)[i]
     if field == ("theta" if row.revolute else "d"):
         text += f" This is the joint variable: the cell takes what remains without {told_joint(trainer, i, units)}."
@@ -90,10 +95,22 @@ def parallel_line(trainer: Trainer) -> str:
     runs = [run for run in parallel_runs(rows) if any(rows[i].d != 0.0 for i in run)]
     return " ".join(
         f"Axes {run[0] + 1} to {run[-1] + 1} are parallel: an origin may lie anywhere on its axis. They are drawn "
-        "so that d is 0 where possible, and so not always on the arm; any values of d with the right sum are "
-        "correct too."
+        "so that d is 0 where possible, and so not always on the arm; any values of d with the right sum"
+        f"{_along(rows, run)} are correct too."
         for run in runs
     )
+
+
+def open_line(trainer: Trainer, i: int, field: str, units: Units) -> str:
+    """Return why the last check gave a filled cell no mark, or nothing if it did or the cell has changed since."""
+    answers, k = trainer.answers, FIELDS.index(field)
+    value, run = answers.cells[i][k], _run_of(trainer, i)
+    if answers.checked_cells is None or value is None or value != answers.checked_cells[i][k]:
+        return ""
+    if run is None or field != "d" or field in trainer.cell_marks[i]:
+        return ""
+    rows = f"rows {run[0] + 1} to {run[-1] + 1}"
+    return f"{symbol(units, field, i)}: only the sum of d over {rows} counts, and a value of d is still missing."
 
 
 def indexed(text: str) -> str:
@@ -111,6 +128,16 @@ def end_line(trainer: Trainer) -> str:
 def mark(ok: bool, text: str) -> Markup:
     """Return ✓ or ✕ with its sentence as a hint."""
     return tag("i.ok" if ok else "i.no", "✓" if ok else "✕", title=text)
+
+
+def _along(rows: Sequence[Row], run: range) -> str:
+    """Return the direction in which d is counted where axes of a run point against each other."""
+    return f", counted along {subscript('z', run[0])}," if along_first(rows, run) else ""
+
+
+def _run_of(trainer: Trainer, i: int) -> range | None:
+    """Return the run of parallel axes to which row i (0-based) belongs."""
+    return next((run for run in parallel_runs(_rows(trainer)) if i in run), None)
 
 
 def _rows(trainer: Trainer) -> tuple[Row, ...]:
