@@ -13,6 +13,11 @@ from support.student import run, student
 AXES = Exercise(catalogue()["planar_2r"]).solution
 
 
+def node(browser, name):
+    """Return what is known of a node of the exercise."""
+    return next(props for path, props in browser.nodes.items() if path.endswith(f"/{name}"))
+
+
 async def at_the_axes(url):
     browser = await student(url, path="/robot/planar_2r")
     await browser.open("trainer")
@@ -70,6 +75,31 @@ def test_what_is_no_number_stays_in_its_cell_with_the_reason_below_the_table(url
         await browser.until(lambda: "Hint for d₂" in browser.html())
         await browser.press("trainer-end")
         await browser.until(lambda: "Exercise: Planar 2R" in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+def test_name_and_arrows_of_the_last_frame_go_with_its_origin(url):
+    """With x2 along +y, O2 lies on the axis of joint 2 where O1 is, and no longer at the tip."""
+
+    async def main():
+        browser = await at_the_axes(url)
+        await browser.until(lambda: "text" in node(browser, "origin_label2"))
+        assert node(browser, "origin_label2")["text"] == "{2}"
+        assert node(browser, "z2")["scale"] == node(browser, "z1")["scale"]
+        for i, (z, x) in enumerate((*AXES[:2], ("+z", "+y"))):
+            await browser.press(f"trainer-z-{i}", z)
+            await browser.press(f"trainer-x-{i}", x)
+        await browser.press("trainer-check")
+        await browser.until(lambda: node(browser, "origin_label1")["text"] == "{1, 2}")
+        ball, label = (node(browser, f"origin{name}")["position"] for name in ("2", "_label2"))
+        assert label == ball == node(browser, "origin1")["position"]
+        assert not node(browser, "origin_label2")["visible"]
+        assert node(browser, "z2")["scale"] == pytest.approx(0.8 * node(browser, "z1")["scale"])
+        await browser.press("trainer-revise")
+        await browser.until(lambda: node(browser, "origin_label1")["text"] == "{1}")
+        assert node(browser, "origin_label2")["visible"]
         await browser.close()
 
     run(main())

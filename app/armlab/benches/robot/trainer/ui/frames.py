@@ -19,7 +19,7 @@ from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.anatomy import Pose
 from armlab.ui.figure.mesh import Solid
 from armlab.ui.figure.solids import along, lathe
-from armlab.ui.scene._nodes import add_solid, move, put, seen
+from armlab.ui.scene._nodes import add_solid, move, put, seen, write
 
 DASH, SPACE = 0.03, 0.018
 LINE, BEYOND = 0.0035, 0.13
@@ -50,10 +50,11 @@ class PlacedFrames:
         self._roots = [self._root(i) for i in range(exercise.n + 1)]
         self._lines = [self._draw_axis(joints) for joints in _lines(exercise, self._size)]
         self._dark = False
-        self._ranks = _ranks(exercise.origins, self._size)
+        self._origins = exercise.origins
         self._balls = [self._ball(i) for i in range(exercise.n + 1)]
         self._arrows = [{axis: self._arrow(i, axis) for axis in "zx"} for i in range(exercise.n + 1)]
-        self._labels = {i: self._label(i) for i, rank in enumerate(self._ranks) if rank == 0}
+        self._labels = [self._label(i) for i in range(exercise.n + 1)]
+        self._arrange()
         self._shown: Trainer | None = None
 
     def show(self, trainer: Trainer, dark: bool) -> None:
@@ -67,11 +68,25 @@ class PlacedFrames:
         if not trainer.started or trainer is self._shown:
             return
         self._shown = trainer
-        last = trainer.assignment.frames[-1, :3, 3] if trainer.assignment is not None else self._exercise.origins[-1]
+        placed = trainer.assignment
+        origins = self._exercise.origins if placed is None else placed.frames[:, :3, 3]
+        if not np.array_equal(origins, self._origins):
+            self._origins = origins
+            self._arrange()
         for i, (z, x) in enumerate(trainer.answers.axes):
             for axis, direction in (("z", z), ("x", x)):
-                self._point(i, axis, direction, last if i == self._exercise.n else self._exercise.origins[i])
-        move(self._balls[-1], last)
+                self._point(i, axis, direction, origins[i])
+
+    def _arrange(self) -> None:
+        """Place balls and names at the origins; where some coincide, each further frame has shorter arrows."""
+        for i, same in enumerate(_coincident(self._origins, self._size)):
+            move(self._balls[i], self._origins[i])
+            for arrow in self._arrows[i].values():
+                arrow.scale = ARROW * self._size * SHRINK ** same.index(i)
+            label = self._labels[i]
+            move(label, self._origins[i])
+            seen(label, same[0] == i)
+            write(label, "{" + ", ".join(map(str, same)) + "}")
 
     def _root(self, i: int) -> viser.FrameHandle:
         """Return a node on the body of frame i whose axes are those of the world while the arm stands in the pose."""
@@ -111,27 +126,18 @@ class PlacedFrames:
             f"{self._roots[i].name}/origin{i}",
             BALL * self._size,
             GREY,
-            position=self._exercise.origins[i],
             cast_shadow=False,
             receive_shadow=False,
         )
 
     def _label(self, i: int) -> viser.LabelHandle:
-        """Return the name of the frames whose origins coincide with that of frame i."""
-        origins = self._exercise.origins
-        same = [j for j in range(i, len(origins)) if np.linalg.norm(origins[j] - origins[i]) <= NEAR * self._size]
         return self._canvas.scene.add_label(
-            f"{self._roots[i].name}/origin_label{i}",
-            "{" + ", ".join(map(str, same)) + "}",
-            position=origins[i],
-            font_screen_scale=0.85,
-            anchor="top-left",
+            f"{self._roots[i].name}/origin_label{i}", f"{{{i}}}", font_screen_scale=0.85, anchor="top-left"
         )
 
     def _arrow(self, i: int, axis: str) -> viser.MeshHandle:
-        scale = ARROW * self._size * SHRINK ** self._ranks[i]
         path = f"{self._roots[i].name}/{axis}{i}"
-        handle = add_solid(self._canvas.scene, path, _unit_arrow(), AXES[axis], scale=scale, visible=False)
+        handle = add_solid(self._canvas.scene, path, _unit_arrow(), AXES[axis], visible=False)
         adapter.on_event(handle, "on_click", self._turn_on(i, axis))
         return handle
 
@@ -187,8 +193,8 @@ def _lines(exercise: Exercise, size: float) -> list[list[int]]:
     return lines
 
 
-def _ranks(origins: Vector, size: float) -> list[int]:
-    """Return for each frame how many frames before it have their origin in the same place."""
+def _coincident(origins: Vector, size: float) -> list[list[int]]:
+    """Return for each frame the frames, itself among them, whose origins are in the same place."""
     return [
-        sum(bool(np.linalg.norm(origins[j] - origins[i]) <= NEAR * size) for j in range(i)) for i in range(len(origins))
+        [j for j, other in enumerate(origins) if np.linalg.norm(other - origin) <= NEAR * size] for origin in origins
     ]
