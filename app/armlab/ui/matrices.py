@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.kin.graph.printing import latex_number
 from armlab.session.parts.selection import Select, Selection
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
@@ -146,13 +147,8 @@ def as_latex(values: Matrix) -> str:
     >>> print(as_latex(np.array([[1.0, 0.5]])))
     \begin{bmatrix} 1 & 0.5 \end{bmatrix}
     """
-    rows = r" \\ ".join(" & ".join(_in_latex(_plain(value)) for value in row) for row in values)
+    rows = r" \\ ".join(" & ".join(latex_number(_plain(value), 6) for value in row) for row in values)
     return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
-
-
-def _in_latex(value: float) -> str:
-    mantissa, _, exponent = f"{value:.6g}".partition("e")
-    return rf"{mantissa}\cdot 10^{{{int(exponent)}}}" if exponent else mantissa
 
 
 def _plain(value: float) -> float:

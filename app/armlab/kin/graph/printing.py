@@ -12,6 +12,9 @@ Style = Literal["text", "latex"]
 
 _SUM, _PRODUCT, _ATOM = 0, 1, 2
 
+DIGITS = 12
+"""Number of significant digits of numbers in formulas."""
+
 GREEK = frozenset({"alpha", "beta", "gamma", "theta", "phi", "psi"})
 """Names of parameters that are Greek letters in LaTeX."""
 
@@ -22,6 +25,7 @@ class _Text:
 
     parts: tuple[tuple[int, str], ...]  # of a sum: (sign, term); of a product: (rank, factor)
     binding: int
+    number: float = 1.0  # of a product: the numbers in it, as one, since two side by side read as one in LaTeX
 
 
 class Printer:
@@ -41,7 +45,7 @@ class Printer:
     def __call__(self, value: Number) -> str:
         """Return the printed expression."""
         if not isinstance(value, Expression):
-            return _number(value)
+            return self._number(value)
         return self._sum(self._signed_terms(value))
 
     def _node(self, index: int) -> _Text:
@@ -54,7 +58,7 @@ class Printer:
         if operation in ("add", "sub", "add_constant"):
             return _Text(self._terms(node), _SUM)
         if operation in ("mul", "mul_constant"):
-            return _Text(tuple(sorted(self._factors(node), key=lambda factor: factor[0])), _PRODUCT)
+            return self._factors(node)
         return _Text(((self._rank(node), self._atom(node)),), _ATOM)
 
     def _terms(self, node: Node) -> tuple[tuple[int, str], ...]:
@@ -62,7 +66,7 @@ class Printer:
         terms = self._as_terms(left)
         if node[0] == "add_constant":
             constant = float(node[2])
-            return (*terms, (1 if constant > 0 else -1, _number(abs(constant))))
+            return (*terms, (1 if constant > 0 else -1, self._number(abs(constant))))
         sign = -1 if node[0] == "sub" else 1
         return terms + tuple((sign * s, text) for s, text in self._as_terms(right[0]))
 
@@ -73,24 +77,26 @@ class Printer:
     def _signed_terms(self, value: Expression) -> tuple[tuple[int, str], ...]:
         return tuple((value.sign * sign, text) for sign, text in self._as_terms(value.node))
 
-    def _factors(self, node: Node) -> list[tuple[int, str]]:
+    def _factors(self, node: Node) -> _Text:
         factors: list[tuple[int, str]] = []
+        number = float(node[2]) if node[0] == "mul_constant" else 1.0
         for index in operands(node):
             printed = self._node(index)
+            number *= printed.number
             if printed.binding == _SUM:
-                factors.append((9, f"({self._sum(printed.parts)})"))
+                factors.append((3, f"({self._sum(printed.parts)})"))
             else:
                 factors += printed.parts
-        if node[0] == "mul_constant":
-            factors.append((0, _number(float(node[2]))))
-        return factors
+        return _Text(tuple(sorted(factors, key=lambda factor: factor[0])), _PRODUCT, number)
 
     def _rank(self, node: Node) -> int:
-        """Return the place of a factor in a product: numbers, lengths, functions, sums."""
-        return {"parameter": 1, "variable": 2}.get(node[0], 3)
+        """Return the place of a factor in a product, behind its number: lengths, variables, functions, sums."""
+        return {"parameter": 0, "variable": 1}.get(node[0], 2)
 
     def _product(self, printed: _Text) -> str:
-        return (" " if self.latex else "*").join(text for _, text in printed.parts)
+        number = self._number(printed.number)
+        factors = [text for _, text in printed.parts]
+        return (" " if self.latex else "*").join(factors if number == "1" else [number, *factors])
 
     def _sum(self, terms: tuple[tuple[int, str], ...]) -> str:
         # A positive term comes first when there is one: "b - a", not "-a + b".
@@ -108,7 +114,7 @@ class Printer:
         if operation == "neg":
             return f"(-({inside[0]}))"
         if operation in ("div", "constant_over"):
-            over = inside if operation == "div" else [_number(float(node[2])), inside[0]]
+            over = inside if operation == "div" else [self._number(float(node[2])), inside[0]]
             return rf"\frac{{{over[0]}}}{{{over[1]}}}" if self.latex else f"(({over[0]})/({over[1]}))"
         if operation == "abs":
             return f"|{inside[0]}|" if self.latex else f"abs({inside[0]})"
@@ -124,6 +130,9 @@ class Printer:
         if joints and only_sum and all(len(j) == 1 for j in joints) and name in ("sin", "cos"):
             return f"{name[0]}_{{{''.join(joints)}}}" if len(joints) > 1 else f"{name[0]}_{joints[0]}"
         return rf"\{name}({inside})"
+
+    def _number(self, value: float) -> str:
+        return latex_number(value) if self.latex else f"{value + 0.0:.{DIGITS}g}"  # + 0.0 turns -0.0 into 0
 
     def _symbol(self, name: str) -> str:
         """Return ``a12`` as it is or as ``a_{12}``, ``beta`` as ``\\beta``; ``cos(alpha2)`` is a symbol of its own."""
@@ -153,5 +162,11 @@ def term_counts(graph: Graph) -> list[int]:
     return counts
 
 
-def _number(value: float) -> str:
-    return f"{value + 0.0:.12g}"  # + 0.0 turns -0.0 into 0
+def latex_number(value: float, digits: int = DIGITS) -> str:
+    r"""Return a number in LaTeX, with a power of ten where Python writes an exponent.
+
+    >>> print(latex_number(-3.67e-6), latex_number(0.5))
+    -3.67\cdot 10^{-6} 0.5
+    """
+    mantissa, _, exponent = f"{value + 0.0:.{digits}g}".partition("e")
+    return rf"{mantissa}\cdot 10^{{{int(exponent)}}}" if exponent else mantissa

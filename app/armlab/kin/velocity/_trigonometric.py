@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from armlab.kin.graph.expression import Expression, Graph, Node, Number, operands
+from armlab.kin.graph.printing import latex_number
 
 Powers = tuple[tuple[str, int], ...]
 Turns = tuple[int, ...]
@@ -274,7 +275,7 @@ def _printed(product: Product, names: Names, latex: bool) -> str:
     if product.number == 0.0:
         return "0"
     between = r"\," if latex else "*"
-    parts = [] if abs(abs(product.number) - 1.0) <= NOTHING else [f"{abs(product.number):.12g}"]
+    parts = [] if abs(abs(product.number) - 1.0) <= NOTHING else [_number(abs(product.number), latex)]
     parts += [_power(name, power, latex) for name, power in product.powers]
     sums, sign = [], 1.0 if product.number > 0.0 else -1.0
     for factor in product.factors:
@@ -295,11 +296,15 @@ def _printed(product: Product, names: Names, latex: bool) -> str:
 
 def _term(wave: Wave, names: Names, latex: bool) -> str:
     powers, turns, sine, value = wave
-    parts = [] if abs(value - 1.0) <= NOTHING else [f"{value:.12g}"]
+    parts = [] if abs(value - 1.0) <= NOTHING else [_number(value, latex)]
     parts += [_power(name, power, latex) for name, power in powers]
     if any(turns):
         parts.append(_wave(turns, sine, names, latex))
     return (r"\," if latex else "*").join(parts) or "1"
+
+
+def _number(value: float, latex: bool) -> str:
+    return latex_number(value) if latex else f"{value:.12g}"
 
 
 def _power(name: str, power: int, latex: bool) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from armlab.kin.arm import Arm
+from armlab.kin.graph.printing import latex_number
 from armlab.kin.symbolic import QUARTER, angle_offsets
 from armlab.ui.format import MINUS, mathml, subscript
 from armlab.ui.html import Markup, joined, tag
@@ -25,8 +26,9 @@ MOST_TERMS = 100
 """Largest number of terms of a formula that is printed; seven joints of a real arm have a quarter of it."""
 
 _VARIABLE = re.compile(r"q_(?:(\d)|\{(\d+)\})")
-_NUMBER = re.compile(r"\d+\.\d+")
-_CONSTANT = re.compile(r"-?[\d.]+")
+_POWER = r"\\cdot 10\^\{-?\d+\}"
+_NUMBER = re.compile(rf"\d+(?:\.\d+)?{_POWER}|\d+\.\d+")
+_CONSTANT = re.compile(rf"-?[\d.]+(?:{_POWER})?")
 _SHORT = re.compile(r"\b([cs])_(?:(\d)|\{(\d+)\})")
 
 
@@ -56,7 +58,7 @@ class Written:
 
 def written(arm: Arm, units: Units, latex: str) -> Written:
     """Return a printed formula in the names of the student."""
-    shown = _NUMBER.sub(lambda found: f"{float(found[0]):.{DIGITS}g}", latex)
+    shown = _NUMBER.sub(_rounded, latex)
     theta = units.latex("theta")
     shown = shown.replace(r"\theta_", f"{theta}_")
     if units.notation.variable != "q":
@@ -74,6 +76,10 @@ def written(arm: Arm, units: Units, latex: str) -> Written:
 def has_numbers(latex: str) -> bool:
     """Return whether a formula has lengths as numbers, as those of the tool, which have no symbols."""
     return _NUMBER.search(latex) is not None
+
+
+def _rounded(number: re.Match[str]) -> str:
+    return latex_number(float(number[0].replace(r"\cdot 10^{", "e").rstrip("}")), DIGITS)
 
 
 def _variable(arm: Arm, joint: int, theta: str) -> str:
