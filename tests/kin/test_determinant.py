@@ -44,6 +44,18 @@ def test_the_elbow_arm_of_the_notes(truth):
     assert value_of(arm, minor.text, case["inputs"]["q"]) == pytest.approx(case["expected"]["det"], abs=case["tol"])
 
 
+def test_quarter_turns_with_few_decimals_and_small_lengths_of_the_tool_are_written_as_such():
+    rounded, exact = (
+        determinant(Arm.from_dh([("R", 0, angle, 0.3, 0), ("R", 0.4, 0, 0, angle), ("R", 0.2, 0, 0, 0)]))
+        for angle in (1.57079632679, math.pi / 2)
+    )
+    assert rounded.minors == exact.minors
+    tool = np.eye(4)
+    tool[1, 3] = 3.67e-6
+    (minor,) = determinant(Arm.from_dh([("R", 0.4, 0, 0, 0), ("R", 0.2, 0, 0, 0)], tool=tool)).minors
+    assert r"3.67\cdot 10^{-6}\," in minor.latex
+
+
 def test_the_rrp_of_the_notes_vanishes_where_they_say(truth):
     arm = ROBOTS["polar_rrp"].arm
     (minor,) = determinant(arm).minors

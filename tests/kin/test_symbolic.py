@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 from armlab.kin.arm import Arm
+from armlab.kin.rotations import rotation_about
 from armlab.kin.symbolic import PoseFormulas, angle_offsets, constants, pose_formulas
+from armlab.kin.transforms import transform
 from support.arms import random_arm, random_q
 
 H = math.pi / 2
@@ -60,8 +62,11 @@ def test_an_offset_that_is_no_quarter_turn_belongs_to_the_angle():
     assert pose_formulas(turned, "latex")["r11"] == r"\cos(q_1 + \theta_2 - q_3)"
 
 
-@pytest.mark.parametrize("offset", [1e-12, 1e-7, 0.4, -2.0, H + 1e-7])
-def test_formulas_with_offsets_evaluate_to_forward_kinematics(offset, rng):
+# The first counts as zero: three angles of it, on an arm of about a metre.
+@pytest.mark.parametrize(
+    ("offset", "tolerance"), [(1e-12, 4e-12), (1e-7, 1e-12), (0.4, 1e-12), (-2.0, 1e-12), (H + 1e-7, 1e-12)]
+)
+def test_formulas_with_offsets_evaluate_to_forward_kinematics(offset, tolerance, rng):
     rows = [("R", 0.3, 0.2, 0.1, offset), ("P", 0.2, H, 0.3, offset), ("R", 0.4, 0.0, 0.2, -offset)]
     for convention in ("standard", "modified"):
         arm = Arm.from_dh(rows, convention)
@@ -71,8 +76,33 @@ def test_formulas_with_offsets_evaluate_to_forward_kinematics(offset, rng):
             T = arm.fk(q)
             formulas = pose_formulas(arm)
             for k, axis in enumerate("xyz"):
-                assert eval(formulas[f"p{axis}"], {}, names) == pytest.approx(T[k, 3], abs=1e-12)
-                assert eval(formulas[f"r1{k + 1}"], {}, names) == pytest.approx(T[0, k], abs=1e-12)
+                assert eval(formulas[f"p{axis}"], {}, names) == pytest.approx(T[k, 3], abs=tolerance)
+                assert eval(formulas[f"r1{k + 1}"], {}, names) == pytest.approx(T[0, k], abs=tolerance)
+
+
+@pytest.mark.parametrize("tool", [np.eye(4), transform(rotation_about("z", 0.3), [3.67e-6, 0.2, 0.1])])
+def test_numbers_of_a_product_are_one_number_with_a_power_of_ten_in_latex(tool, rng):
+    """In LaTeX two numbers side by side read as one, and an exponent e as a letter."""
+    arm = Arm.from_dh([("P", 0, H, 0, H / 3), ("R", 0.4, 0, 0, 0)], tool=tool)
+    formulas = pose_formulas(arm, "latex")
+    for latex in formulas.values():
+        assert not re.search(r"\d *e[-+]?\d|\d [\d.]|\}\s+\d", re.sub(r"[cs]_\S+", "f", latex)), latex
+    if tool[0, 3]:
+        assert r"\cdot 10^{-6} c_2" in formulas["px"]
+    for q in random_q(arm, rng, 3):
+        names = constants(arm) | {"q1": q[0], "q2": q[1], "sin": math.sin, "cos": math.cos}
+        assert eval(pose_formulas(arm)["px"], {}, names) == pytest.approx(arm.fk(q)[0, 3], abs=1e-12)
+
+
+@pytest.mark.parametrize("quarter", [1.57079632679, 1.5707963268])
+def test_a_quarter_turn_with_few_decimals_is_one_in_the_formulas(quarter):
+    for style in ("text", "latex"):
+        found, exact = (
+            pose_formulas(Arm.from_dh([("R", 0.3, angle, 0, angle), ("R", 0.5, 0, 0, 0)]), style)
+            for angle in (quarter, H)
+        )
+        assert found == exact
+    assert found["px"] == "-a_1 s_1 - a_2 s_1 c_2"
 
 
 def test_terms_are_counted_as_they_are_printed(robot, rng):

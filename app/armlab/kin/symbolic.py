@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from armlab.kin.arm import Arm
-from armlab.kin.dh import common_normals
+from armlab.kin.dh import Row, common_normals
 from armlab.kin.graph.expression import Expression, Graph, Number
 from armlab.kin.graph.printing import Printer, Style, term_counts
 
@@ -81,8 +81,9 @@ class PoseFormulas:
 
     def _pose(self, arm: Arm) -> dict[str, Number]:
         graph = self._graph
-        rows = tuple(replace(row, theta=0.0) if i + 1 in self._offsets else row for i, row in enumerate(arm.rows))
-        chain = replace(arm.description, rows=rows).chain(graph, lambda name, _value: graph.parameter(name))
+        chain = replace(arm.description, rows=rows_in_symbols(arm)).chain(
+            graph, lambda name, _value: graph.parameter(name)
+        )
         _, walker = chain.axes()
         if not np.array_equal(arm.tool, np.eye(4)):
             walker.place(arm.tool.tolist())
@@ -102,6 +103,24 @@ def angle_offsets(arm: Arm) -> dict[int, float]:
         for i, row in enumerate(arm.rows)
         if row.revolute and abs(math.remainder(row.theta, math.pi / 2)) > QUARTER
     }
+
+
+def rows_in_symbols(arm: Arm) -> tuple[Row, ...]:
+    """Return the rows of which formulas are made: without the `angle_offsets`, and with exact quarter turns.
+
+    Tables are typed with a few decimals of pi/2, and what is left of a cosine would be printed.
+    """
+    offsets = angle_offsets(arm)
+    return tuple(
+        replace(row, alpha=_quarter(row.alpha), theta=0.0 if i + 1 in offsets else _quarter(row.theta))
+        for i, row in enumerate(arm.rows)
+    )
+
+
+def _quarter(angle: float) -> float:
+    """Return the multiple of a quarter turn that an angle counts as, or the angle."""
+    exact = round(angle / (math.pi / 2)) * (math.pi / 2)
+    return exact if abs(angle - exact) <= QUARTER else angle
 
 
 def _with_offsets(formula: str, offsets: dict[int, float], style: Style) -> str:

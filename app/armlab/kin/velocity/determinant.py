@@ -17,7 +17,7 @@ from armlab.kin.graph.chain import Chain
 from armlab.kin.graph.expression import Graph
 from armlab.kin.graph.vector import Vector
 from armlab.kin.graph.walker import ORIGIN, Frame, Walker
-from armlab.kin.symbolic import angle_offsets
+from armlab.kin.symbolic import angle_offsets, rows_in_symbols
 from armlab.kin.velocity._layout import layout_of
 from armlab.kin.velocity._trigonometric import (
     Names,
@@ -186,9 +186,8 @@ def _task_rows(arm: Arm, view: int | None, columns: tuple[int, ...]) -> Rows:
 
 def _symbolic_axes(arm: Arm, view: int | None) -> tuple[Graph, list[Frame], Walker]:
     """Return the joint axes in axes of frame 0, or in those of joint ``view`` before it moves."""
-    graph, offsets = Graph(), angle_offsets(arm)
-    rows = [replace(row, theta=0.0) if i + 1 in offsets else row for i, row in enumerate(arm.rows)]
-    chain = Chain(graph, rows, arm.convention, lambda name, _value: graph.parameter(name))
+    graph = Graph()
+    chain = Chain(graph, rows_in_symbols(arm), arm.convention, lambda name, _value: graph.parameter(name))
     axes, walker = chain.axes(ORIGIN) if view is None else chain.axes_seen_from(view)
     return graph, axes, walker
 
