@@ -302,8 +302,9 @@ def test_going_back_to_the_axes_keeps_the_table_without_marks():
         ("placed", CheckTable(), "fill in at least one cell"),
         ("placed", SetAnswer(2, "a", 1.0), "row: expected 1 to 2, got 3"),
         ("placed", SetAnswer(0, "beta", 1.0), "cell"),
-        ("placed", SetAnswer(0, "a", math.nan), "expected a number up to"),
-        ("placed", SetAnswer(0, "a", 1e9), "expected a number up to"),
+        ("placed", SetAnswer(0, "a", math.nan), "expected a length between"),
+        ("placed", SetAnswer(0, "a", -2e5), "expected a length between -100000 and 100000 m, got -200000 m"),
+        ("placed", SetAnswer(0, "theta", 2e5), "expected an angle between -100000 and 100000 rad, got 200000 rad"),
     ],
 )
 def test_refusals(key, command, text):

@@ -3,7 +3,7 @@
 from armlab.benches.robot.table.ui.facts import closed_form_card, facts_of
 from armlab.benches.robot.trainer.commands import CheckAxes, CheckTable, ChooseDirection, SetAnswer, StartTrainer
 from armlab.benches.robot.trainer.state import Trainer
-from armlab.benches.robot.trainer.ui.words import AXES_RULE, open_line, parallel_line, rule
+from armlab.benches.robot.trainer.ui.words import AXES_RULE, open_line, parallel_line, pose_line, rule
 from armlab.content.robots import catalogue
 from armlab.session.state import State, apply
 from armlab.ui.units import units_of
@@ -26,6 +26,11 @@ def test_an_exercise_with_parallel_axes_says_that_its_origins_need_not_lie_on_th
     scara = Trainer.initial(catalogue()["scara"])
     assert parallel_line(scara).startswith("Axes 1 to 4 are parallel: an origin may lie anywhere on its axis.")
     assert parallel_line(Trainer.initial(catalogue()["planar_2r"])) == ""
+
+
+def test_the_rest_of_the_joints_is_told_in_the_right_number():
+    assert pose_line(Trainer.initial(catalogue()["cylindrical_rpp"]), UNITS).endswith(", the other at 0.")
+    assert pose_line(Trainer.initial(catalogue()["stanford"]), UNITS).endswith(", the others at 0.")
 
 
 def table_of(key):

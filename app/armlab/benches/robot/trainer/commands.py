@@ -11,6 +11,7 @@ from armlab.benches.robot.trainer.answers import FIELDS, LARGEST, Answers, Cells
 from armlab.benches.robot.trainer.exercise import DIRECTIONS, Axes
 from armlab.benches.robot.trainer.state import Trainer
 from armlab.errors import InputError, UnknownName
+from armlab.kin.assignment import CELLS
 from armlab.registry import known_name
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
@@ -168,7 +169,11 @@ class SetAnswer(Command):
         answers = _placed(state).answers
         i, k = _cell(answers, self.row, self.field)
         if self.value is not None and not abs(self.value) <= LARGEST:
-            raise InputError(f"row {i + 1}, {self.field}: expected a number up to {LARGEST:g}, got {self.value}")
+            quantity, unit = ("a length", "m") if CELLS[self.field] == "length" else ("an angle", "rad")
+            raise InputError(
+                f"row {i + 1}, {self.field}: expected {quantity} between -{LARGEST:g} and {LARGEST:g} {unit}, got "
+                f"{self.value:g} {unit}"
+            )
         return _answered(state, _filled(answers, i, k, self.value))
 
 

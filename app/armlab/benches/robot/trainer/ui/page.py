@@ -28,7 +28,7 @@ UNUSABLE = (
     "No configuration of this arm is known in which all joint axes lie along x, y or z of the world frame, so their "
     "directions cannot be chosen from six. Take one of these:"
 )
-END = "Restore the arm as it was before the exercise; the answers are discarded"
+END = "Restore the arm as it was before the exercise, unless you have moved it; the answers are discarded"
 SIZES = (("Up to 3 joints", 1, 3), ("4 and 5 joints", 4, 5), ("6 joints", 6, 6), ("7 joints and more", 7, 99))
 
 

@@ -71,7 +71,8 @@ def pose_line(trainer: Trainer, units: Units) -> str:
     ]
     if not told:
         return "Drawn with all joints at 0."
-    return f"Drawn at {', '.join(told)}{', the others at 0' if len(told) < arm.n else ''}."
+    rest = {0: "", 1: ", the other at 0"}.get(arm.n - len(told), ", the others at 0")
+    return f"Drawn at {', '.join(told)}{rest}."
 
 
 def reversed_line(trainer: Trainer, units: Units) -> str:
