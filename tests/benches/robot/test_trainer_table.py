@@ -75,7 +75,7 @@ def test_the_sentence_on_a_free_sum_names_the_rows():
 def test_a_sum_along_axes_that_point_against_each_other_says_in_which_direction_it_is_counted():
     rows = [Row("R", 0.3, math.pi, 0.4), Row("P", 0.2, 0.0, 0.0)]
     table = [cells_of(rows[0]) | {"d": 0.0}, cells_of(rows[1]) | {"d": 0.4}]
-    named = "only the sum of d over rows 1 to 2, counted along z0,"
+    named = "only the sum of d over rows 1 to 2, taken along z0,"
     assert judge_table(rows, table)[1]["d"].text == f"{named} counts, and it is not correct yet"
     table[1]["d"] = -0.4
     assert judge_table(rows, table)[1]["d"].text == f"right: {named} is defined"

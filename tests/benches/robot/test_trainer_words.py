@@ -43,8 +43,8 @@ def table_of(key):
 
 def test_the_direction_of_a_sum_is_told_only_where_axes_point_against_each_other():
     scara, planar = (table_of(key)[Trainer] for key in ("scara", "planar_2r"))
-    assert parallel_line(scara).endswith("with the right sum, counted along z₀, are correct too.")
-    assert "with the right sum, counted along z₀, are correct." in rule(scara, 3, "d", UNITS)
+    assert parallel_line(scara).endswith("with the right sum, taken along z₀, are correct too.")
+    assert "with the right sum, taken along z₀, are correct." in rule(scara, 3, "d", UNITS)
     assert "with the right sum are correct." in rule(planar, 1, "d", UNITS)
 
 
@@ -52,7 +52,7 @@ def test_a_d_without_a_mark_is_told_to_wait_for_the_others():
     state = apply(apply(table_of("scara"), SetAnswer(0, "d", 0.5)), CheckTable())
     assert state[Trainer].cell_marks[0] == {}
     assert state[Trainer].answers.cell_misses[0] == (0, 0, 0, 0)
-    told = "d₁: only the sum of d over rows 1 to 4 counts, and a value of d is still missing."
+    told = "d₁: only the sum of d over rows 1 to 4, taken along z₀, counts, and a value of d is still missing."
     assert open_line(state[Trainer], 0, "d", UNITS) == told
     assert open_line(apply(state, SetAnswer(0, "d", 0.6))[Trainer], 0, "d", UNITS) == ""
     assert open_line(state[Trainer], 1, "d", UNITS) == ""

@@ -46,7 +46,7 @@ def judge_table(
 
 
 def along_first(rows: Sequence[Row], run: range) -> bool:
-    """Return whether the sum of d must be counted along the first of parallel axes, because some point against it."""
+    """Return whether the sum of d must be taken along the first of parallel axes, because some point against it."""
     return any(math.cos(rows[i].alpha) < 0.0 for i in run[:-1])
 
 
@@ -64,7 +64,7 @@ def parallel_runs(rows: Sequence[Row]) -> list[range]:
 
 def _sum_of(rows: Sequence[Row], run: range) -> str:
     """Return what the sum is called, with z of frame 3 as z3."""
-    way = f", counted along z{run[0]}," if along_first(rows, run) else ""
+    way = f", taken along z{run[0]}," if along_first(rows, run) else ""
     return f"the sum of d over rows {run[0] + 1} to {run[-1] + 1}{way}"
 
 

@@ -110,8 +110,8 @@ def open_line(trainer: Trainer, i: int, field: str, units: Units) -> str:
         return ""
     if run is None or field != "d" or field in trainer.cell_marks[i]:
         return ""
-    rows = f"rows {run[0] + 1} to {run[-1] + 1}"
-    return f"{symbol(units, field, i)}: only the sum of d over {rows} counts, and a value of d is still missing."
+    total = f"the sum of d over rows {run[0] + 1} to {run[-1] + 1}{_along(_rows(trainer), run)}"
+    return f"{symbol(units, field, i)}: only {total} counts, and a value of d is still missing."
 
 
 def indexed(text: str) -> str:
@@ -133,7 +133,7 @@ def mark(ok: bool, text: str) -> Markup:
 
 def _along(rows: Sequence[Row], run: range) -> str:
     """Return the direction in which d is counted where axes of a run point against each other."""
-    return f", counted along {subscript('z', run[0])}," if along_first(rows, run) else ""
+    return f", taken along {subscript('z', run[0])}," if along_first(rows, run) else ""
 
 
 def _run_of(trainer: Trainer, i: int) -> range | None:
