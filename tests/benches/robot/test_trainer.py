@@ -250,29 +250,6 @@ def test_solutions_are_shown_after_two_wrong_checks():
     assert state[Trainer].answers.shown == 2
 
 
-def test_the_arm_of_the_table_is_drawn_as_far_as_rows_are_filled():
-    state = placed("planar_2r")
-    assert state[Trainer].student_arm is None
-    for field, value in (("a", 1.0), ("alpha", 0.0), ("d", 0.0), ("theta", 0.0)):
-        state = apply(state, SetAnswer(0, field, value))
-    assert state[Trainer].student_arm.n == 1
-    # Millimetres in a field of metres are marked, but not drawn.
-    far = apply(state, SetAnswer(0, "a", 1000.0))
-    assert far[Trainer].student_arm is None
-    assert apply(far, CheckTable())[Trainer].cell_marks[0]["a"].mistake == "millimetres"
-
-
-@pytest.mark.parametrize("angle", [math.radians(450.0), -90.0])
-@pytest.mark.parametrize("field", ["alpha", "theta"])
-def test_an_angle_beyond_a_full_turn_is_drawn_as_the_direction_it_gives(field, angle):
-    state = placed("planar_2r")
-    for name, value in ({"a": 1.0, "alpha": 0.0, "d": 0.0, "theta": 0.0} | {field: angle}).items():
-        state = apply(state, SetAnswer(0, name, value))
-    drawn = state[Trainer].student_arm.rows[0]
-    assert abs(getattr(drawn, field)) <= math.pi
-    assert math.cos(getattr(drawn, field) - angle) == pytest.approx(1.0, abs=1e-12)
-
-
 def test_going_back_to_the_axes_keeps_the_table_without_marks():
     state = placed("planar_2r")
     state = apply(fill(state, state[Trainer].assignment.rows), CheckTable())
