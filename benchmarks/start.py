@@ -46,6 +46,10 @@ def measure() -> Iterator[str]:
         yield from from_a_clone()
 
 
+PATIENCE = 120.0
+"""Longest time, in seconds, that a page may take for one of the moments: beside other work a picture takes long."""
+
+
 @dataclass(frozen=True)
 class Times:
     """Seconds from the command to three moments, one entry a round."""
@@ -61,9 +65,10 @@ def opened(browser: Browser, command: list[str], times: Times, is_there: str) ->
     with printed_address(command) as url, browser.new_context() as context:
         times.served.append(time.perf_counter() - start)
         page = context.new_page()
+        page.set_default_timeout(1e3 * PATIENCE)
         page.set_viewport_size(WINDOW)
         page.goto(url, wait_until="commit")
-        page.wait_for_function(f"() => {is_there}", polling=20, timeout=60_000)
+        page.wait_for_function(f"() => {is_there}", polling=20)
         times.usable.append(time.perf_counter() - start)
         page.screenshot()
         times.drawn.append(time.perf_counter() - start)
