@@ -37,7 +37,7 @@ LOOKS = {
     "content/errata_task.py",
     "content/formula_room.py",
     "front/page.py",
-    "session/plain_text.py",
+    "teaching/plain_text.py",
     "ui/erratum_links.py",
     "window/lesson/text.py",
     "ui/recording.py",

@@ -18,7 +18,7 @@ from armlab.content.questions.matrix import MatrixQuestion
 from armlab.content.questions.number import NumberQuestion
 from armlab.content.robots import catalogue
 from armlab.errors import ContentError
-from armlab.session.plain_text import plain
+from armlab.teaching.plain_text import plain
 
 FRONT = """+++
 title = "A lesson"

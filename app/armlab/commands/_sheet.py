@@ -18,7 +18,7 @@ from armlab.content.lesson_values import written
 from armlab.content.question import Choices, Question
 from armlab.content.questions.number import NumberQuestion
 from armlab.content.vocabulary import vocabularies
-from armlab.session.plain_text import plain, printable
+from armlab.teaching.plain_text import plain, printable
 
 _MEANS_SOMETHING = re.compile(r"([\\`*_{}\[\]<>#|~&$])")
 

@@ -108,8 +108,8 @@ def _judge_of(place: Place, typed: str) -> Callable[[str], Report]:
 
 def judge_file(path: Path, shown: str, judge: Callable[[str], Report]) -> Judged:
     """Return the verdict on a file, or why there is none."""
-    from armlab.session.plain_text import printable
     from armlab.teaching.hand_in_reports import Judged
+    from armlab.teaching.plain_text import printable
 
     file = printable(shown)
     try:

@@ -19,7 +19,6 @@ from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lesson
 from armlab.content.observation import same_table
 from armlab.errors import ArmlabError, InputError
-from armlab.session.plain_text import plain, printable
 from armlab.session.share import STAYS
 from armlab.session.state import Json, State
 from armlab.teaching.assignment_work import Work
@@ -28,6 +27,7 @@ from armlab.teaching.handed import Handed, of_assignment
 from armlab.teaching.lesson_places import kept_at, place_of, where_in
 from armlab.teaching.lesson_progress import Progress, RightAnswer, read, step_names, written
 from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.plain_text import plain, printable
 from armlab.teaching.seen_again import seen_again
 from armlab.teaching.signature import signed
 from armlab.version import VERSION

@@ -11,7 +11,6 @@ from armlab.content.lesson import Lesson
 from armlab.content.lessons import lesson, lessons
 from armlab.content.reader import shown
 from armlab.errors import InputError
-from armlab.session.plain_text import printable
 from armlab.session.state import Json
 from armlab.teaching.hand_in import (
     LONGEST_KEY,
@@ -26,6 +25,7 @@ from armlab.teaching.hand_in import (
 from armlab.teaching.hand_in_prints import prints_of
 from armlab.teaching.handed import handed_of
 from armlab.teaching.lesson_progress import Progress
+from armlab.teaching.plain_text import printable
 from armlab.teaching.signature import signed
 
 

@@ -21,16 +21,16 @@ from armlab.content.observation import Observation
 from armlab.errors import ContentError, InputError
 from armlab.kin.checks import finite_floats, whole_number
 from armlab.session.facts import benches_of
-from armlab.session.facts_at import FactsAt
 from armlab.session.job import Deliver
 from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.timeline import OpenClip, Seek, duration
-from armlab.session.plain_text import plain
 from armlab.session.session import Session
 from armlab.session.state import Command, State
 from armlab.teaching.deeds import commands_of
+from armlab.teaching.facts_at import FactsAt
 from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson
 from armlab.teaching.parts.lesson import LessonPart, check_line, observed
+from armlab.teaching.plain_text import plain
 from armlab.teaching.taught import taught
 
 RANDOM_STATES = 100

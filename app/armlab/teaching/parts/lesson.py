@@ -19,7 +19,6 @@ from armlab.content.observation import BEYOND, Observation, same_table
 from armlab.content.question import Verdict
 from armlab.content.robots import OWN, Robot
 from armlab.errors import InputError
-from armlab.session.closed_pages import closed_pages
 from armlab.session.facts import benches_of, evidence_of, facts_asked, seen_facts
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
@@ -29,6 +28,7 @@ from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Json, Part, PartType, State
 from armlab.teaching.assignment_work import Work
+from armlab.teaching.closed_pages import closed_pages
 from armlab.teaching.lesson_films import films_played
 from armlab.teaching.lesson_locks import refuse_locked
 from armlab.teaching.lesson_places import is_place, kept_at, where_in

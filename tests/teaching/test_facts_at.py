@@ -3,12 +3,12 @@
 import pytest
 
 from armlab.content.robots import catalogue
-from armlab.session import facts_at as facts_at_module
 from armlab.session.facts import facts_of_benches, seen_facts
-from armlab.session.facts_at import FactsAt
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
 from armlab.session.state import State
+from armlab.teaching import facts_at as facts_at_module
+from armlab.teaching.facts_at import FactsAt
 
 QUICK = ("velocity.statics", "velocity.speeds", "sensor.absolute", "drive.gears", "frames.chain")
 
