@@ -123,6 +123,36 @@ def test_a_reveal_needs_something_to_do():
     assert text.split("\n")[raised.value.line - 1] == "```reveal"
 
 
+UNCLOSED = [
+    # what stands before the end of the block that is not closed, its first line, the block swallowed, where
+    ("Set $q_1 = 0$.\n", "```hint\nSet", "reveal", "step 1.hint"),
+    ("It reaches {{=reach}} m.\n", "```reveal", "solution", "step 1.reveal"),
+    ("q_deg = [0, 180]\n", "```check", "hint", "step 1.check"),
+    ("reach = {{=-l1}}\n", "```python", "question", "step 2"),
+]
+
+
+@pytest.mark.parametrize(("last", "first", "inner", "where"), UNCLOSED)
+def test_a_block_that_swallows_the_next_one_is_told_at_its_own_first_line(last, first, inner, where):
+    text = RICH.replace(f"{last}```\n", last)
+    assert text != RICH
+    says = rf"{where}: a block '{inner}' begins inside this one; is its closing ``` missing\?$"
+    with pytest.raises(LessonError, match=says) as raised:
+        parse_lesson("rich", text)
+    assert raised.value.line == text[: text.index(first)].count("\n") + 1
+
+
+def test_a_block_of_the_introduction_that_swallows_the_first_step_is_told():
+    text = RICH.replace("## Stretch it", "```text\n\n## Stretch it")
+    with pytest.raises(LessonError, match="introduction: a block 'check' begins inside"):
+        parse_lesson("rich", text)
+
+
+def test_a_block_is_shown_on_purpose_between_longer_fences():
+    shown = "````text\n```hint\nLook.\n```\n````\n\n```python"
+    assert "```hint" in parse_lesson("rich", RICH.replace("```python", shown)).steps[1].html
+
+
 # --- Lines of keys
 
 TOML = '''a = 1

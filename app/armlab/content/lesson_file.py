@@ -17,7 +17,7 @@ from armlab.content.lesson import Lesson
 from armlab.content.lesson_front import read_front
 from armlab.content.lesson_head import filled_front, split
 from armlab.content.lesson_lines import LessonError, located
-from armlab.content.lesson_steps import TABLES, TEXTS, Setting, read_step, sections_of
+from armlab.content.lesson_steps import TABLES, TEXTS, Setting, read_step, refuse_swallowed, sections_of
 from armlab.content.lesson_text import Prose
 from armlab.content.lesson_values import filled
 from armlab.content.markdown import tokens_of
@@ -123,6 +123,7 @@ def _only_text(setting: Setting, intro: list[Token]) -> None:
         if name in (*TABLES, *TEXTS):
             problem = f"expected a block {name!r} in a step, after its '## Title'; it stands before the first one"
             raise LessonError(setting.file, "introduction", problem, setting.line(token))
+        refuse_swallowed(setting, "introduction", token)
 
 
 def digest_of(text: str, pictures: Mapping[str, str] | None = None) -> str:

@@ -134,6 +134,7 @@ def _sorted(setting: Setting, where: str, blocks: list[Token]) -> tuple[list[Tok
     text = []
     for token in blocks:
         name = token.info.strip() if token.type == "fence" else ""
+        refuse_swallowed(setting, where, token)
         if name in found:
             if found[name] and name != "hint":
                 problem = "expected one in a step; begin another step with '## Title'"
@@ -145,6 +146,27 @@ def _sorted(setting: Setting, where: str, blocks: list[Token]) -> tuple[list[Tok
             problem = f"unknown block {name!r}{suggestion(name, (*found, *CODE[1:]))}"
             raise LessonError(setting.file, where, problem, setting.line(token))
     return text, found
+
+
+def refuse_swallowed(setting: Setting, where: str, token: Token) -> None:
+    """Refuse a fenced block in which another block of a step begins: Markdown would take it for text.
+
+    A block that is shown on purpose stands between longer fences.
+
+    Raises
+    ------
+    LessonError
+        With the line of the outer block.
+    """
+    if token.type != "fence":
+        return
+    name = token.info.strip()
+    for line in token.content.split("\n"):
+        inner = line.strip().removeprefix(token.markup).strip()
+        if inner != line.strip() and inner in (*TABLES, *TEXTS):
+            at = f"{where}.{name}" if name in (*TABLES, *TEXTS) else where
+            problem = f"a block {inner!r} begins inside this one; is its closing {token.markup} missing?"
+            raise LessonError(setting.file, at, problem, setting.line(token))
 
 
 def _read_start(table: Table, robot: Robot) -> Start:
