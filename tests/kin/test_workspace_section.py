@@ -1,6 +1,7 @@
 """Sections of workspaces: sizes with a closed form, boundaries found by inverse kinematics, and what they answer."""
 
 import math
+import warnings
 from dataclasses import replace
 from functools import cache
 
@@ -312,6 +313,23 @@ def test_how_much_of_the_turn_is_covered():
     assert (limited.covered[~limited.filled] == 0.0).all()
     whole = of(named("elbow_3r"))
     assert_allclose(whole.covered[whole.filled], 2 * math.pi)
+
+
+@pytest.mark.parametrize("key", ["planar_2r", "puma560"])
+def test_a_point_that_is_not_finite_is_not_held(key):
+    found = of(named(key))
+    inside = np.add(found.joint.origin, [0.3, 0.2, 0.0])
+    points = np.array([inside, [np.nan, 0.2, 0.0], [0.3, 0.2, np.nan], [np.inf, 0.0, 0.0]])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert found.holds(points).tolist() == [bool(found.holds(inside)), False, False, False]
+        assert found.holds(np.empty((0, 3))).shape == (0,)
+
+
+@pytest.mark.parametrize("points", [[1, 0], "abc", [[1, 0, 0], [1, 0]], 3.0, None])
+def test_points_that_are_none_are_told(points):
+    with pytest.raises(InputError, match=r"^points: expected points of 3 numbers, got "):
+        of(named("planar_2r")).holds(points)
 
 
 def test_bad_input_is_told():

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
-from armlab.kin.checks import finite_floats
+from armlab.kin.checks import as_floats, finite_floats, wrong
 from armlab.kin.workspace.around import Arcs, Around
 from armlab.kin.workspace.boundary import Boundary, To
 from armlab.kin.workspace.first_joint import FirstJoint
@@ -105,12 +105,22 @@ class Section:
         return self.boundary.contours
 
     def holds(self, points: ArrayLike) -> Bools:
-        """Return which points of the world, shape (..., 3), are reached inside the limits.
+        """Return which points of the world, shape (..., 3), are reached inside the limits; none with NaN is.
 
         Points nearer than a cell to the boundary may be told wrong; where joint 1 is limited and s is counted in cells
         `Grid.coarser` times as large, nearer than one and a half of those.
+
+        Raises
+        ------
+        InputError
+            Not points of three numbers.
         """
-        return self.boundary.holds(np.asarray(points, dtype=np.float64))
+        expected = "points of 3 numbers"
+        given = as_floats(points, "points", expected)
+        if given.ndim == 0 or given.shape[-1] != 3:
+            raise wrong("points", expected, points)
+        finite = np.asarray(np.isfinite(given).all(axis=-1))
+        return np.asarray(finite & self.boundary.holds(np.where(finite[..., None], given, 0.0)))
 
     def distance(self, point: ArrayLike) -> To:
         """Return how far a point of the world, shape (3,), is inside the boundary (+) or outside it (-).
