@@ -12,6 +12,7 @@ from armlab.errors import InputError
 from armlab.kin import ik
 from armlab.kin.arm import Arm
 from armlab.kin.ik.at_once import at_once
+from armlab.kin.ik.turned_over import TURNED_OVER
 from armlab.kin.ik.verdict import task_error_of
 from armlab.kin.rotations import rotation_about
 from armlab.kin.transforms import transform
@@ -176,6 +177,45 @@ def test_beyond_the_reach_no_search_is_made_and_that_is_a_proof():
     for angle in np.linspace(0, 2 * math.pi, 17):
         stretched = ik.solve(TWO_R, TWO_R.fk([angle, 0.0]))
         assert stretched.success, stretched.reason
+
+
+PHI = ["planar_3r", "planar_3r_unequal", "scara"]
+
+
+def turned_by(key, angle):
+    """Return a pose of the tool that an arm reaches, turned about the tool's x axis."""
+    arm = catalogue()[key].arm
+    middle = arm.limits.mean(axis=1) + np.where(arm.revolute, 0.3, 0.0)
+    return arm, arm.fk(middle) @ transform(rotation_about("x", angle))
+
+
+@pytest.mark.parametrize("key", PHI)
+@pytest.mark.parametrize("angle", [math.pi, 1.6, -1.6])
+def test_a_tool_that_is_turned_over_in_the_target_is_named_as_the_reason(key, angle):
+    arm, T = turned_by(key, angle)
+    result = ik.solve(arm, T)
+    assert (result.success, result.proven) == (False, True)
+    assert result.reason == f"closest possible from here; proven: {TURNED_OVER}"
+    every = ik.solve_all(arm, T)
+    assert every.completeness == "none"
+    assert every.sentence == f"No solution. I{TURNED_OVER[1:]}."
+
+
+@pytest.mark.parametrize("key", PHI)
+def test_a_tool_that_is_tilted_less_than_a_quarter_turn_is_no_hindrance_to_phi(key):
+    arm, T = turned_by(key, 1.5)
+    assert ik.solve(arm, T).success
+    assert len(ik.solve_all(arm, T)) == 2
+
+
+def test_an_arm_with_joints_to_spare_proves_it_too_and_a_far_target_is_far_all_the_same():
+    four = Arm.from_dh([("R", 0.4, 0.0, 0.0, 0.0)] * 4, base=transform(rotation_about("y", 2.0)))
+    T = four.fk([0.3, 0.4, 0.5, 0.6]) @ np.diag([1.0, -1.0, -1.0, 1.0])
+    assert four.task.rotation == "phi"
+    assert ik.solve(four, T).proven
+    assert ik.solve_all(four, T).sentence.endswith(f"I{TURNED_OVER[1:]}.")
+    T[:3, 3] += four.base[:3, 0] * 5.0
+    assert ik.solve(four, T).reason.startswith("out of reach")
 
 
 def test_solutions_outside_the_limits_are_named_with_the_nearest_one():

@@ -25,6 +25,7 @@ from armlab.kin.ik.loop import Descent, descend_inside, slip
 from armlab.kin.ik.method import methods
 from armlab.kin.ik.problem import REACHED_M, Problem
 from armlab.kin.ik.search import Begin, Searched, compiled_search, iterated_search, problem_of
+from armlab.kin.ik.turned_over import TURNED_OVER, is_turned_over
 from armlab.kin.ik.verdict import Verdict, checked_locks, joint_values, judge, task_error_of
 from armlab.kin.ik.weights import Weights, checked_weights
 from armlab.kin.transforms import as_pose
@@ -105,7 +106,8 @@ def solve(
     ----------
     arm : Arm
     T : array_like, shape (4, 4)
-        Wanted pose of the tool in the world. Components outside the task are ignored.
+        Wanted pose of the tool in the world. Components outside the task are ignored, except that with φ the tool
+        must not be turned over.
     q0 : array_like, shape (n,), optional
         First start; when left out, of random configurations the one whose tool is nearest, and with ``"dls"`` a closed
         form on its branch comes first where one is quick (see `armlab.kin.ik.at_once`). Angles of the solution are
@@ -192,7 +194,8 @@ def solved(arm: Arm, T: NDArray[np.float64], start: NDArray[np.float64] | None, 
     target = task.target(T)
     distance = task.distance(target)
     beyond = distance > arm.reach + REACHED_M + SURELY * distance
-    pointless = beyond or (how.locked is not None and all(how.locked))
+    never = beyond or is_turned_over(arm, T)
+    pointless = never or (how.locked is not None and all(how.locked))
     begin = Begin(arm, start, how.locked, how.seed, 1 if pointless else how.searches)
     if how.method in methods():
         found = compiled_search(begin, T, target, methods()[how.method], how.trace)
@@ -204,8 +207,8 @@ def solved(arm: Arm, T: NDArray[np.float64], start: NDArray[np.float64] | None, 
     rest = come_closer(problem, target, begin.near, begin.free)
     found = found._replace(iterations=found.iterations + rest.iterations)
     verdict = judge(arm, T, rest.q, how.locked, how.weights)
-    known = Known(proven=beyond)
-    if not (verdict.reached or beyond) and how.complete:
+    known = Known(None, never, "" if beyond or not never else f"proven: {TURNED_OVER}")
+    if not (verdict.reached or never) and how.complete:
         crept = rest.q if rest.errors.scaled2 < NEARLY**2 else None
         known = known_solution(arm, T, begin.near, how.locked, crept)
     if known.q is not None:

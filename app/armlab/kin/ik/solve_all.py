@@ -23,6 +23,7 @@ from armlab.kin.ik.nearly_still import moved_on
 from armlab.kin.ik.self_motion import trace_self_motion
 from armlab.kin.ik.solutions import Completeness, IkSolutions, beyond_limits
 from armlab.kin.ik.spare_joints import with_spare_joints
+from armlab.kin.ik.turned_over import TURNED_OVER, is_turned_over
 from armlab.kin.ik.verdict import task_error_of
 from armlab.kin.ik.verified import distinct, reaches
 from armlab.kin.transforms import as_pose, inverse
@@ -52,8 +53,9 @@ def solve_all(arm: Arm, T: ArrayLike, *, seed: int = 0, held: Mapping[int, float
     ----------
     arm : Arm
     T : array_like, shape (4, 4)
-        Wanted pose of the tool in the world. Components outside the task are ignored. Where its rotation is one only
-        nearly (entries with three decimals are enough), the nearest rotation is meant.
+        Wanted pose of the tool in the world. Components outside the task are ignored, except that with φ the tool
+        must not be turned over. Where its rotation is one only nearly (entries with three decimals are enough), the
+        nearest rotation is meant.
     seed : int
         Seed of random starts, if there are any; the same call gives the same answer, bit by bit.
     held : mapping, optional
@@ -82,6 +84,8 @@ def solve_all(arm: Arm, T: ArrayLike, *, seed: int = 0, held: Mapping[int, float
     pose = _nearest_pose(as_pose(T, "T"))
     seed, fixed = whole_number(seed, "seed", 0), checked_held(arm, held)
     answer = _with_held(arm, pose, seed, fixed) if fixed else _solve(arm, pose, seed)
+    if not answer.q and is_turned_over(arm, pose):
+        answer = replace(answer, completeness="none", reason=f"{TURNED_OVER[:1].upper()}{TURNED_OVER[1:]}.")
     return _finished(arm, answer)
 
 
