@@ -13,6 +13,8 @@ from armlab.content.reader import Table
 from armlab.content.robots import catalogue
 from armlab.content.seen_fact import SeenFact, read_value
 from armlab.errors import ContentError, InputError
+from armlab.session.facts import seen_facts
+from armlab.session.state import State
 
 ROBOT = catalogue()["planar_2r"]
 WORD = "tab.page.fact"
@@ -24,8 +26,8 @@ def check(text):
     return read_check(table, ROBOT)
 
 
-def seen(value, unit=""):
-    return Observation.of(ROBOT.arm, [0, 0], facts={WORD: SeenFact("the thing", unit, value)})
+def seen(value, unit="", slow=False):
+    return Observation.of(ROBOT.arm, [0, 0], facts={WORD: SeenFact("the thing", unit, value, slow)})
 
 
 @pytest.mark.parametrize(
@@ -80,10 +82,25 @@ def test_the_sentence_says_what_is_and_what_is_asked():
     asked = check("value = [1, 2]\ntolerance = 0.1")
     assert asked.says(seen((1.0, 3.0), "N")) == "The thing: (1, 3) N. Required: (1, 2) N ± 0.1 N."
     assert asked.says(seen((1.0, 2.0), "N")) == "The thing: (1, 2) N."
-    assert asked.says(seen(None)) == "The thing: not known yet."
+    assert asked.says(seen(None)) == "The thing: not there yet, or this arm does not have it."
+    assert asked.says(seen(None, slow=True)) == "The thing: not known yet."
     assert asked.says(Observation.of(ROBOT.arm, [0, 0])) == "Tab.page.fact: not known yet."
     both = check("component = 1\nat_least = 1\nat_most = 2")
     assert both.says(seen((0.0,))) == "The thing, component 1: 0. Required: at least 1 and at most 2."
+
+
+def test_a_component_that_will_never_be_is_told():
+    third = check("component = 3\nat_least = 1")
+    assert third.says(seen((1.0, 2.0))) == "The thing, component 3: there are only 2 components."
+    assert third.says(seen((1.0,))) == "The thing, component 3: there is only one component."
+    assert third.says(seen(None, slow=True)) == "The thing, component 3: not known yet."
+
+
+def test_the_torque_of_an_arm_with_a_slide_is_not_promised_for_later():
+    word = "velocity.statics.largest_torque"
+    facts = seen_facts(State.initial(catalogue()["scara"]), (word,))
+    says = FactIs(word, at_most=1.0).says(Observation.of(catalogue()["scara"].arm, [0] * 4, facts=facts))
+    assert says.startswith("The largest torque of a joint: not there yet, or this arm does not have it")
 
 
 def test_lengths_and_angles_are_in_the_units_of_the_screen():

@@ -33,7 +33,8 @@ def test_a_page_is_listed_alone(typed):
     status, out, err = typed("lesson", "words", "velocity.statics")
     assert (status, err) == (0, "")
     assert out.startswith('### `velocity.statics`\n\nThe page *Statics*, `panel = "statics"`.\n')
-    assert "| `velocity.statics.largest_torque` | the largest torque of a joint | a number, N m |" in out
+    title = "the largest torque of a joint (arms of turning joints only)"
+    assert f"| `velocity.statics.largest_torque` | {title} | a number, N m |" in out
     assert "motion.plan" not in out
 
 

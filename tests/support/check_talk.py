@@ -143,6 +143,7 @@ FACTS: tuple[tuple[str, Value | None], ...] = (
         ('value = "one"', "other"),
     ),
     *(("value = [1, 2]\ntolerance = 0.1", (1.0, 3.0)), ("component = 2\nvalue = 2", (1.0, 3.0))),
+    *(("component = 3\nvalue = 2", value) for value in ((1.0, 3.0), (1.0,))),
 )
 
 
@@ -176,6 +177,7 @@ def _judged() -> Iterator[tuple[Any, Observation]]:
     for text, value in FACTS:
         fact = SeenFact("the rank of the Jacobian", "", value)
         word = "velocity.statics.torques"
+        yield _check(f'kind = "fact"\nfact = "{word}"\n{text}'), replace(bare, facts={})
         yield _check(f'kind = "fact"\nfact = "{word}"\n{text}'), replace(bare, facts={word: fact})
     for text in ('panel = "joints"', 'switch = "frames"', 'film = "dh"'):
         yield _check(f'kind = "looked_at"\n{text}'), bare

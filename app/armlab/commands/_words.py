@@ -42,7 +42,8 @@ def _page(page: str) -> Iterator[str]:
         yield from ("| fact | what it is | kind |", "|---|---|---|")
         for name, fact in facts.facts.items():
             unit = f", {fact.unit}" if fact.unit else ""
-            yield f"| `{page}.{name}` | {_cell(fact.title)} | {KINDS[fact.kind]}{unit} |"
+            title = f"{fact.title} ({fact.only})" if fact.only else fact.title
+            yield f"| `{page}.{name}` | {_cell(title)} | {KINDS[fact.kind]}{unit} |"
         yield ""
 
 

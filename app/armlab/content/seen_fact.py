@@ -25,11 +25,14 @@ class SeenFact:
         Empty for none.
     value : Value or None
         None where the arm has no such thing, or it is not worked out yet.
+    slow : bool
+        Whether it takes long to work out.
     """
 
     title: str
     unit: str
     value: Value | None
+    slow: bool = False
 
 
 def read_value(value: object, where: str) -> Value | None:

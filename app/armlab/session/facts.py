@@ -56,12 +56,15 @@ class Fact:
         SI, such as ``"N m"`` or ``"rad"``; empty for none.
     kind : str
         Some of `KINDS`.
+    only : str
+        Where there is such a thing, for authors; empty where every arm has it.
     """
 
     title: str
     value: Callable[[State], Any]
     unit: str = ""
     kind: Kind = "number"
+    only: str = ""
 
     def now(self, state: State) -> SeenFact:
         """Return the value of the fact in a state."""
@@ -183,10 +186,10 @@ def seen_facts(state: State, words: Iterable[str]) -> dict[str, SeenFact]:
 def _seen(state: State, words: Iterable[str]) -> Iterator[tuple[str, SeenFact]]:
     for word in words:
         try:
-            _, fact = fact_of(word)
+            found, fact = fact_of(word)
         except UnknownName:
             continue
-        yield word, fact.now(state)
+        yield word, replace(fact.now(state), slow=found.job is not None)
 
 
 def worked_out(state: State, found: Facts) -> State:

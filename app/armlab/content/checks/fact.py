@@ -12,7 +12,7 @@ from armlab.content.lesson_fields import Fields
 from armlab.content.observation import Observation
 from armlab.content.reader import Table, shown
 from armlab.content.robots import Robot
-from armlab.content.seen_fact import Value
+from armlab.content.seen_fact import SeenFact, Value
 
 MOST_COMPONENTS = 100
 
@@ -67,7 +67,7 @@ class FactIs:
         seen, value = observation.facts.get(self.fact), self._now(observation)
         title = self.titled(seen.title if seen else self.fact)
         if seen is None or value is None:
-            return f"{title[:1].upper()}{title[1:]}: not known yet."
+            return f"{title[:1].upper()}{title[1:]}: {_why_unknown(seen)}."
         asked = "" if self.is_met(observation) else f" Required: {self.asked(seen.unit, words)}."
         return f"{title[:1].upper()}{title[1:]}: {said(value, seen.unit, words)}.{asked}"
 
@@ -94,6 +94,16 @@ class FactIs:
         if not isinstance(value, tuple) or not isinstance(self.value, tuple) or len(value) != len(self.value):
             return False
         return all(abs(one - other) <= (self.tolerance or 0.0) for one, other in zip(value, self.value, strict=True))
+
+
+def _why_unknown(seen: SeenFact | None) -> str:
+    """Return why a fact, or the component of it that is asked for, has no value."""
+    if seen is None or (seen.value is None and seen.slow):
+        return "not known yet"
+    if isinstance(seen.value, tuple) and seen.value:
+        count = len(seen.value)
+        return f"there are only {count} components" if count > 1 else "there is only one component"
+    return "not there yet, or this arm does not have it"
 
 
 def read(table: Table, robot: Robot) -> FactIs:

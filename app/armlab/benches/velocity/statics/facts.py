@@ -29,7 +29,7 @@ FACTS = Facts(
             lambda state: state.derived(balance).torques,
             kind="numbers",
         ),
-        "largest_torque": Fact("the largest torque of a joint", _largest, "N m"),
+        "largest_torque": Fact("the largest torque of a joint", _largest, "N m", only="arms of turning joints only"),
         "force": Fact("the force, in world axes", lambda state: state.derived(balance).wrench[:3], "N", "numbers"),
         "force_size": Fact(
             "the size of the force", lambda state: np.linalg.norm(state.derived(balance).wrench[:3]), "N"
