@@ -9,6 +9,7 @@ from armlab.commands._found import Place
 from armlab.commands._lesson_check import problems_of
 from armlab.content.new_lesson import new_lesson
 from armlab.content.robots import catalogue
+from support.bench_lesson import BENCHES
 from support.small_lessons import TWO_STEPS, VARIED
 
 
@@ -389,3 +390,9 @@ def test_all_broken_variants_are_told_at_once(typed, place):
     told = [line for line in out.splitlines() if "worse" in line]
     numbers = {int(n) for line in told for n in re.findall(r"\d+", re.search(r"variants? ([\d, ]+):", line)[1])}
     assert len(numbers) > 5
+
+
+def test_an_argument_that_counts_from_0_is_refused_in_numbers_from_0(typed, place):
+    (place / "mine" / "b.md").write_text(BENCHES.replace("axis = 1\nvalue = 2", "axis = 3\nvalue = 2"), "utf-8")
+    out = typed("lesson", "check", "mine/b.md", "--variants", "0")[1]
+    assert "refused: component of a wrench (counted from 0): expected 0 to 2, got 3" in out

@@ -123,7 +123,7 @@ def test_facts_and_what_is_written_down():
 @pytest.mark.parametrize(
     ("command", "told"),
     [
-        (SetCoordinate(2, 0.0), "point: expected 1 or 2, got 3"),
+        (SetCoordinate(2, 0.0), r"point \(counted from 0\): expected 0 to 1, got 2"),
         (SetCoordinate(0, 2.5), "point"),
         (SetCoordinate(0, float("nan")), "point: expected finite numbers"),
         (Set(Plane, "point", [1.0]), "point: expected 2 numbers, got 1"),

@@ -195,7 +195,7 @@ def test_it_is_written_down_and_read_back():
 @pytest.mark.parametrize(
     ("command", "told"),
     [
-        (SetBodyAngle(3, 0.0), "angle: expected 1 to 3, got 4"),
+        (SetBodyAngle(3, 0.0), r"angle \(counted from 0\): expected 0 to 2, got 3"),
         (SetBodyAngle(0, 1e4), "angles"),
         (SetBodyAxis(2, float("nan")), "finite"),
         (SetBodyTurn(7.0), "θ: expected −360° to 360°"),
@@ -204,7 +204,7 @@ def test_it_is_written_down_and_read_back():
         (SetBodyMatrix((0.0,) * 9), "single nearest rotation"),
         (SetBodyMatrix((-1.0, 0, 0, 0, -1.0, 0, 0, 0, -1.0)), "single nearest rotation"),
         (SetBodyMatrix((1e9,) * 9), "matrix: expected numbers up to"),
-        (SetBodyEntry(0, 3, 1.0), "column: expected 1 to 3, got 4"),
+        (SetBodyEntry(0, 3, 1.0), r"column \(counted from 0\): expected 0 to 2, got 3"),
         (WriteBody("zzx"), "zzx"),
         (PlaceBody("nowhere"), "nowhere"),
     ],

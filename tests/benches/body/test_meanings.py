@@ -130,7 +130,7 @@ def test_typed_components_are_commands():
 @pytest.mark.parametrize(
     ("command", "told"),
     [
-        (SetVector(3, 0.0), "component: expected 1 to 3, got 4"),
+        (SetVector(3, 0.0), r"component \(counted from 0\): expected 0 to 2, got 3"),
         (SetVector(0, 9.0), "p"),
         (SetVector(0, float("nan"), in_base=True), "p"),
         (Set(Meanings, "shown", "dance"), "dance"),

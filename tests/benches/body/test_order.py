@@ -158,8 +158,8 @@ def test_it_is_written_down_and_read_back():
     ("command", "told"),
     [
         (SetOrderAxis(0, 0, 0.0), "a: expected an axis that is not zero"),
-        (SetOrderAxis(2, 0, 0.0), "rotation: expected 1 to 2, got 3"),
-        (SetOrderAxis(1, 3, 0.0), "b: expected 1 to 3, got 4"),
+        (SetOrderAxis(2, 0, 0.0), r"rotation \(counted from 0\): expected 0 to 1, got 2"),
+        (SetOrderAxis(1, 3, 0.0), r"b \(counted from 0\): expected 0 to 2, got 3"),
         (SetOrderAngle(0, 7.0), "angles"),
         (SetOrderAngle(0, float("nan")), "angles: expected finite numbers"),
         (ScaleAngles(10.0), "size: expected angles up to a whole turn, got 900°"),

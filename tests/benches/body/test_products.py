@@ -148,7 +148,7 @@ def test_it_is_written_down_and_read_back():
         (TypeEntry("x" * 10**6), "typed"),
         (TypeEntry("(" * 100), "nested too deep|breaks off"),
         (SelectEntry(4, 1), "row"),
-        (SetProductAngle(3, 0.0), "angle: expected 1 to 3, got 4"),
+        (SetProductAngle(3, 0.0), r"angle \(counted from 0\): expected 0 to 2, got 3"),
         (SetProductAngle(0, 1e9), "angles"),
         (Set(Products, "axes", "zz"), "zz"),
     ],

@@ -87,7 +87,7 @@ def test_facts_are_of_the_quaternion_of_the_body():
 @pytest.mark.parametrize(
     ("command", "told"),
     [
-        (SetSecond(4, 0.0), "p: expected 1 to 4, got 5"),
+        (SetSecond(4, 0.0), r"p \(counted from 0\): expected 0 to 3, got 4"),
         (Set(Quaternions, "p", [0.0, 0.0, 0.0, 0.0]), "zero is no rotation"),
         (SetSecond(0, float("nan")), "p: expected finite numbers"),
     ],

@@ -117,12 +117,12 @@ def test_it_is_written_down_and_read_back():
 @pytest.mark.parametrize(
     ("command", "told"),
     [
-        (SetSkewEntry(3, 0, 1.0), "row: expected 1 to 3, got 4"),
+        (SetSkewEntry(3, 0, 1.0), r"row \(counted from 0\): expected 0 to 2, got 3"),
         (SetSkewEntry(0, 0, 1e6), "matrix A: expected numbers from -1000 to 1000"),
         (SetSkewEntry(0, 0, float("nan")), "3 rows of 3 finite numbers"),
         (SetSkewMatrix((1.0, 2.0)), "A: expected 9 numbers, row by row, got 2"),
         (SetSkewVector("w", 0, 1.0), "w"),
-        (SetSkewVector("v", 3, 1.0), "v: expected 1 to 3, got 4"),
+        (SetSkewVector("v", 3, 1.0), r"v \(counted from 0\): expected 0 to 2, got 3"),
         (SetSkewVector("x", 0, 1e9), "x"),
         (Set(Skew, "first", 4), "first"),
         (Set(Skew, "shown", "all"), "all"),

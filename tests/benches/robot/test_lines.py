@@ -146,7 +146,7 @@ def test_what_cannot_be_is_refused(state):
             apply(state, DragLine(0, point, [0.0, 0.0, 1.0], 1))
     with pytest.raises(InputError, match="direction"):
         apply(state, DragLine(0, [0.0, 0.0, 0.0], [0.0, 0.0, 0.0], 1))
-    with pytest.raises(InputError, match="expected 1 or 2, got 3"):
+    with pytest.raises(InputError, match="expected 0 to 1, got 2"):
         apply(state, DragLine(2, [0.0, 0.0, 0.0], [0.0, 0.0, 1.0], 1))
     with pytest.raises(UnknownName):
         apply(state, PlaceLines("crossed"))

@@ -131,8 +131,8 @@ def test_an_example_is_put_in_place(key):
     ("command", "says"),
     [
         (Set(Microscope, "aim", "up"), "unknown name 'up'"),
-        (AimAlong(2), "component: expected 1 to 2, got 3"),
-        (SetComponent(5, 1.0), "component: expected 1 to 2, got 6"),
+        (AimAlong(2), r"component \(counted from 0\): expected 0 to 1, got 2"),
+        (SetComponent(5, 1.0), r"component \(counted from 0\): expected 0 to 1, got 5"),
         (SetComponent(0, math.inf), "own: expected finite numbers"),
         (SetSpeed(0.0), "speed: expected at least 1e-06 and at most 100"),
         (SetSpeed(math.nan), "speed: expected finite numbers"),

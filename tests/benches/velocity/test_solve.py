@@ -81,7 +81,7 @@ def test_components_are_typed_and_dragged():
     assert state[Solve].twist == (0.1, 0.2, -0.3, 0.0, 0.3, 0.0)
     assert not Aim.undoable
     for command, match in (
-        (SetComponent(6, 0.0), "component: expected 1 to 6"),
+        (SetComponent(6, 0.0), r"component \(counted from 0\): expected 0 to 5"),
         (SetComponent(0, math.nan), "twist: expected finite numbers"),
         (SetComponent(0, 1e9), "twist: expected at least -100 and at most 100"),
         (Aim((1.0, 2.0)), "velocity: expected 3"),

@@ -188,7 +188,7 @@ def test_slips_are_refused_with_words():
         apply(state, SetComponent("moment", 0, math.nan))
     with pytest.raises(UnknownName, match="part of a wrench"):
         apply(state, SetComponent("speed", 0, 1.0))
-    with pytest.raises(InputError, match="expected 1 to 3, got 4"):
+    with pytest.raises(InputError, match="expected 0 to 2, got 3"):
         apply(state, SetComponent("force", 3, 1.0))
     with pytest.raises(UnknownName, match="axes"):
         apply(state, WriteAlong("base"))

@@ -156,7 +156,7 @@ def test_damaged_files_are_refused(name, value):
 @pytest.mark.parametrize(
     ("command", "told"),
     [
-        (SetTurning("angles", 3, 0.0), "angles: expected 1 to 3, got 4"),
+        (SetTurning("angles", 3, 0.0), r"angles \(counted from 0\): expected 0 to 2, got 3"),
         (SetTurning("speeds", 0, 0.0), "speeds"),
         (SetTurning("rates", 1, float("nan")), "rates: expected finite numbers"),
         (WriteAngles("zzx"), "zzx"),

@@ -304,7 +304,7 @@ def test_damaged_files_are_refused(name, value):
         (LookAtLink(0), "link: expected a whole number, at least 1, got 0"),
         (LookAtLink(7), "link: expected 1 to 6, got 7"),
         (DrawVelocities("all", False), "all"),
-        (SetLinkPoint(2, (0.0, 0.0, 0.0)), "expected 1 or 2, got 3"),
+        (SetLinkPoint(2, (0.0, 0.0, 0.0)), "expected 0 to 1, got 2"),
         (SetLinkPoint(0, (0.0, 0.0, 1e6)), "point of a link, z: expected at most 100 m"),
         (Set(Velocity, "axes", "mine"), "mine"),
         (DrawVelocities("all", True), "all"),

@@ -188,7 +188,7 @@ def test_settings_that_are_none_are_refused(settings, said):
 
 @pytest.mark.parametrize("index", [-1, SHOWN])
 def test_samples_that_are_not_there_are_refused(index):
-    with pytest.raises(InputError, match="expected 1 to 26000"):
+    with pytest.raises(InputError, match=r"sample \(counted from 0\): expected 0 to 25999, got"):
         apply(whole("planar_2r"), GoToSample(index))
 
 

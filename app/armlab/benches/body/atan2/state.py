@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from armlab.errors import InputError
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import FieldPart, Set, vector
 from armlab.session.state import Command, PartType, State
 
@@ -44,8 +44,7 @@ class SetCoordinate(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with this coordinate."""
-        if self.index not in (0, 1):
-            raise InputError(f"point: expected 1 or 2, got {self.index + 1}")
+        refuse_beyond(self.index, 2, "point")
         values = [self.value if k == self.index else each for k, each in enumerate(state[Plane].point)]
         return Set(Plane, "point", values).apply(state)
 

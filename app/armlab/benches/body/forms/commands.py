@@ -18,6 +18,7 @@ from armlab.kin.nearest import nearest_rotation
 from armlab.kin.quaternions import exponential, unit
 from armlab.kin.rotations import quaternion_from_rotation, rotation_from_quaternion, rotation_from_sequence
 from armlab.registry import known_name
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import put
 from armlab.session.state import Command, State
 
@@ -59,8 +60,7 @@ def _floats(values: ArrayLike) -> list[float]:
 
 def _with(values: Sequence[float], index: int, value: float, name: str) -> list[float]:
     """Return values with one replaced, counted from 0."""
-    if not 0 <= index < len(values):
-        raise InputError(f"{name}: expected 1 to {len(values)}, got {index + 1}")
+    refuse_beyond(index, len(values), name)
     return [value if k == index else float(each) for k, each in enumerate(values)]
 
 
@@ -237,8 +237,7 @@ class SetBodyEntry(Command):
     def apply(self, state: State) -> State:
         """Return the state with the rotation that is nearest to the matrix with this entry."""
         for index, name in ((self.row, "row"), (self.column, "column")):
-            if not 0 <= index < 3:
-                raise InputError(f"{name}: expected 1 to 3, got {index + 1}")
+            refuse_beyond(index, 3, name)
         found = state.derived(forms_of)
         shown = found.R if found.nearest is None else np.array(state[Body].matrix)
         values = _with(shown.ravel().tolist(), 3 * self.row + self.column, self.value, "entry")

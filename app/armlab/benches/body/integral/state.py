@@ -9,6 +9,7 @@ from typing import ClassVar, NamedTuple
 
 from armlab.errors import InputError
 from armlab.kin.checks import as_floats
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import FieldPart, Set, choice, own
 from armlab.session.state import Command, Json, PartType, State
 
@@ -130,8 +131,7 @@ class SetPiece(Command):
         pieces = list(_law(state, self.law))
         if not 0 <= self.piece < len(pieces):
             raise InputError(f"piece: expected 1 to {len(pieces)}, got {self.piece + 1}")
-        if not 0 <= self.what < len(NAMES):
-            raise InputError(f"what: expected 1 to {len(NAMES)}, got {self.what + 1}")
+        refuse_beyond(self.what, len(NAMES), "what")
         values = list(pieces[self.piece])
         values[self.what] = self.value
         pieces[self.piece] = Piece(*values)
@@ -180,8 +180,7 @@ class ReverseLaw(Command):
 
 
 def _law(state: State, law: int) -> Law:
-    if law not in (0, 1):
-        raise InputError(f"law: expected 1 or 2, got {law + 1}")
+    refuse_beyond(law, 2, "law")
     return state[Integral].laws[law]
 
 

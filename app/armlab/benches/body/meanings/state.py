@@ -11,8 +11,8 @@ import numpy as np
 from armlab.benches.body.forms.commands import SetBodyTurn, SetWholeAxis
 from armlab.benches.body.forms.rotation import forms_of
 from armlab.benches.body.forms.state import Triple
-from armlab.errors import InputError
 from armlab.registry import known_name
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import FieldPart, Set, choice, vector
 from armlab.session.state import Command, PartType, State
 
@@ -65,8 +65,7 @@ class SetVector(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the vector."""
-        if not 0 <= self.index < 3:
-            raise InputError(f"component: expected 1 to 3, got {self.index + 1}")
+        refuse_beyond(self.index, 3, "component")
         values, R = np.array(state[Meanings].p), state.derived(forms_of).R
         if self.in_base:
             values = R @ values

@@ -10,6 +10,7 @@ from armlab.benches.body.forms.film import time_of, with_film_at
 from armlab.benches.body.forms.state import Triple
 from armlab.benches.body.forms.timing import ends_of
 from armlab.errors import InputError
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import FieldPart, Set, choice, vector
 from armlab.session.state import Command, PartType, State
 
@@ -78,8 +79,7 @@ class SetOrderAxis(Command):
     def apply(self, state: State) -> State:
         """Return the state with this component."""
         name = _name(self.which)
-        if not 0 <= self.index < 3:
-            raise InputError(f"{name}: expected 1 to 3, got {self.index + 1}")
+        refuse_beyond(self.index, 3, name)
         values = list(getattr(state[Order], name))
         values[self.index] = self.value
         return Set(Order, name, values).apply(state)
@@ -131,8 +131,7 @@ class ShowRotation(Command):
 
 
 def _name(which: int) -> str:
-    if not 0 <= which < len(NAMES):
-        raise InputError(f"rotation: expected 1 to {len(NAMES)}, got {which + 1}")
+    refuse_beyond(which, len(NAMES), "rotation")
     return NAMES[which]
 
 

@@ -9,8 +9,8 @@ from typing import ClassVar
 from armlab.benches.body.forms.rotation import forms_of
 from armlab.benches.body.forms.state import MOST_TURNED, Body, Triple
 from armlab.benches.body.products.entry import compared
-from armlab.errors import InputError
 from armlab.kin.rotation_products import PRODUCTS
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import FieldPart, Set, choice, setting, text, vector, whole
 from armlab.session.state import Command, PartType, State
 
@@ -63,8 +63,7 @@ class SetProductAngle(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with this angle."""
-        if not 0 <= self.index < 3:
-            raise InputError(f"angle: expected 1 to 3, got {self.index + 1}")
+        refuse_beyond(self.index, 3, "angle")
         angles = [self.value if k == self.index else each for k, each in enumerate(state[Products].angles)]
         return Set(Products, "angles", angles).apply(state)
 

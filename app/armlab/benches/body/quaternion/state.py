@@ -8,6 +8,7 @@ from typing import ClassVar
 
 from armlab.benches.body.forms.state import MOST, Four
 from armlab.errors import InputError
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import FieldPart, Set, vector
 from armlab.session.state import Command, PartType, State
 
@@ -47,7 +48,6 @@ class SetSecond(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with this component."""
-        if not 0 <= self.index < 4:
-            raise InputError(f"p: expected 1 to 4, got {self.index + 1}")
+        refuse_beyond(self.index, 4, "p")
         values = [self.value if k == self.index else each for k, each in enumerate(state[Quaternions].p)]
         return Set(Quaternions, "p", values).apply(state)

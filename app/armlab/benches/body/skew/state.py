@@ -11,6 +11,7 @@ from armlab.benches.body.forms.rotation import forms_of
 from armlab.benches.body.forms.state import Triple
 from armlab.errors import InputError
 from armlab.registry import known_name
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import FieldPart, Set, Table, choice, table, vector, whole
 from armlab.session.state import Command, PartType, State
 
@@ -80,8 +81,7 @@ class SetSkewEntry(Command):
     def apply(self, state: State) -> State:
         """Return the state with this entry."""
         for name, index in (("row", self.row), ("column", self.column)):
-            if not 0 <= index < 3:
-                raise InputError(f"{name}: expected 1 to 3, got {index + 1}")
+            refuse_beyond(index, 3, name)
         values = np.array(state[Skew].A)
         values[self.row, self.column] = self.value
         return SetSkewMatrix(tuple(values.ravel().tolist())).apply(state)
@@ -99,8 +99,7 @@ class SetSkewVector(Command):
     def apply(self, state: State) -> State:
         """Return the state with this component."""
         known_name("vector", self.name, VECTORS)
-        if not 0 <= self.index < 3:
-            raise InputError(f"{self.name}: expected 1 to 3, got {self.index + 1}")
+        refuse_beyond(self.index, 3, self.name)
         values = list(getattr(state[Skew], self.name))
         values[self.index] = self.value
         return Set(Skew, self.name, values).apply(state)

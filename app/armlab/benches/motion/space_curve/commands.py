@@ -23,6 +23,7 @@ from armlab.kin.euler import SEQUENCES
 from armlab.kin.motion import free_law_types
 from armlab.kin.motion.trajectory import times_at
 from armlab.registry import known_name
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import setting
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import target_pose
@@ -262,8 +263,7 @@ def _curve(state: State, **fields: Any) -> State:
 
 def _refuse_index(name: str, k: int) -> None:
     """Raise `InputError` if an index, from 0, is not one of three."""
-    if not 0 <= k < 3:
-        raise InputError(f"{name}: expected 1 to 3, got {k + 1}")
+    refuse_beyond(k, 3, name)
 
 
 def _angles(state: State, end: End) -> Point:

@@ -16,6 +16,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.lines import CommonNormal, Line, Relation, common_normal
 from armlab.kin.rotations import rotation_from_axis_angle
 from armlab.registry import known_name
+from armlab.session.counted import refuse_beyond
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, Json, Part, PartType, State
@@ -144,8 +145,7 @@ class DragLine(Command):
     def apply(self, state: State) -> State:
         """Return the state with the line there, or in the special case that it nearly is."""
         lines = state[Lines]
-        if self.which not in (0, 1):
-            raise InputError(f"line: expected 1 or 2, got {self.which + 1}")
+        refuse_beyond(self.which, 2, "line")
         moved = Line(_inside(self.point, state[Joints].arm), np.asarray(self.direction, dtype=np.float64))
         other = lines.second if self.which == 0 else lines.first
         snapped = snapped_to(other, moved, lines.scale)

@@ -11,6 +11,7 @@ from armlab.benches.velocity.microscope.looked import known_places, looked
 from armlab.benches.velocity.microscope.state import DAMPING, ROUNDING, Microscope
 from armlab.errors import InputError
 from armlab.registry import known_name
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import setting
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
@@ -26,8 +27,7 @@ class AimAlong(Command):
     def apply(self, state: State) -> State:
         """Return the state with the velocity."""
         part = state[Microscope]
-        if not 0 <= self.component < part.arm.task.m:
-            raise InputError(f"component: expected 1 to {part.arm.task.m}, got {self.component + 1}")
+        refuse_beyond(self.component, part.arm.task.m, "component")
         own = np.zeros(part.arm.task.m)
         own[self.component] = part.size / part.task.row_units[self.component]
         return setting(state, Microscope, {"aim": "own", "own": own, "speed": part.size})
@@ -45,8 +45,7 @@ class SetComponent(Command):
         """Return the state with the component."""
         look = state.derived(looked)
         own = look.natural(look.wish)
-        if not 0 <= self.component < len(own):
-            raise InputError(f"component: expected 1 to {len(own)}, got {self.component + 1}")
+        refuse_beyond(self.component, len(own), "component")
         own[self.component] = self.value
         aimed = state[Microscope].with_values({"own": own})
         return setting(state, Microscope, {"aim": "own", "own": own, "speed": aimed.sized(aimed.own)})

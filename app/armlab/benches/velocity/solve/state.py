@@ -11,6 +11,7 @@ from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats, whole_number
 from armlab.kin.task import Task
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import FieldPart, choice, own, setting, text, vector
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Timeline
@@ -143,8 +144,7 @@ class SetComponent(Command):
     def apply(self, state: State) -> State:
         """Return the state with the velocity."""
         part = state[Solve]
-        if not 0 <= self.index < len(part.twist):
-            raise InputError(f"component: expected 1 to {len(part.twist)}, got {self.index + 1}")
+        refuse_beyond(self.index, len(part.twist), "component")
         twist = list(part.twist)
         twist[self.index] = self.value
         return setting(state, Solve, {"twist": twist})

@@ -9,6 +9,7 @@ from typing import ClassVar
 from armlab.benches.velocity.speeds.state import FOLDS, MARKS, Velocity, Xyz, ends_of, usual_speed
 from armlab.errors import InputError
 from armlab.registry import known_name
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import setting
 from armlab.session.state import Command, State
 
@@ -98,8 +99,7 @@ class SetLinkPoint(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the point placed."""
-        if self.which not in (0, 1):
-            raise InputError(f"point of a link: expected 1 or 2, got {self.which + 1}")
+        refuse_beyond(self.which, 2, "point of a link")
         first, second = state[Velocity].points
         return setting(state, Velocity, {"points": (first, self.xyz) if self.which else (self.xyz, second)})
 

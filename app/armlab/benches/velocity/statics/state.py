@@ -18,6 +18,7 @@ from armlab.kin.checks import finite_floats
 from armlab.kin.joint_scale import counted_speeds
 from armlab.kin.statics import Duality, VirtualWork, duality, joint_torques, torque_free, virtual_work
 from armlab.registry import known_name
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import FieldPart, choice, own, put, setting, text, vector, whole
 from armlab.session.parts.joints import Joints
 from armlab.session.round_numbers import round_above
@@ -232,9 +233,7 @@ class SetComponent(Command):
     def apply(self, state: State) -> State:
         """Return the state with the component set."""
         known_name("part of a wrench", self.kind, KINDS)
-        if type(self.axis) is not int or not 0 <= self.axis < 3:
-            got = self.axis + 1 if type(self.axis) is int else repr(self.axis)
-            raise InputError(f"component of a wrench: expected 1 to 3, got {got}")
+        refuse_beyond(self.axis, 3, "component of a wrench")
         values = list(getattr(state[Statics], self.kind))
         values[self.axis] = self.value
         return setting(state, Statics, {self.kind: values})

@@ -9,10 +9,11 @@ import numpy as np
 
 from armlab.benches.velocity.turning.motion import turned_of
 from armlab.benches.velocity.turning.state import MOST, Triple, Turning
-from armlab.errors import InputError, UnknownName
+from armlab.errors import UnknownName
 from armlab.kin.euler import SEQUENCES, SINGULAR_SINE, euler_angles
 from armlab.kin.velocity.rates import angle_rates, rate_determinant
 from armlab.registry import known_name
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import Set, put
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
@@ -57,8 +58,7 @@ class SetTurning(Command):
         """Return the state with the value, and the film at its start."""
         if self.what not in ("angles", "rates"):
             raise UnknownName("field", self.what, ("angles", "rates"))
-        if not 0 <= self.index < 3:
-            raise InputError(f"{self.what}: expected 1 to 3, got {self.index + 1}")
+        refuse_beyond(self.index, 3, self.what)
         part = state[Turning]
         values = list(getattr(part, self.what))
         values[self.index] = self.value

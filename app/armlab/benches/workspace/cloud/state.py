@@ -12,6 +12,7 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.measures import MEASURES
 from armlab.kin.workspace.section import Section
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import FieldPart, choice, flag, number, whole
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import PlaceTarget, brought_to
@@ -209,6 +210,5 @@ def _configuration(state: State, index: int) -> np.ndarray[tuple[int], np.dtype[
     found, arm = state[Workspace].found, state[Joints].arm
     if found is None or found.question.arm is not arm:
         raise InputError("there is no workspace of this arm yet: sample it first")
-    if not 0 <= index < len(found.shown.q):
-        raise InputError(f"sample: expected 1 to {len(found.shown.q)}, got {index + 1}")
+    refuse_beyond(index, len(found.shown.q), "sample")
     return np.asarray(arm.clip(found.shown.q[index].astype(np.float64)))
