@@ -172,7 +172,9 @@ class Expression:
         return repr(self.text if len(self.text) <= 40 else self.text[:37] + "...")
 
 
-def parse(text: str, names: Collection[str] = (), functions: Collection[str] = tuple(FUNCTIONS)) -> Expression:
+def parse(
+    text: str, names: Collection[str] = (), functions: Collection[str] = tuple(FUNCTIONS), together: bool = True
+) -> Expression:
     """Read a formula of numbers, pi, names, + - * / ^, brackets and functions.
 
     A product may leave out its sign, as in ``2 l1 cos(q1)`` or ``l1c12``; it is then evaluated from left to right like
@@ -185,6 +187,8 @@ def parse(text: str, names: Collection[str] = (), functions: Collection[str] = t
         The variables that may stand in it.
     functions : collection of str
         Those of `FUNCTIONS` and `MORE_FUNCTIONS` that are allowed.
+    together : bool
+        Whether names may also stand together without a space, as ``l1c12``.
 
     Raises
     ------
@@ -201,7 +205,7 @@ def parse(text: str, names: Collection[str] = (), functions: Collection[str] = t
     source = plain_symbols(text).strip() if len(text) <= LONGEST else text
     if len(source) > LONGEST:
         raise InputError(f"expected a formula of at most {LONGEST} characters, got {len(source)}")
-    reader = _Reader(_tokens(source, _Words(names, functions)))
+    reader = _Reader(_tokens(source, _Words(names, functions, together)))
     root = reader.sum()
     if reader.token != _END:
         reader.fail()
@@ -222,10 +226,10 @@ _END = _Token("end")
 class _Words:
     """The known names and functions, and the division of an identifier into them."""
 
-    def __init__(self, names: Collection[str], functions: Collection[str]) -> None:
+    def __init__(self, names: Collection[str], functions: Collection[str], joined: bool) -> None:
         self.names = {plain_symbols(name): name for name in names}
         self.functions = functions
-        self._pieces = sorted({*self.names, "pi"}, key=len, reverse=True)
+        self._pieces = sorted({*self.names, "pi"}, key=len, reverse=True) if joined else []
 
     def tokens(self, word: str, before_bracket: bool) -> list[_Token]:
         """Return the meaning of an identifier: a name, a function, or a product of names without separator."""

@@ -36,7 +36,7 @@ def evaluated(expression: str, values: Mapping[str, Value]) -> Value:
     for word in re.findall(r"[A-Za-z]\w*", name):
         if word in values and word not in numbers:
             raise InputError(f"{word} is a text; only numbers can be calculated with")
-    return parse(name, list(numbers)).value(numbers)
+    return parse(name, list(numbers), together=False).value(numbers)
 
 
 def written(value: Value, form: str = "", minus: str = "\u2212") -> str:

@@ -136,10 +136,10 @@ def _read(table: Fields, name: str, earlier: list[str]) -> tuple[Value, ...] | E
     given = table.value(name)
     if isinstance(given, str):
         try:
-            return parse(given.strip().removeprefix("="), earlier)
+            return parse(given.strip().removeprefix("="), earlier, together=False)
         except InputError as error:
-            known = f" Earlier names: {', '.join(earlier)}." if earlier else " There is no name before it."
-            raise table.fail(name, f"{error}{known}") from None
+            known = f"Earlier names: {', '.join(earlier)}." if earlier else "There is no name before it."
+            raise table.fail(name, f"{str(error).rstrip('.')}. {known}") from None
     if not isinstance(given, dict):
         raise table.fail(
             name,
