@@ -254,7 +254,7 @@ def test_unknown_facts_are_a_sentence():
         (FactIs("control.loop.gain", value=1.0), "expected a tolerance above zero"),
         (FactIs("control.loop.gain", component=1, at_least=1.0), "it is a number and has no components"),
         (FactIs("control.loop.gain", at_least=1.0, degrees=True), "it is no angle, its unit is none"),
-        (FactIs("velocity.statics.torques", at_least=1.0), "expected several numbers"),
+        (FactIs("velocity.statics.torques", at_least=1.0), "it is several numbers, torques (N m) or"),
         (FactIs("velocity.statics.needs_nothing", at_least=1.0), "expected true or false"),
         (FactIs("iterate.runs.status", value=True), "expected a text"),
         (FactIs("iterate.runs.steps", value=(1.0,)), "expected a whole number"),

@@ -77,9 +77,12 @@ def problems_of(found: Found, variants: int = VARIANTS) -> Iterator[str]:
         yield from wrong
         return
     yield from _translated.of_translations(first)
-    yield from _names(found, first)
+    unknown = list(_names(found, first))
+    yield from unknown
     yield from (_of_error(found, error) for error in lessons().amiss.get(found.key, ()))
     yield from _titles(found, first)
+    if unknown:
+        return  # what follows from a wrong name would be told once more, and elsewhere
     told: set[tuple[int, str]] = set()
     broken: dict[str, tuple[ContentError, list[int]]] = {}
     for number in range(variants + 1 if first.varies else 1):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from html import unescape
 from urllib.parse import unquote
 
 from armlab.content.errata import errata
@@ -15,6 +16,9 @@ from armlab.session.pages import pages
 
 _LINK = re.compile(r'href="/(?P<kind>[^"/?#]*)/?(?P<key>[^"?#]*)')
 """Pattern of a link into the lab."""
+
+_RELATIVE = re.compile(r'<a href="(?P<place>(?!/|[A-Za-z][A-Za-z0-9+.-]*:)[^"]*)"')
+"""Pattern of a link without a scheme that is none into the lab: there is no file beside the page of a lesson."""
 
 
 def _examples() -> Iterable[str]:
@@ -44,7 +48,10 @@ WITH_VARIANT = ("lesson", "assignment")
 
 
 def leading_nowhere(html: str) -> Iterator[str]:
-    """Yield what is wrong with the links of a text into the lab."""
+    """Yield what is wrong with the links of a text into the lab, and which lead neither there nor into the web."""
+    for link in _RELATIVE.finditer(html):
+        place = unquote(unescape(link["place"]))
+        yield f"link: expected https://... or a place of the lab such as /lesson/first_arm, got {place!r}"
     for link in _LINK.finditer(html):
         kind, key = link["kind"], unquote(link["key"])
         if kind == "state":

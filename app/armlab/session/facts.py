@@ -158,6 +158,8 @@ def unfit(asked: FactIs, fact: Fact) -> Iterator[str]:
     fits = {"text": of_text, "truth": of_truth, "numbers": several}.get(kind, not (of_text or of_truth or several))
     if asked.component and fact.kind != "numbers":
         yield f"it is {KINDS[fact.kind]} and has no components"
+    elif not fits and kind == "numbers":
+        yield f"it is several numbers, {fact.title}: say which one with component, or give value a list of numbers"
     elif not fits:
         yield f"expected {KINDS[kind]}, for {fact.title}"
     elif kind in ("number", "numbers") and value is not None and not asked.tolerance:

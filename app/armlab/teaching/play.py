@@ -266,7 +266,8 @@ def _by_chance(lesson: Lesson, i: int, begun: State) -> Iterator[str]:
     facts_at = FactsAt(begun, check.facts)
     count = sum(check.check.is_met(replace(seen, facts=facts_at(seen.q))) for seen in random_states(lesson))
     if count > MOST_BY_CHANCE:
-        yield f"{count} of {RANDOM_STATES} random states meet its check: make its tolerances smaller"
+        harder = "make it harder, with smaller tolerances or narrower bounds"
+        yield f"{count} of {RANDOM_STATES} random states meet its check: {harder}"
 
 
 def random_states(lesson: Lesson, count: int = RANDOM_STATES) -> Iterator[Observation]:
