@@ -60,12 +60,12 @@ class PluginError(ArmlabError):
 
 
 def suggestion(got: str, available: Iterable[str]) -> str:
-    """Return ``"; did you mean 'x'? Available: ..."`` for a misspelt name.
+    """Return ``"; did you mean 'x'? Available: ..."`` for a misspelt name; empty ones are not listed.
 
-    >>> suggestion("puma", ["puma560", "ur10"])
+    >>> suggestion("puma", ["", "puma560", "ur10"])
     "; did you mean 'puma560'? Available: puma560, ur10"
     """
-    names = sorted(available)
+    names = sorted(filter(None, available))
     close = get_close_matches(got, names, n=1)
     hint = f"; did you mean {close[0]!r}?" if close else "."
     listed = ", ".join(names) if names else "nothing"

@@ -72,6 +72,12 @@ def test_the_points_of_a_lesson_are_spread_over_its_tasks(own):
 @pytest.mark.parametrize(
     ("old", "new", "line", "says"),
     [
+        (
+            "due = 2026-11-30T10:00:00Z",
+            "due = 10:00:00",
+            7,
+            "due: expected a date or .*, without quotes, got 10:00:00$",
+        ),
         ("due = 2026-11-30T10", "due = 2026-11-30T07", 7, "due: expected a moment after opens, "),
         ("closes = 2026-11-30T12", "closes = 2026-11-30T09", 8, "closes: expected a moment after due, "),
         ("minutes = 90", "minutes = 300", 9, "minutes: expected at most the 240 minutes for which it is open, got 300"),

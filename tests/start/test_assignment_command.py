@@ -109,9 +109,9 @@ def test_mistakes_and_work_on_something_else_are_told_with_their_file(typed, she
     assert "mine/sheet.toml:10: tasks[2].lesson: unknown lesson 'tt'" in out
     status, _, complaints = typed("--assignment", "mine/sheet.toml", "--no-browser")
     assert (status, said in complaints) == (1, True)
-    sheet.write_text(f'pages = ["jionts"]\n{SHEET}', encoding="utf-8")
+    sheet.write_text(f'# Pages\npages = ["jionts"]\n{SHEET}', encoding="utf-8")
     status, out, _ = typed("lesson", "check", "mine")
-    assert (status, "mine/sheet.toml:1: pages[1]: unknown page 'jionts'; did you mean 'joints'" in out) == (1, True)
+    assert (status, "mine/sheet.toml:2: pages[1]: unknown page 'jionts'; did you mean 'joints'" in out) == (1, True)
     status, _, complaints = typed("check", "mine/gone.toml", "--state", "in")
     assert complaints == "armlab: mine/gone.toml: there is no such file\n"
 

@@ -81,6 +81,8 @@ class Assignment:
     hints : bool
     pages : tuple of str or None
         Keys of the only pages that are open besides those of its lessons; None for all.
+    pages_line : int
+        Line of the file that names them, from 1.
     opens, due, closes : float or None
         From when on it can be begun; after which work is late; after which none is accepted.
     minutes : int
@@ -104,6 +106,7 @@ class Assignment:
     exam: bool
     hints: bool
     pages: tuple[str, ...] | None
+    pages_line: int
     opens: float | None
     due: float | None
     closes: float | None
@@ -168,6 +171,7 @@ def parse_assignment(key: str, text: str, file: str) -> Assignment:
             exam=exam,
             hints=top.boolean("hints", not exam),
             pages=top.words("pages") if top.has("pages") else None,
+            pages_line=line_of(text, "pages") or 1,
             opens=opens,
             due=due,
             closes=due if exam and closes is None else closes,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime
 import math
 import tomllib
 from collections.abc import Iterable
@@ -169,9 +170,11 @@ class Table:
 def shown(value: object) -> str:
     """Return a value as it is written, cut to what fits into a message.
 
-    >>> shown([1.0, "a"])
-    "[1.0, 'a']"
+    >>> shown([1.0, "a"]), shown(datetime.time(10, 0))
+    ("[1.0, 'a']", '10:00:00')
     """
+    if isinstance(value, (datetime.date, datetime.time)):
+        return value.isoformat()
     try:
         text = repr(value)
     except (ValueError, RecursionError):

@@ -6,8 +6,9 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from armlab.content.assignment import LAST_VARIANT, Assignment, said_date
+from armlab.content.lesson_lines import LessonError
 from armlab.content.lessons import lessons
-from armlab.errors import ContentError, InputError, suggestion
+from armlab.errors import InputError, suggestion
 from armlab.registry import known_name
 from armlab.session.pages import pages
 from armlab.session.state import Command, State
@@ -142,11 +143,11 @@ class LookAtClock(Command):
 
 
 def refuse_unknown_pages(found: Assignment) -> None:
-    """Raise `ContentError` where an assignment names a page that does not exist."""
+    """Raise `LessonError` where an assignment names a page that does not exist."""
     for i, page in enumerate(found.pages or (), start=1):
         if page not in pages():
             problem = f"unknown page {page!r}{suggestion(page, pages())}"
-            raise ContentError(found.file, f"pages[{i}]", problem)
+            raise LessonError(found.file, f"pages[{i}]", problem, found.pages_line)
 
 
 def refuse_before(found: Assignment, now: float) -> None:

@@ -351,7 +351,7 @@ def _check_again(found: Lesson, step: Step, evidence: Json, plans: bool) -> tupl
     try:
         seen = seen_again(evidence, found.robot_used, plans, step.check.facts)
     except ArmlabError as error:
-        return False, f"The evidence is not usable: {error}"
+        return False, f"The evidence is not usable: {str(error).rstrip('.')}."
     if not step.check.of_table and not same_table(seen.arm, found.robot_used.arm):
         return False, "This was done with another arm."
     met, says = step.check.judge(seen)

@@ -316,7 +316,9 @@ def test_the_work_can_be_handed_in_and_is_judged_again(own):
     )
     assert "what it is planned of is missing" in forged("Slowly", plan=None).steps[2].says
     for plan in (3, [], {"waypoints": []}, {**seen["plan"], "more": 1}, {**seen["plan"], "samples": 1e9}):
-        assert "not usable" in forged("Slowly", plan=plan).steps[2].says
+        says = forged("Slowly", plan=plan).steps[2].says
+        assert "not usable" in says
+        assert says.endswith(".")
 
 
 def test_a_limit_that_was_raised_counts_neither_on_screen_nor_in_the_file(corners):
