@@ -9,7 +9,6 @@ from armlab.commands._found import Place
 from armlab.commands._lesson_check import problems_of
 from armlab.content.new_lesson import new_lesson
 from armlab.content.robots import catalogue
-from support.bench_lesson import BENCHES
 from support.small_lessons import TWO_STEPS, VARIED
 
 
@@ -394,34 +393,3 @@ def test_all_broken_variants_are_told_at_once(typed, place):
     told = [line for line in out.splitlines() if "worse" in line]
     numbers = {int(n) for line in told for n in re.findall(r"\d+", re.search(r"variants? ([\d, ]+):", line)[1])}
     assert len(numbers) > 5
-
-
-def test_an_argument_that_counts_from_0_is_refused_in_numbers_from_0(typed, place):
-    (place / "mine" / "b.md").write_text(BENCHES.replace("axis = 1\nvalue = 2", "axis = 3\nvalue = 2"), "utf-8")
-    out = typed("lesson", "check", "mine/b.md", "--variants", "0")[1]
-    assert "refused: component of a wrench (counted from 0): expected 0 to 2, got 3" in out
-
-
-LARGEST = 'fact = "velocity.statics.largest_torque"\nat_most = "= most"'
-
-
-@pytest.mark.parametrize(
-    ("new", "says"),
-    [
-        (LARGEST.replace("torque", "tork"), "fact of velocity.statics: unknown name 'largest_tork'"),
-        (LARGEST.replace("largest_torque", "torques"), "velocity.statics.torques: it is several numbers"),
-        (LARGEST.replace("at_most", "at_most_deg"), "velocity.statics.largest_torque: it is no angle"),
-    ],
-)
-def test_a_mistake_with_a_fact_is_told_once(typed, place, new, says):
-    assert LARGEST in BENCHES
-    (place / "mine" / "b.md").write_text(BENCHES.replace(LARGEST, new), encoding="utf-8")
-    (told,) = typed("lesson", "check", "mine/b.md")[1].splitlines()
-    assert f": step 1: check: {says}" in told
-
-
-def test_a_check_that_chance_meets_is_to_become_harder_in_words_that_fit_it(typed, place):
-    text = BENCHES.replace(LARGEST, LARGEST.replace('at_most = "= most"', "at_least = 18"))
-    (place / "mine" / "b.md").write_text(text, encoding="utf-8")
-    out = typed("lesson", "check", "mine/b.md", "--variants", "0")[1]
-    assert "random states meet its check: make it harder, with smaller tolerances or narrower bounds" in out
