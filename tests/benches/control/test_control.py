@@ -197,7 +197,7 @@ def test_runs_are_kept_up_to_four_and_removed(short):
         (SetValue(["speed"], 1.0), "value of a run: unknown name"),
         (SetValue("counts", 10**9), "counts: expected a whole number, at most"),
         (ChooseControlExample([]), "example: unknown name"),
-        (SelectRun(5), "run: expected 1 to 1"),
+        (SelectRun(5), r"run \(counted from 0\): expected 0 to 0, got 5"),
         (ChooseControlExample("none"), "example: unknown name"),
     ],
 )

@@ -171,7 +171,7 @@ def test_the_bound_holds_on_the_path():
         (SetQuantity("jerk", math.inf), "jerk: expected finite numbers"),
         (SetQuantity("mood", 1.0), "unknown quantity 'mood'"),
         (ChooseLaw(0, "sine"), "sine"),
-        (ChooseLaw(5, "cubic"), "law: expected 1 to 2"),
+        (ChooseLaw(5, "cubic"), "law (counted from 0): expected 0 to 1, got 5"),
         (SetLawOption(0, "ramp", 0.2), "ramp"),
         (LeaveAsTyped(0, True), "cubic"),
         (Stretch(0.0), "k: expected at least 0.001 and at most 1000, got 0"),

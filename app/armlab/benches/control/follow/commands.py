@@ -18,6 +18,7 @@ from armlab.benches.control.follow.chosen import (
 from armlab.benches.control.follow.clip import ARM, time_of
 from armlab.benches.control.follow.state import CLIP_KEY, Control, checked_push, here
 from armlab.errors import InputError
+from armlab.session.counted import refuse_beyond
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import target_pose
 from armlab.session.parts.timeline import Timeline
@@ -257,8 +258,7 @@ def _across(state: State, time: float) -> NDArray[np.float64]:
 
 def _checked_run(part: Control, run: int) -> int:
     """Return the index of a run, from 0; `InputError` if there is none."""
-    if type(run) is not int or not 0 <= run < len(part.runs):
-        raise InputError(f"run: expected 1 to {len(part.runs)}, got {run!r}")
+    refuse_beyond(run, len(part.runs), "run")
     return run
 
 

@@ -17,6 +17,7 @@ from armlab.benches.iterate.runs.state import (
 from armlab.benches.iterate.runs.worked import Run, fitting, free_colour
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import TaskVector
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import setting
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import target_pose
@@ -147,8 +148,7 @@ class SelectRun(Command):
 
 def checked_run(part: Iterations, run: int) -> int:
     """Return the index of a run, from 0; `InputError` if there is none."""
-    if type(run) is not int or not 0 <= run < len(part.runs):
-        raise InputError(f"run: expected 1 to {len(part.runs)}, got {run!r}")
+    refuse_beyond(run, len(part.runs), "run")
     return run
 
 

@@ -16,6 +16,7 @@ from armlab.kin.motion.breaks import SMOOTH_ENOUGH
 from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.scaling import Scaling, optimal_scaling
 from armlab.registry import known_name
+from armlab.session.counted import refuse_beyond
 from armlab.session.fields import setting
 from armlab.session.state import Command, State
 
@@ -257,8 +258,7 @@ def optimal(part: Laws) -> Scaling:
 
 
 def _entry(part: Laws, place: int) -> Entry:
-    if type(place) is not int or not 0 <= place < len(part.entries):
-        raise InputError(f"law: expected 1 to {len(part.entries)}, got {place!r}")
+    refuse_beyond(place, len(part.entries), "law")
     return part.entries[place]
 
 
