@@ -8,10 +8,10 @@ from armlab.content.lessons import lessons
 from armlab.content.robots import catalogue
 from armlab.session.pages import pages
 from armlab.session.panel_commands import OpenPanel
-from armlab.session.parts import welcome as part
 from armlab.session.state import State
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.lesson_progress import Progress
+from armlab.teaching.parts import welcome as part
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.welcome import OFFERED, STOPS, offered, tour_from, welcome_markup
 from support.fake_browser import cookie_of
