@@ -5,9 +5,15 @@ import re
 
 import pytest
 
+from armlab.benches.robot.trainer.answers import FIELDS
+from armlab.benches.robot.trainer.commands import CheckAxes, CheckTable, ChooseDirection, SetAnswer, StartTrainer
 from armlab.benches.robot.trainer.exercise import Exercise
+from armlab.benches.robot.trainer.state import Trainer
 from armlab.content.robots import catalogue
+from armlab.session.parts.display import Show
+from armlab.session.state import State, apply
 from armlab.ui.fields import SEEN
+from armlab.ui.plugin import hidden_layers, layers, panel
 from support.student import run, student
 
 AXES = Exercise(catalogue()["planar_2r"]).solution
@@ -103,3 +109,32 @@ def test_name_and_arrows_of_the_last_frame_go_with_its_origin(url):
         await browser.close()
 
     run(main())
+
+
+TELLING = {"frames", "lengths", "angles", "projections"}
+
+
+def told(state):
+    """Return which overlays that tell frames and constants are seen beside the exercise."""
+    hidden = hidden_layers(state, [panel("trainer")])
+    on = {key for key, layer in layers().items() if layer.switch is not None and layer.switch.on(state)}
+    return on & TELLING - hidden
+
+
+def test_no_overlay_answers_an_exercise_before_it_is_done():
+    state = State.initial(catalogue()["cartesian_3p"])
+    for name in TELLING:
+        state = apply(state, Show(name, True))
+    assert told(state) == TELLING
+    state = apply(state, StartTrainer())
+    for i, (z, x) in enumerate(state[Trainer].exercise.solution):
+        state = apply(apply(state, ChooseDirection(i, "z", z)), ChooseDirection(i, "x", x))
+    state = apply(state, CheckAxes())
+    assert told(state) == set()
+    for i, row in enumerate(state[Trainer].assignment.rows):
+        for field in FIELDS:
+            state = apply(state, SetAnswer(i, field, getattr(row, field)))
+    assert told(state) == set()
+    state = apply(state, CheckTable())
+    assert state[Trainer].done
+    assert told(state) == TELLING

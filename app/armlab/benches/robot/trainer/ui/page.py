@@ -128,11 +128,22 @@ def _around(state: State) -> Points:
     return np.array(joints.arm.frames(joints.q)[:, :3, 3]) if state[Trainer].started else NOTHING
 
 
+TELLING = ("frames", "lengths", "angles", "projections")
+"""Layers in which the answers of an exercise could be read."""
+
+
+def telling(state: State) -> tuple[str, ...]:
+    """Return the layers that would answer the exercise, until it is done."""
+    trainer = state[Trainer]
+    return TELLING if trainer.started and not trainer.done else ()
+
+
 PANEL = Panel(
     (Trainer, Joints),
     build,
     see_through=True,
     hides=("gizmo", "gap"),
+    hides_then=telling,
     around=_around,
     looks=lambda state: state[Trainer].started,
 )
