@@ -22,6 +22,7 @@ from armlab.teaching.errata_links import LookUp
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.parts.shelf import BackToLesson, OpenShared, ToSandbox
 from armlab.window.wished import wished
+from support.done import done
 from support.fake_browser import cookie_of
 from support.lab import running_lab
 from support.student import arm_nodes, run, student
@@ -47,12 +48,6 @@ async def follow(url, cookie, path):
 
 
 # -- what a link asks of a state ---------------------------------------------------------------------------------
-
-
-def done(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
 
 
 def test_a_wish_that_is_granted_asks_for_nothing():

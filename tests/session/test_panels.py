@@ -26,6 +26,7 @@ from armlab.session.store import Store
 from armlab.teaching.lesson_commands import CloseLesson, GoToStep, OpenLesson
 from armlab.teaching.parts.lesson import LessonPart, observed
 from armlab.teaching.parts.shelf import BackFromShared, BackToLesson, OpenShared, ToSandbox
+from support.done import done
 from support.own_lessons import lesson
 from support.small_lessons import library_fixture
 
@@ -65,12 +66,6 @@ panel = "film"
 """
 
 own = pytest.fixture(library_fixture, name="own")
-
-
-def done(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
 
 
 def windows(*panels):

@@ -34,15 +34,10 @@ from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson, SignAs
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.shelf import OpenShared, Shelf
 from support.arms import random_arm, random_q
+from support.done import done
 
 PUMA = catalogue()["puma560"]
 EVERY = tuple(catalogue().robots.values())
-
-
-def done(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
 
 
 def busy(robot, rng):

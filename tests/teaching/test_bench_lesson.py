@@ -16,13 +16,14 @@ from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
 from armlab.errors import ContentError
 from armlab.session.parts.joints import Joints
-from armlab.session.state import State, apply
+from armlab.session.state import State
 from armlab.teaching.hand_in import hand_in, judge
 from armlab.teaching.hand_in_open import OpenWork
 from armlab.teaching.lesson_commands import CloseLesson, GoToStep, OpenLesson, TakeLessonArm
 from armlab.teaching.parts.lesson import LessonPart, check_line, observed
 from armlab.teaching.play import Player, check_at, problems
 from support.bench_lesson import BENCHES
+from support.done import done
 from support.small_lessons import library_fixture
 
 own = pytest.fixture(library_fixture, name="own")
@@ -36,12 +37,6 @@ def benches(own):
 
 
 SPEED = 'command = "velocity.speeds.set_speed"'
-
-
-def done(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
 
 
 def opened(variant=0):

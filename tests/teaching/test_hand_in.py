@@ -13,7 +13,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, ContentError, InputError, UnknownName
 from armlab.session.edits import SetCell
 from armlab.session.parts.joints import MoveJoint
-from armlab.session.state import State, apply
+from armlab.session.state import State
 from armlab.teaching.hand_in import FORMAT, MOST, hand_in, hand_in_name, judge
 from armlab.teaching.hand_in_reports import COLUMNS, Judged, gradescope, rows, table
 from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson, SignAs, UnlockHint
@@ -21,6 +21,7 @@ from armlab.teaching.lesson_places import at_place
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.plain_text import plain, printable
 from armlab.teaching.play import Player
+from support.done import done
 from support.small_lessons import TWO_STEPS, VARIED, library_fixture
 
 own = pytest.fixture(library_fixture, name="own")
@@ -37,12 +38,6 @@ kind = "table_is"
 rows = [{ type = "R", a = 1.5 }, { type = "R", a = 1 }]
 ```
 """
-
-
-def done(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
 
 
 @pytest.fixture

@@ -4,20 +4,15 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.session.edits import SetLimits
-from armlab.session.state import State, apply
+from armlab.session.state import State
 from armlab.teaching.hand_in import hand_in, judge
 from armlab.teaching.hand_in_reports import Judged, table
 from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson
 from armlab.teaching.parts.lesson import has_its_arm
+from support.done import done
 from support.small_lessons import TWO_STEPS, library_fixture
 
 own = pytest.fixture(library_fixture, name="own")
-
-
-def done(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
 
 
 @pytest.fixture

@@ -9,21 +9,16 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, MoveJoint
-from armlab.session.state import State, apply
+from armlab.session.state import State
 from armlab.teaching.hand_in import hand_in, judge
 from armlab.teaching.hand_in_open import OpenWork
 from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson, SignAs, UnlockHint
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.shelf import ToSandbox
+from support.done import done
 from support.small_lessons import library_fixture
 
 own = pytest.fixture(library_fixture, name="own")
-
-
-def done(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
 
 
 @pytest.fixture

@@ -31,6 +31,7 @@ from armlab.teaching.lesson_commands import (
 from armlab.teaching.lesson_progress import MOST_TYPED
 from armlab.teaching.parts.lesson import LessonPart, check_line, has_its_arm, observed
 from armlab.teaching.signature import LONGEST_NAME
+from support.done import done
 from support.small_lessons import TWO_STEPS, library_fixture
 
 PUMA, PLANAR = catalogue()["puma560"], catalogue()["planar_2r"]
@@ -38,12 +39,6 @@ PUMA, PLANAR = catalogue()["puma560"], catalogue()["planar_2r"]
 
 def first_arm():
     return lessons()["first_arm"]
-
-
-def done(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
 
 
 def reloaded(state):

@@ -15,23 +15,18 @@ from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import PlaceTarget, Target
 from armlab.session.session import Session, Undo
-from armlab.session.state import State, apply
+from armlab.session.state import State
 from armlab.session.store import state_from_text
 from armlab.teaching.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson, TakeLessonArm, UnlockHint
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.shelf import Shelf, ToSandbox
+from support.done import done
 from support.lesson_texts import RICH
 from support.small_lessons import TWO_STEPS, VARIED, library_fixture
 
 PUMA = catalogue()["puma560"]
 
 own = pytest.fixture(library_fixture, name="own")
-
-
-def done(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
 
 
 def passed(state):

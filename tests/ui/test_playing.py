@@ -5,18 +5,13 @@ import pytest
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
-from armlab.session.state import State, apply
+from armlab.session.state import State
 from armlab.ui.playing import clock, play_button
+from support.done import done
 from support.forms import BareForm, asked
 
 START = State.initial(catalogue()["planar_2r"])
 END = 6.0
-
-
-def does(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
 
 
 def press(state, cell, text=""):
@@ -25,21 +20,21 @@ def press(state, cell, text=""):
 
 def test_a_film_that_is_not_on_is_put_on_and_played():
     assert press(START, "play-loop") == (OpenClip("loop", play=True),)
-    assert press(does(START, OpenClip("sweep")), "play-loop") == (OpenClip("loop", play=True),)
+    assert press(done(START, OpenClip("sweep")), "play-loop") == (OpenClip("loop", play=True),)
 
 
 def test_a_film_that_plays_is_paused_and_goes_on_where_it_stood():
-    playing = does(START, OpenClip("loop", play=True), Seek(2.0))
+    playing = done(START, OpenClip("loop", play=True), Seek(2.0))
     assert press(playing, "play-loop") == ()
-    paused = does(playing, *press(playing, "pause-loop"))
+    paused = done(playing, *press(playing, "pause-loop"))
     assert (paused[Timeline].playing, paused[Timeline].time) == (False, 2.0)
-    on = does(paused, *press(paused, "play-loop"))
+    on = done(paused, *press(paused, "play-loop"))
     assert (on[Timeline].playing, on[Timeline].time) == (True, 2.0)
 
 
 def test_at_its_end_it_begins_again():
-    ended = does(START, OpenClip("loop"), Seek(END))
-    assert does(ended, *press(ended, "play-loop"))[Timeline].time == 0.0
+    ended = done(START, OpenClip("loop"), Seek(END))
+    assert done(ended, *press(ended, "play-loop"))[Timeline].time == 0.0
 
 
 def test_what_cannot_be_played_cannot_be_pressed():
@@ -49,7 +44,7 @@ def test_what_cannot_be_played_cannot_be_pressed():
 
 def test_a_time_that_is_typed_is_gone_to_and_nonsense_is_said():
     assert press(START, "time", "1.5") == (OpenClip("loop"), Seek(1.5))
-    assert press(does(START, OpenClip("loop")), "time", "3/2") == (Seek(1.5),)
+    assert press(done(START, OpenClip("loop")), "time", "3/2") == (Seek(1.5),)
     for text, says in (
         ("9", "t: expected 0 to 6 s, got 9"),
         ("-1", "t: expected 0 to 6 s"),
@@ -60,7 +55,7 @@ def test_a_time_that_is_typed_is_gone_to_and_nonsense_is_said():
 
 
 def test_the_space_bar_presses_what_the_page_plays_and_its_hint_says_so():
-    for state in (START, does(START, OpenClip("loop", play=True))):
+    for state in (START, done(START, OpenClip("loop", play=True))):
         button = str(play_button(BareForm(), state, "loop", "it", hint="Round and round"))
         assert 'data-key="Space"' in button
         assert 'title="Round and round. Space plays and pauses"' in button

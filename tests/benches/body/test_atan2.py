@@ -18,13 +18,11 @@ from armlab.session.fields import Set
 from armlab.session.state import State, apply
 from armlab.ui.form import Marks
 from armlab.ui.units import units_of
+from support.done import done
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 def said(x, y):

@@ -33,15 +33,13 @@ from armlab.kin.rotations import rotation_from_quaternion, rotation_from_sequenc
 from armlab.kin.velocity.rates import rate_matrix
 from armlab.session.fields import Set
 from armlab.session.state import State, apply
+from support.done import done
 
 BOTH = [(axes, fixed) for axes in SEQUENCES for fixed in (False, True)]
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 def shown(*commands):

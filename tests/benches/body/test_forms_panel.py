@@ -29,14 +29,12 @@ from armlab.session.session import Asked
 from armlab.session.state import State, apply
 from armlab.ui.scene._block import DOTS, block_glb
 from armlab.ui.units import typed_numbers, units_of
+from support.done import done
 from support.forms import BareForm
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["puma560"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["puma560"]), *commands)
 
 
 def filled(markup, cell, text, *commands):

@@ -27,14 +27,12 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.selection import Select
 from armlab.session.session import Asked
 from armlab.session.state import State, apply
+from support.done import done
 from support.forms import BareForm
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 def shown(key, *commands):

@@ -18,16 +18,14 @@ from armlab.errors import InputError
 from armlab.kin.rotations import rotation_from_axis_angle, rotation_from_quaternion
 from armlab.session.fields import Set
 from armlab.session.parts.timeline import OpenClip, Seek
-from armlab.session.state import State, apply
+from armlab.session.state import State
 from armlab.ui.html import joined
 from armlab.ui.units import units_of
+from support.done import done
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 def at(time, *commands):

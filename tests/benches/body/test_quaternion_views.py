@@ -27,13 +27,11 @@ from armlab.session.fields import Set
 from armlab.session.parts.timeline import OpenClip, Seek
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
+from support.done import done
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 def view(shown, *commands):

@@ -27,6 +27,7 @@ from armlab.session.fields import Set
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.state import State, apply
 from armlab.ui.units import units_of
+from support.done import done
 from support.sources import TOP
 
 TRUTH = {entry["id"]: entry for entry in json.loads((TOP / "tests/data/truth.json").read_text(encoding="utf-8"))}
@@ -36,10 +37,7 @@ ANGLES = np.array([0.7, -1.1, 2.3])
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 @pytest.mark.parametrize(("axes", "fixed"), FILMS)

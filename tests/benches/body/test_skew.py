@@ -22,13 +22,11 @@ from armlab.errors import InputError
 from armlab.kin.rotations import skew
 from armlab.session.fields import Set
 from armlab.session.state import State, apply
+from support.done import done
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 def value(state):

@@ -13,13 +13,11 @@ from armlab.errors import InputError
 from armlab.session.bench import choosing
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.state import State, apply
+from support.done import done
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 def part(*commands):

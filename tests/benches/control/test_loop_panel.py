@@ -22,18 +22,16 @@ from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import OpenClip, Seek
-from armlab.session.state import State, apply
+from armlab.session.state import State
 from armlab.ui.playing import clock
 from armlab.ui.units import Units
+from support.done import done
 from support.forms import asked
 from support.student import run, student
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 @pytest.mark.parametrize("key", list(EXAMPLES))

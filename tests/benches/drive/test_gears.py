@@ -39,14 +39,12 @@ from armlab.session.state import State, apply
 from armlab.ui.html import joined
 from armlab.ui.units import units_of
 from support.bare_gui import BareGui
+from support.done import done
 from support.forms import BareForm
 
 
 def opened(*commands, arm="planar_2r"):
-    state = State.initial(catalogue()[arm])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()[arm]), *commands)
 
 
 def value(name, state):

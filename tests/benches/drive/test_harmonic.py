@@ -26,13 +26,11 @@ from armlab.kin.drive.strain_wave import FIXED, strain_wave
 from armlab.session.fields import Set
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import State, apply
+from support.done import done
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["puma560"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["puma560"]), *commands)
 
 
 def value(name, state):

@@ -41,16 +41,14 @@ from armlab.session.state import State, apply
 from armlab.ui.html import joined
 from armlab.ui.units import Units, units_of
 from support.arms import random_q
+from support.done import done
 from support.forms import BareForm
 
 KINDS = ["planar_3r", "scara", "puma560", "ur5e", "iiwa7", "stanford", "panda", "trunk9", "cartesian_3p"]
 
 
 def opened(*commands, arm="puma560"):
-    state = State.initial(catalogue()[arm])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()[arm]), *commands)
 
 
 def value(name, state):

@@ -22,14 +22,12 @@ from armlab.session.fields import Set
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
 from armlab.ui.units import units_of
+from support.done import done
 from support.forms import BareForm, asked
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 def value(state, name):

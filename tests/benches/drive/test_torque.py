@@ -22,15 +22,13 @@ from armlab.session.parts.timeline import OpenClip, Seek
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
 from armlab.ui.units import units_of
+from support.done import done
 
 FREE = Set(Torque, "motion", "free")
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 def value(state, name):

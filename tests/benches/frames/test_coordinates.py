@@ -22,15 +22,13 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.state import State, apply
+from support.done import done
 
 INK = (0, 0, 0)
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 def where(*commands):

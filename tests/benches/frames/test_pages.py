@@ -27,6 +27,7 @@ from armlab.session.fields import Set
 from armlab.session.session import Asked
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
+from support.done import done
 from support.forms import BareForm
 from support.student import run, settled, student
 
@@ -35,10 +36,7 @@ MATRIX = Set(Chain, "written", "matrix")
 
 
 def opened(*commands):
-    state = State.initial(ROBOT)
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(ROBOT), *commands)
 
 
 def filled(markup, cell, text, *commands):

@@ -30,15 +30,13 @@ from armlab.session.fields import Set
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import State, apply
 from support.arms import random_pose
+from support.done import done
 
 ROBOT = catalogue()["planar_2r"]
 
 
 def opened(*commands):
-    state = State.initial(ROBOT)
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(ROBOT), *commands)
 
 
 def between(rng):

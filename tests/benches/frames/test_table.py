@@ -31,16 +31,14 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import Target, target_pose
 from armlab.session.state import State, apply
+from support.done import done
 
 WHOLE = ("puma560", "ur5e", "panda", "scara", "stanford")
 """Arms of different kinds that reach down to a table."""
 
 
 def opened(*commands, robot="puma560"):
-    state = State.initial(catalogue()[robot])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()[robot]), *commands)
 
 
 def test_the_tool_stands_where_the_notes_have_it(truth):

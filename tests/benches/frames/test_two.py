@@ -23,15 +23,13 @@ from armlab.kin.rotations import rotation_about
 from armlab.kin.transforms import transform
 from armlab.session.fields import Set
 from armlab.session.state import State, apply
+from support.done import done
 
 ROBOT = catalogue()["puma560"]
 
 
 def opened(*commands):
-    state = State.initial(ROBOT)
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(ROBOT), *commands)
 
 
 def found(*commands):

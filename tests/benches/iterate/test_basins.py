@@ -39,15 +39,13 @@ from armlab.session.session import Session, Undo
 from armlab.session.state import State, apply
 from armlab.session.store import state_from_text
 from support.arms import KINDS
+from support.done import done
 
 NOBODY = frozenset()
 
 
 def opened(key="planar_2r", *commands):
-    state = State.initial(catalogue()[key])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()[key]), *commands)
 
 
 @cache

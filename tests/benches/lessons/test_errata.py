@@ -25,6 +25,7 @@ from armlab.session.state import State, apply
 from armlab.teaching.errata_links import LookUp
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.parts.errata_practice import LONGEST, Practice
+from support.done import done
 
 OPEN = frozenset({PANEL})
 
@@ -160,33 +161,27 @@ def test_a_fact_is_worked_out_again_from_what_was_chosen(state):
 # --- spot the error
 
 
-def practised(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
-
-
 def test_a_task_is_done_when_the_wrong_part_was_found_and_put_right(state):
-    state = practised(state, Choose("4.110"), PointAt((1,)))
+    state = done(state, Choose("4.110"), PointAt((1,)))
     assert state[Practice].of("4.110").spotted == ()
-    state = practised(state, PointAt((2,)), Correct("f/d"))
+    state = done(state, PointAt((2,)), Correct("f/d"))
     assert state[Practice].done == frozenset()
-    state = practised(state, Correct("x - f/d"))
+    state = done(state, Correct("x - f/d"))
     assert state[Practice].done == {"4.110"}
     assert fact(state, "put_right") == 1
     assert fact(state, "spotted") is True
     # Another try takes nothing back.
-    state = practised(state, PointAt((1,)), Correct("x + f/d"))
+    state = done(state, PointAt((1,)), Correct("x + f/d"))
     assert state[Practice].done == {"4.110"}
     assert apply(state, TryAgain())[Practice].done == frozenset()
 
 
 def test_a_correction_alone_is_not_enough(state):
-    assert practised(state, Choose("4.110"), Correct("x - f/d"))[Practice].done == frozenset()
+    assert done(state, Choose("4.110"), Correct("x - f/d"))[Practice].done == frozenset()
 
 
 def test_a_right_correction_in_other_words_counts(state):
-    state = practised(
+    state = done(
         state,
         Choose("3.82"),
         PointAt((2, 1)),
@@ -220,20 +215,20 @@ def test_on_goes_to_tasks_that_are_not_done(state):
     assert task_key(apply(state, NextTask(-1))) == keys[keys.index(FIRST) - 1]
     for key in (keys[2], keys[3]):
         task = task_of(key)
-        state = practised(state, Choose(key), PointAt(sorted(task.at)[0]), Correct(task.question.right_answer))
-    assert task_key(practised(state, Choose(keys[1]), NextTask())) == keys[4]
-    assert task_key(practised(state, Choose(keys[-1]), NextTask())) == keys[0]
+        state = done(state, Choose(key), PointAt(sorted(task.at)[0]), Correct(task.question.right_answer))
+    assert task_key(done(state, Choose(keys[1]), NextTask())) == keys[4]
+    assert task_key(done(state, Choose(keys[-1]), NextTask())) == keys[0]
 
 
 def test_answers_stay_with_the_student_and_go_into_no_link(state):
-    state = practised(state, Choose("4.110"), PointAt((2,)), Correct("x - f/d"))
+    state = done(state, Choose("4.110"), PointAt((2,)), Correct("x - f/d"))
     assert from_short(short(state))[Practice] == Practice()
     assert apply(state, ChooseRobot("scara"))[Practice].done == {"4.110"}
     assert apply(state, OpenLesson("first_arm"))[Practice].done == {"4.110"}
 
 
 def test_answers_are_written_and_judged_again_when_they_are_read(state):
-    state = practised(state, Choose("4.110"), PointAt((2,)), Correct("x - f/d"))
+    state = done(state, Choose("4.110"), PointAt((2,)), Correct("x - f/d"))
     robot, data = state[RobotPart].robot, json.loads(json.dumps(state[Practice].to_json()))
     assert Practice.from_json(data, robot).done == {"4.110"}
     assert Practice.from_json({**data, "0.0": data["4.110"]}, robot).tried.keys() == {"4.110"}

@@ -31,17 +31,12 @@ from armlab.teaching.hand_in import hand_in, judge
 from armlab.teaching.lesson_commands import GoToStep, OpenLesson, TakeLessonArm
 from armlab.teaching.parts.lesson import LessonPart, check_line, observed
 from armlab.teaching.play import Player, problems
+from support.done import done
 from support.motion_lesson import MOTION
 from support.small_lessons import library_fixture
 
 own = pytest.fixture(library_fixture, name="own")
 PUMA = catalogue()["puma560"]
-
-
-def after(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
 
 
 def worked(state, panels=frozenset()):
@@ -54,8 +49,8 @@ def worked(state, panels=frozenset()):
 
 def to_its_end(state):
     """Return the state with the motion played to its end."""
-    state = after(state, OpenClip("motion"))
-    return after(state, Seek(duration(state)))
+    state = done(state, OpenClip("motion"))
+    return done(state, Seek(duration(state)))
 
 
 @pytest.fixture(autouse=True, scope="module")
@@ -75,7 +70,7 @@ def plans_are_made_once():
 @pytest.fixture
 def corners(own):
     own(c=MOTION)
-    return after(State.initial(catalogue()["planar_2r"]), OpenLesson("c"))
+    return done(State.initial(catalogue()["planar_2r"]), OpenLesson("c"))
 
 
 FLY = (SetMove(1, path="overfly"), AllMovesLike(1))
@@ -88,8 +83,8 @@ FLY = (SetMove(1, path="overfly"), AllMovesLike(1))
 def test_every_example_of_every_bench_can_be_put_in_place(name):
     key, (bench, chosen) = robot_of(name) or "puma560", name.split("/")
     another = next(each for each in benches()[bench].examples if each != chosen)
-    begun = after(State.initial(catalogue()[key]), choosing(f"{bench}/{another}"))
-    state = after(begun, choosing(name))
+    begun = done(State.initial(catalogue()[key]), choosing(f"{bench}/{another}"))
+    state = done(begun, choosing(name))
     assert state is not begun
     assert state[RobotPart].robot is (catalogue()[key] if robot_of(name) else begun[RobotPart].robot)
     refuse_other_arm(name, key)
@@ -116,52 +111,52 @@ def test_opening_puts_the_example_in_place(corners):
 
 
 def test_steps_put_their_own_examples_in_place_and_others_go_on(corners):
-    flown = after(corners, *FLY, GoToStep(1), GoToStep(2))
+    flown = done(corners, *FLY, GoToStep(1), GoToStep(2))
     assert flown[Plan].moves[0].path.key == "overfly"
-    laws = after(flown, GoToStep(3))
+    laws = done(flown, GoToStep(3))
     assert laws[Laws].example == "triangle"
     assert laws[LessonPart].bench == "laws"
     assert laws[Plan].moves == flown[Plan].moves
-    spline = after(laws, GoToStep(4))
+    spline = done(laws, GoToStep(4))
     assert (spline[Plan].example, spline[LessonPart].bench) == ("spline", "motion")
-    back = after(spline, GoToStep(1))
+    back = done(spline, GoToStep(1))
     assert (back[Plan].example, back[LessonPart].bench) == ("corner_stop", "motion")
 
 
 def test_a_lesson_goes_on_with_the_example_of_its_step(corners):
-    left = after(corners, GoToStep(4), ChooseRobot("scara"), OpenLesson("t"))
-    again = after(left, OpenLesson("c"))
+    left = done(corners, GoToStep(4), ChooseRobot("scara"), OpenLesson("t"))
+    again = done(left, OpenLesson("c"))
     assert (again[LessonPart].index, again[Plan].example) == (4, "spline")
-    changed = after(again, AddWaypoint())
+    changed = done(again, AddWaypoint())
     assert changed[Plan].example == ""
-    assert after(changed, TakeLessonArm())[Plan].example == "spline"
+    assert done(changed, TakeLessonArm())[Plan].example == "spline"
 
 
 def test_an_example_comes_through_the_locks_of_the_lesson(own):
     own(c=MOTION.replace("panel =", 'locked = ["joints", "robot"]\npanel =', 1))
-    state = worked(after(State.initial(PUMA), OpenLesson("c"), GoToStep(3), GoToStep(4)))
+    state = worked(done(State.initial(PUMA), OpenLesson("c"), GoToStep(3), GoToStep(4)))
     assert state[Plan].example == "spline"
     with pytest.raises(InputError, match="keeps the joints"):
-        after(state, MoveJoint(0, 1.0))
-    played = after(state, OpenClip("motion"), Seek(1.0))
+        done(state, MoveJoint(0, 1.0))
+    played = done(state, OpenClip("motion"), Seek(1.0))
     assert not np.array_equal(played[Joints].q, state[Joints].q)
-    shorter = worked(after(played, LastFor(0.5)))
+    shorter = worked(done(played, LastFor(0.5)))
     np.testing.assert_allclose(shorter[Joints].q, planned_now(shorter).motion.at(0.5), rtol=0, atol=1e-9)
     assert shorter[Timeline].time == 0.5
 
 
 def test_a_lesson_about_motions_does_not_begin_with_an_old_plan(own):
     own(c=MOTION.replace('example = "motion/corner_stop"\n', "", 1))
-    before = after(State.initial(PUMA), TakeExample("spline"))
-    assert after(before, OpenLesson("c"))[Plan] != before[Plan]
-    assert len(after(before, OpenLesson("c"))[Plan].waypoints) == 2
-    assert after(after(State.initial(catalogue()["planar_2r"]), AddWaypoint()), OpenLesson("t"))[Plan].moves
+    before = done(State.initial(PUMA), TakeExample("spline"))
+    assert done(before, OpenLesson("c"))[Plan] != before[Plan]
+    assert len(done(before, OpenLesson("c"))[Plan].waypoints) == 2
+    assert done(done(State.initial(catalogue()["planar_2r"]), AddWaypoint()), OpenLesson("t"))[Plan].moves
 
 
 def test_an_example_that_is_not_there_keeps_the_lesson_closed(own):
     own(c=MOTION.replace("motion/corner_stop", "motion/corners", 1))
     with pytest.raises(UnknownName, match="did you mean 'corner_"):
-        after(State.initial(PUMA), OpenLesson("c"))
+        done(State.initial(PUMA), OpenLesson("c"))
     ((_, says),) = [(problem.step, problem.says) for problem in problems("c")]
     assert says.startswith("the lesson cannot be opened: example of the bench 'motion': unknown name 'corners'")
 
@@ -172,35 +167,35 @@ def test_an_example_that_is_not_there_keeps_the_lesson_closed(own):
 def test_planning_runs_only_while_a_step_asks_for_it(corners):
     nothing = frozenset({"joints"})
     assert JOB.wanted(corners, nothing) is None
-    asked = after(corners, GoToStep(1))
+    asked = done(corners, GoToStep(1))
     assert JOB.wanted(asked, nothing) is not None
     assert JOB.wanted(worked(asked), nothing) is None
-    assert JOB.wanted(after(asked, GoToStep(3)), nothing) is None
-    assert motion_in(observed(after(asked, GoToStep(3)))) is None
+    assert JOB.wanted(done(asked, GoToStep(3)), nothing) is None
+    assert motion_in(observed(done(asked, GoToStep(3)))) is None
 
 
 def test_planning_goes_on_after_the_check_only_for_a_text(own):
     own(c=MOTION.replace("{{duration}}", "long"), d=MOTION)
     for key, goes_on in (("c", False), ("d", True)):
-        state = worked(after(State.initial(PUMA), OpenLesson(key), GoToStep(1), *FLY))
+        state = worked(done(State.initial(PUMA), OpenLesson(key), GoToStep(1), *FLY))
         state = to_its_end(state)
         assert check_line(state)[0]
-        closed = after(state, OpenClip(""), UseShare(0.5))
+        closed = done(state, OpenClip(""), UseShare(0.5))
         assert (JOB.wanted(closed, frozenset()) is not None) == goes_on
 
 
 def test_the_check_looks_again_when_the_plan_is_delivered(corners):
-    begun = after(worked(after(corners, GoToStep(2))), LastFor(10.0))
+    begun = done(worked(done(corners, GoToStep(2))), LastFor(10.0))
     assert check_line(begun) == (False, "The motion has not been planned yet.")
     assert check_line(worked(begun)) == (True, "")
-    fast = worked(after(corners, GoToStep(2), LastFor(1.0)))
+    fast = worked(done(corners, GoToStep(2), LastFor(1.0)))
     met, says = check_line(fast)
     assert not met
     assert says.startswith("The motion exceeds a limit; within all limits it takes at least ")
 
 
 def test_what_is_seen_of_a_plan(corners):
-    state = worked(after(corners, GoToStep(1), *FLY, UseShare(0.5, 0.25)))
+    state = worked(done(corners, GoToStep(1), *FLY, UseShare(0.5, 0.25)))
     found, planned = motion_in(observed(state)), planned_now(state)
     assert (found.waypoints, found.planned, found.whole, found.within, found.played) == (5, True, True, True, False)
     assert {(move.space, move.path, move.law) for move in found.moves} == {("cartesian", "overfly", "trapezoidal")}
@@ -209,7 +204,7 @@ def test_what_is_seen_of_a_plan(corners):
     assert 0.2 < found.acceleration <= 0.25 + 1e-6
     assert found.deviation == planned.legs[0].deviation > 0.0
     assert found.time is None
-    short = motion_in(observed(worked(after(state, LastFor(1.0)))))
+    short = motion_in(observed(worked(done(state, LastFor(1.0)))))
     assert (short.whole, short.within) == (True, False)
     assert short.acceleration > 1.0
 
@@ -217,7 +212,7 @@ def test_what_is_seen_of_a_plan(corners):
 def test_a_motion_that_cannot_be_run_says_why(own):
     text = MOTION.replace("puma560", "planar_2r_unequal").replace("motion/corner_stop", "motion/out_of_reach", 1)
     own(c=text.partition("## Laws")[0])
-    state = worked(after(State.initial(PUMA), OpenLesson("c"), GoToStep(2)))
+    state = worked(done(State.initial(PUMA), OpenLesson("c"), GoToStep(2)))
     found = motion_in(observed(state))
     assert (found.planned, found.whole, found.within, found.fastest, found.time) == (True, False, False, 0.0, None)
     assert found.trouble == planned_now(state).trouble
@@ -225,34 +220,34 @@ def test_a_motion_that_cannot_be_run_says_why(own):
 
 
 def test_a_motion_counts_as_played_only_as_it_is_planned(corners):
-    played = to_its_end(worked(after(corners, GoToStep(1), UseShare(0.5, 0.5))))
+    played = to_its_end(worked(done(corners, GoToStep(1), UseShare(0.5, 0.5))))
     assert motion_in(observed(played)).played
     assert motion_in(observed(played)).time == duration(played)
-    changed = after(played, *FLY, UseShare(1.0, 1.0))
+    changed = done(played, *FLY, UseShare(1.0, 1.0))
     assert not motion_in(observed(changed)).played
     # The new plan is shorter: its end comes to where the playback stands, and nobody has seen it.
     delivered = worked(changed)
     assert delivered[Timeline].time == duration(delivered) < duration(played)
     assert not motion_in(observed(delivered)).played
     assert "Play the motion to its end" in check_line(delivered)[1]
-    again = to_its_end(after(delivered, Seek(0.0)))
+    again = to_its_end(done(delivered, Seek(0.0)))
     assert check_line(again)[0]
 
 
 def test_the_end_of_an_old_motion_is_not_that_of_the_new_one(corners):
-    state = worked(after(corners, GoToStep(1)))
-    playing = after(state, OpenClip("motion"), Seek(1.0), LastFor(30.0))
-    early = after(playing, Seek(duration(playing)))
+    state = worked(done(corners, GoToStep(1)))
+    playing = done(state, OpenClip("motion"), Seek(1.0), LastFor(30.0))
+    early = done(playing, Seek(duration(playing)))
     assert early[Timeline].time < 30.0
     assert "motion" not in early[LessonPart].progress.films
     assert not motion_in(observed(worked(early))).played
 
 
 def test_going_to_another_step_forgets_what_was_played(corners):
-    state = worked(after(corners, GoToStep(1)))
+    state = worked(done(corners, GoToStep(1)))
     played = to_its_end(state)
     assert motion_in(observed(played)).played
-    assert not motion_in(observed(after(played, GoToStep(2)))).played
+    assert not motion_in(observed(done(played, GoToStep(2)))).played
 
 
 # --- Played by its solution, and handed in
@@ -323,10 +318,10 @@ def test_the_work_can_be_handed_in_and_is_judged_again(own):
 
 def test_a_limit_that_was_raised_counts_neither_on_screen_nor_in_the_file(corners):
     limits = corners[Plan].velocity
-    state = worked(after(corners, GoToStep(2), LimitJoint(0, "velocity", 2.0 * limits[0])))
+    state = worked(done(corners, GoToStep(2), LimitJoint(0, "velocity", 2.0 * limits[0])))
     assert "joint 1 was raised" in check_line(state)[1]
     assert not motion_in(observed(state)).runs
-    state = worked(after(state, LimitJoint(0, "velocity", limits[0])))
+    state = worked(done(state, LimitJoint(0, "velocity", limits[0])))
     assert "was raised" not in check_line(state)[1]
 
 
@@ -339,7 +334,7 @@ def test_a_player_who_does_not_plan_is_told_so(own):
 
 
 def test_a_plan_of_another_state_is_not_seen(corners):
-    state = worked(after(corners, GoToStep(2)))
+    state = worked(done(corners, GoToStep(2)))
     stale = state.replace(replace(state[Plan], duration=5.0))
     assert not motion_in(observed(stale)).planned
     assert motion_in(observed(stale)).waypoints == 5

@@ -20,19 +20,14 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.parts.joints import RandomPose
 from armlab.session.state import State, apply
+from support.done import done
 
 
 def opened(robot, points=2):
     """Return a state with so many waypoints, the further ones random."""
     state = State.initial(catalogue()[robot])
     for _ in range(points - 2):
-        state = after(state, RandomPose(), AddWaypoint())
-    return state
-
-
-def after(state, *commands):
-    for command in commands:
-        state = apply(state, command)
+        state = done(state, RandomPose(), AddWaypoint())
     return state
 
 
@@ -41,30 +36,30 @@ def worked_out(state):
 
 
 def test_a_copy_comes_behind_its_waypoint_with_its_move_and_is_selected_to_be_dragged():
-    state = after(opened("puma560", 4), SetMove(1, space="cartesian"))
+    state = done(opened("puma560", 4), SetMove(1, space="cartesian"))
     points, moves = state[Plan].waypoints, state[Plan].moves
     for k in range(4):
-        part = after(state, CopyWaypoint(k))[Plan]
+        part = done(state, CopyWaypoint(k))[Plan]
         assert part.waypoints == (*points[: k + 1], points[k], *points[k + 1 :])
         assert part.moves == (*moves[:k], moves[max(k - 1, 0)], *moves[k:])
         assert (part.selected, part.handled) == (k + 1, True)
 
 
 def test_a_copy_in_the_same_place_is_said_and_runs_once_it_is_elsewhere():
-    state = after(opened("puma560", 3), CopyWaypoint(1))
+    state = done(opened("puma560", 3), CopyWaypoint(1))
     said = judged(worked_out(state))
     assert said.kind == "no"
     assert any("waypoint 3: the same as waypoint 2" in line for line in said.lines)
-    shifted = after(state, ShiftWaypoint(2, 1))
+    shifted = done(state, ShiftWaypoint(2, 1))
     assert judged(worked_out(shifted)).kind == "ok"
-    typed = after(state, SetWaypointJoint(2, 0, 0.3))
+    typed = done(state, SetWaypointJoint(2, 0, 0.3))
     assert judged(worked_out(typed)).kind == "ok"
     read = Plan.from_json(json.loads(json.dumps(state[Plan].to_json())), catalogue()["puma560"])
     assert read.waypoints == state[Plan].waypoints
 
 
 def test_a_single_waypoint_can_be_copied_and_not_more_than_there_may_be():
-    alone = after(opened("planar_2r"), RemoveWaypoint(1), CopyWaypoint(0))
+    alone = done(opened("planar_2r"), RemoveWaypoint(1), CopyWaypoint(0))
     assert len(alone[Plan].waypoints) == 2
     assert len(alone[Plan].moves) == 1
     full = opened("planar_2r", MOST_WAYPOINTS)

@@ -26,19 +26,14 @@ from armlab.kin.transforms import transform
 from armlab.session.parts.joints import Joints, RandomPose
 from armlab.session.parts.timeline import OpenClip
 from armlab.session.state import State, apply
+from support.done import done
 
 
 def opened(robot="puma560", points=2):
     """Return a state with so many waypoints, the further ones random."""
     state = State.initial(catalogue()[robot])
     for _ in range(points - 2):
-        state = after(state, RandomPose(), AddWaypoint())
-    return state
-
-
-def after(state, *commands):
-    for command in commands:
-        state = apply(state, command)
+        state = done(state, RandomPose(), AddWaypoint())
     return state
 
 
@@ -69,7 +64,7 @@ def test_the_tool_is_nowhere_faster_than_its_limit(robot, apart):
         state = opened(robot)
         low, high = state[Joints].arm.limits.T
         rows = low + np.random.default_rng(seed).uniform(0.2, 0.8, (2, len(low))) * (high - low)
-        planned = worked_out(after(through(state, rows), SetMove(1, law="quintic", apart=apart), LimitTool(0.1)))
+        planned = worked_out(done(through(state, rows), SetMove(1, law="quintic", apart=apart), LimitTool(0.1)))
         arm = planned.question.arm
         most = speeds(arm, planned.motion).max()
         assert most <= 0.1 * (1.0 + 1e-8)
@@ -82,7 +77,7 @@ def test_the_tool_is_nowhere_faster_than_its_limit(robot, apart):
 
 def test_a_tool_path_is_marked_where_the_wrist_is_nearly_singular_and_only_there():
     ends = [[0.2, 0.6, -2.6, 0.3, 0.7, 0.4], [0.3, 0.6, -2.6, 0.3, 0.1, 0.4]]
-    planned = worked_out(after(through(opened("puma560"), ends), SetMove(1, space="cartesian")))
+    planned = worked_out(done(through(opened("puma560"), ends), SetMove(1, space="cartesian")))
     assert planned.whole, planned.trouble
     leg = planned.legs[0]
     near = leg.worth == int(Feasible.NEAR_SINGULAR)
@@ -110,8 +105,8 @@ def test_a_tool_path_begins_where_the_move_before_has_ended():
     state = opened("puma560")
     q = np.array([0.2, 0.6, -2.6, 0.3, 0.7, 0.4])
     near = q + np.array([[0.0] * 6, [0.1, 0.05, 0.05, 0.0, 0.3, 0.2], [0.2, 0.0, 0.1, 0.1, 0.1, 0.0]])
-    state = after(opened("puma560", points=3), SetMove(1, stop=True))
-    state = after(through(state, near), SetMove(1, space="cartesian", turning="kept"), SetMove(2, space="cartesian"))
+    state = done(opened("puma560", points=3), SetMove(1, stop=True))
+    state = done(through(state, near), SetMove(1, space="cartesian", turning="kept"), SetMove(2, space="cartesian"))
     planned = worked_out(state)
     assert planned.whole, planned.trouble
     arm, (first, second) = planned.question.arm, planned.legs
@@ -128,7 +123,7 @@ def test_how_far_the_tool_leaves_its_path_does_not_depend_on_how_the_arm_is_moun
     wall = Arm.from_dh(planar.arm.rows, base=base, limits=planar.arm.limits, task="xy")
     found = []
     for robot in (planar, replace(planar, arm=wall)):
-        state = after(State.initial(robot), SetMove(1, space="cartesian"), SampleBy(4))
+        state = done(State.initial(robot), SetMove(1, space="cartesian"), SampleBy(4))
         found.append(worked_out(state).legs[0].deviation)
     assert found[0] > 1e-4
     assert found[1] == pytest.approx(found[0], rel=1e-9)
@@ -146,7 +141,7 @@ def test_a_waypoint_dragged_out_of_reach_does_not_jump():
     for k in range(40):
         pose = arm.fk(near).copy()
         pose[:3, 3] = rng.normal(size=3) * 2.0 * arm.length_scale
-        moved = np.array(after(state, DragWaypoint(1, pose, k))[Plan].waypoints[1].q)
+        moved = np.array(done(state, DragWaypoint(1, pose, k))[Plan].waypoints[1].q)
         found = ik.solve(arm, pose, near, searches=1, complete=False)
         if found.success:
             continue
@@ -156,13 +151,13 @@ def test_a_waypoint_dragged_out_of_reach_does_not_jump():
 
 
 def test_a_list_that_fits_no_more_is_dropped_and_one_that_fits_is_kept():
-    state = after(opened("cartesian_3p", points=4), SetMove(1, path="blends"))
-    state = after(state, SetMoveOption(1, "path", "times", (0.0, 1.0, 2.0, 4.0)))
+    state = done(opened("cartesian_3p", points=4), SetMove(1, path="blends"))
+    state = done(state, SetMoveOption(1, "path", "times", (0.0, 1.0, 2.0, 4.0)))
     assert dict(state[Plan].moves[0].path.given)["times"] == (0.0, 1.0, 2.0, 4.0)
-    fewer = after(state, RemoveWaypoint(3), RemoveWaypoint(2))
+    fewer = done(state, RemoveWaypoint(3), RemoveWaypoint(2))
     assert "times" not in dict(fewer[Plan].moves[0].path.given)
-    single = after(opened("cartesian_3p", points=4), SetMove(1, path="blends"))
-    single = after(single, SetMoveOption(1, "path", "blend", (0.01,)), RemoveWaypoint(3))
+    single = done(opened("cartesian_3p", points=4), SetMove(1, path="blends"))
+    single = done(single, SetMoveOption(1, "path", "blend", (0.01,)), RemoveWaypoint(3))
     assert dict(single[Plan].moves[0].path.given)["blend"] == (0.01,)
 
 
@@ -188,7 +183,7 @@ def test_a_joint_that_the_arm_has_not_is_refused(joint):
 
 
 def test_the_plan_beside_one_in_a_given_time_is_as_fast_as_it_can():
-    state = with_planned(after(opened(), LastFor(25.0), CompareMoves(True)))
+    state = with_planned(done(opened(), LastFor(25.0), CompareMoves(True)))
     other = state[Plan].other
     assert planned_now(state).duration == pytest.approx(25.0)
     assert other.question.duration is None
@@ -198,11 +193,11 @@ def test_the_plan_beside_one_in_a_given_time_is_as_fast_as_it_can():
 
 def test_the_arm_goes_back_to_where_it_stood_last_not_to_where_it_once_stood():
     state = with_planned(opened())
-    state = after(state, OpenClip(CLIP_KEY), OpenClip(""))
+    state = done(state, OpenClip(CLIP_KEY), OpenClip(""))
     assert state[Plan].before is None
-    state = after(state, RandomPose())
+    state = done(state, RandomPose())
     q = state[Joints].q
-    again = after(state, OpenClip(CLIP_KEY), OpenClip(""))
+    again = done(state, OpenClip(CLIP_KEY), OpenClip(""))
     np.testing.assert_allclose(again[Joints].q, q, rtol=0, atol=1e-12)
 
 

@@ -24,18 +24,13 @@ from armlab.errors import InputError
 from armlab.session.parts.joints import Joints, RandomPose
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State, apply
-
-
-def after(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
+from support.done import done
 
 
 def opened(robot="puma560", points=3):
     """Return a state with so many waypoints, the further ones random."""
     state = State.initial(catalogue()[robot])
-    return after(state, *[command for _ in range(points - 2) for command in (RandomPose(), AddWaypoint())])
+    return done(state, *[command for _ in range(points - 2) for command in (RandomPose(), AddWaypoint())])
 
 
 def worked_out(state):
@@ -46,7 +41,7 @@ def worked_out(state):
 def test_the_arm_stands_still_for_every_wait_and_else_moves_as_before(robot):
     state = opened(robot)
     before = worked_out(state)
-    waiting = after(state, SetAtWaypoint(0, "wait", 0.4), SetAtWaypoint(1, "wait", 0.7), SetAtWaypoint(2, "wait", 0.2))
+    waiting = done(state, SetAtWaypoint(0, "wait", 0.4), SetAtWaypoint(1, "wait", 0.7), SetAtWaypoint(2, "wait", 0.2))
     found = worked_out(waiting)
     first, second = before.legs[0].motion.duration, before.legs[1].motion.duration
     assert found.duration == pytest.approx(before.duration + 1.3)
@@ -64,31 +59,31 @@ def test_the_arm_stands_still_for_every_wait_and_else_moves_as_before(robot):
 
 
 def test_the_least_time_of_a_typed_ramp_counts_with_the_waits_and_the_slowest_move():
-    state = after(opened("planar_2r"), SetMove(2, stop=True), SetMove(1, law="trapezoidal"))
-    state = after(state, SetMoveOption(1, "law", "ramp", 0.1), SetAtWaypoint(1, "wait", 0.5))
-    least = worked_out(after(state, LastFor(2.0))).least
+    state = done(opened("planar_2r"), SetMove(2, stop=True), SetMove(1, law="trapezoidal"))
+    state = done(state, SetMoveOption(1, "law", "ramp", 0.1), SetAtWaypoint(1, "wait", 0.5))
+    least = worked_out(done(state, LastFor(2.0))).least
     assert least > worked_out(state).duration + 0.1
-    assert judged(worked_out(after(state, LastFor(rounded_up(least))))).kind == "ok"
-    assert judged(worked_out(after(state, LastFor(least - 0.01)))).kind == "no"
+    assert judged(worked_out(done(state, LastFor(rounded_up(least))))).kind == "ok"
+    assert judged(worked_out(done(state, LastFor(least - 0.01)))).kind == "no"
 
 
 def test_where_the_arm_rests_a_path_that_would_go_through_ends_and_the_next_begins():
-    state = after(opened(points=4), SetMove(1, path="spline"), AllMovesLike(1))
+    state = done(opened(points=4), SetMove(1, path="spline"), AllMovesLike(1))
     assert [(part.first, part.last) for part in state[Plan].parts] == [(0, 3)]
     for command in (SetAtWaypoint(2, "wait", 0.5), SetAtWaypoint(2, "gripper", "close")):
-        rests = after(state, command)
+        rests = done(state, command)
         assert [(part.first, part.last) for part in rests[Plan].parts] == [(0, 2), (2, 3)]
-        back = after(rests, SetAtWaypoint(2, command.name, None), SelectWaypoint(3, handled=False))
+        back = done(rests, SetAtWaypoint(2, command.name, None), SelectWaypoint(3, handled=False))
         assert back[Plan].parts == state[Plan].parts
         assert back[Plan].to_json() == state[Plan].to_json()
 
 
 def test_a_given_time_is_that_of_the_whole_and_waits_keep_theirs():
-    state = after(opened(), SetAtWaypoint(1, "wait", 1.5), LastFor(9.0))
+    state = done(opened(), SetAtWaypoint(1, "wait", 1.5), LastFor(9.0))
     found = worked_out(state)
     assert found.duration == pytest.approx(9.0)
     assert found.legs[1].start - found.legs[0].arrival == pytest.approx(1.5)
-    said = judged(worked_out(after(state, LastFor(1.5))))
+    said = judged(worked_out(done(state, LastFor(1.5))))
     assert said.kind == "no"
     assert said.lines[0] == "duration: expected more than the 1.5 s of the waits, got 1.5 s"
 
@@ -110,26 +105,26 @@ def test_what_is_out_of_range_or_unknown_is_refused_in_words_and_nothing_changes
 
 
 def test_a_waypoint_that_is_moved_or_copied_keeps_what_is_done_there():
-    state = after(opened(), SetAtWaypoint(1, "wait", 0.5), SetAtWaypoint(1, "gripper", "close"))
-    moved = after(state, SetWaypointJoint(1, 0, 0.3))
+    state = done(opened(), SetAtWaypoint(1, "wait", 0.5), SetAtWaypoint(1, "gripper", "close"))
+    moved = done(state, SetWaypointJoint(1, 0, 0.3))
     assert (moved[Plan].waypoints[1].gripper, moved[Plan].waypoints[1].wait) == ("close", 0.5)
-    assert after(state, CopyWaypoint(1))[Plan].waypoints[2].does == {"gripper": "close", "wait": 0.5}
+    assert done(state, CopyWaypoint(1))[Plan].waypoints[2].does == {"gripper": "close", "wait": 0.5}
 
 
 def test_a_plan_without_them_is_written_as_before_and_one_with_them_comes_back():
     state = opened()
     assert all(set(point) == {"q"} for point in state[Plan].to_json()["waypoints"])
-    state = after(state, SetAtWaypoint(1, "wait", 0.5), SetAtWaypoint(2, "gripper", "open"))
+    state = done(state, SetAtWaypoint(1, "wait", 0.5), SetAtWaypoint(2, "gripper", "open"))
     written = json.loads(plan_json(state))["plan"]["waypoints"]
     assert [set(point) - {"q"} for point in written] == [set(), {"wait"}, {"gripper"}]
-    assert after(opened(), ReadPlan(plan_json(state)))[Plan].waypoints == state[Plan].waypoints
+    assert done(opened(), ReadPlan(plan_json(state)))[Plan].waypoints == state[Plan].waypoints
     arm, q = state[Joints].arm, list(state[Plan].waypoints[0].q)
     with pytest.raises(InputError, match="wait"):
         Waypoint.from_json({"q": q, "wait": 1e9}, arm)
 
 
 def test_a_table_has_the_waits_and_the_gripper_and_is_read_again():
-    state = with_planned(after(opened(), SetAtWaypoint(1, "gripper", "close"), SetAtWaypoint(1, "wait", 0.5)))
+    state = with_planned(done(opened(), SetAtWaypoint(1, "gripper", "close"), SetAtWaypoint(1, "wait", 0.5)))
     planned, arm = planned_now(state), state[Joints].arm
     text = motion_csv(arm, planned.motion, 100.0, planned.grips)
     head, *rows = text.splitlines()
@@ -145,8 +140,8 @@ def test_a_table_has_the_waits_and_the_gripper_and_is_read_again():
 
 
 def test_the_script_waits_as_the_plan_does(tmp_path, monkeypatch):
-    state = after(opened(), SetAtWaypoint(0, "wait", 0.3), SetAtWaypoint(1, "gripper", "close"))
-    state = with_planned(after(state, SetAtWaypoint(1, "wait", 0.5)))
+    state = done(opened(), SetAtWaypoint(0, "wait", 0.3), SetAtWaypoint(1, "gripper", "close"))
+    state = with_planned(done(state, SetAtWaypoint(1, "wait", 0.5)))
     planned = planned_now(state)
     text = motion_script(state[RobotPart], planned, 50.0, "motion.csv")
     monkeypatch.chdir(tmp_path)
@@ -158,7 +153,7 @@ def test_the_script_waits_as_the_plan_does(tmp_path, monkeypatch):
 
 
 def test_checks_of_lessons_see_the_whole_time_and_legs_that_cannot_be_run_take_none():
-    state = with_planned(after(opened(), SetAtWaypoint(1, "wait", 2.0)))
+    state = with_planned(done(opened(), SetAtWaypoint(1, "wait", 2.0)))
     assert seen_motion(state, played=False).duration == pytest.approx(planned_now(state).duration)
     part = state[Plan]
     far = replace(part.waypoints[1], pose=tuple((np.eye(4) + 90.0 * np.eye(4, k=3)).reshape(16)))

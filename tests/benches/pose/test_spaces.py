@@ -36,14 +36,12 @@ from armlab.session.session import Session, Undo
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
 from support.bare_gui import BarePage
+from support.done import done
 from support.forms import asked
 
 
 def opened(*commands, robot="planar_3r"):
-    state = State.initial(catalogue()[robot])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()[robot]), *commands)
 
 
 def shown(markup, state):

@@ -20,14 +20,12 @@ from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.session import Session, Undo
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
+from support.done import done
 from support.forms import asked
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["puma560"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["puma560"]), *commands)
 
 
 def shown(markup, state):

@@ -15,14 +15,12 @@ from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
+from support.done import done
 from support.forms import asked
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["puma560"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["puma560"]), *commands)
 
 
 def fact(name, state):

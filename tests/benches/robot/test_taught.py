@@ -19,14 +19,12 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
 from armlab.ui.units import units_of
+from support.done import done
 from support.forms import asked
 
 
 def opened(*commands, robot="puma560"):
-    state = State.initial(catalogue()[robot])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()[robot]), *commands)
 
 
 def fact(name, state):

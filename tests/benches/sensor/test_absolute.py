@@ -24,16 +24,14 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import Advance, OpenClip, Play, Seek, Timeline
 from armlab.session.state import State, apply
 from armlab.ui.units import Units
+from support.done import done
 from support.filled import Filled
 
 UNITS = Units(Notation())
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 def fact(state, name):

@@ -15,16 +15,14 @@ from armlab.content.robots import catalogue
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, TypeJoint
 from armlab.session.state import State, apply
+from support.done import done
 from support.filled import Filled
 
 ARMS = ["planar_2r", "puma560", "scara", "cartesian_3p", "iiwa7"]
 
 
 def opened(robot, *commands):
-    state = State.initial(catalogue()[robot])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()[robot]), *commands)
 
 
 def fact(state, name):

@@ -16,8 +16,9 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
-from armlab.session.state import State, apply
+from armlab.session.state import State
 from armlab.ui.units import Units
+from support.done import done
 from support.filled import Filled
 
 DEG = math.radians(1.0)
@@ -25,10 +26,7 @@ UNITS = Units(Notation())
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["planar_2r"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["planar_2r"]), *commands)
 
 
 def fact(state, name):

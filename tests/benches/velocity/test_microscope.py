@@ -18,13 +18,11 @@ from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.state import State, apply
+from support.done import done
 
 
 def opened(key, *commands):
-    state = State.initial(catalogue()[key])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()[key]), *commands)
 
 
 def answers(state):

@@ -27,13 +27,11 @@ from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline, duration
 from armlab.session.state import State, apply
+from support.done import done
 
 
 def opened(*commands):
-    state = State.initial(catalogue()["puma560"])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()["puma560"]), *commands)
 
 
 def typed(angles, rates):

@@ -37,13 +37,11 @@ from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline, duration
 from armlab.session.state import State, apply
 from support.arms import random_arm
+from support.done import done
 
 
 def opened(key="puma560", *commands):
-    state = State.initial(catalogue()[key])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()[key]), *commands)
 
 
 def with_speeds(state, speeds):

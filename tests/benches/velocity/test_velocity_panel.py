@@ -35,15 +35,13 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.selection import Select
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.state import State, apply
+from support.done import done
 from support.forms import BareForm, asked
 from support.student import moves, run, settled, student
 
 
 def opened(key="planar_2r", *commands):
-    state = State.initial(catalogue()[key])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()[key]), *commands)
 
 
 def drawn(state):

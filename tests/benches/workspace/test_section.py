@@ -33,7 +33,8 @@ from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import DragTarget
-from armlab.session.state import State, apply
+from armlab.session.state import State
+from support.done import done
 
 SEEN = frozenset({"section", "workspace"})
 
@@ -42,12 +43,6 @@ SEEN = frozenset({"section", "workspace"})
 def whole(key):
     """Return a state in which the section of an arm is found."""
     return found_section(State.initial(catalogue()[key]))
-
-
-def after(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return state
 
 
 def tool(state):
@@ -109,7 +104,7 @@ def test_a_section_is_drawn_twice_as_fine_as_places_between_its_cells_are_reache
 
 def test_what_belongs_to_another_arm_is_let_go():
     state = whole("planar_2r")
-    other = after(state, ChooseRobot("elbow_3r"))
+    other = done(state, ChooseRobot("elbow_3r"))
     assert found_of(other) is None
     question = question_of(State.initial(catalogue()["planar_2r"]))
     assert delivered(other, question, found_of(state)) is other
@@ -117,7 +112,7 @@ def test_what_belongs_to_another_arm_is_let_go():
 
 def test_another_colour_keeps_the_section_and_is_an_average_of_what_the_measure_can_be():
     state = whole("elbow_3r")
-    coloured = found_section(after(state, Set(SectionView, "colour", "manipulability")))
+    coloured = found_section(done(state, Set(SectionView, "colour", "manipulability")))
     found = found_of(coloured)
     assert found.section is found_of(state).section
     assert found.size == found_of(state).size
@@ -145,10 +140,10 @@ def test_the_tool_goes_where_the_section_was_clicked_and_stays_in_its_half_plane
     joint = found_of(state).section.joint
     s = joint.split(tool(state))[2]
     for u, v in [(0.9, 0.7), (0.5, 1.4), (1.2, 0.5)]:
-        moved = after(state, GoInSection(u, v))
+        moved = done(state, GoInSection(u, v))
         assert_allclose(joint.split(tool(moved)), [u, v, s], atol=1e-6)
         assert moved[Joints].arm.within_limits(moved[Joints].q)
-    out = after(state, GoInSection(3.0, 0.6))
+    out = done(state, GoInSection(3.0, 0.6))
     assert_allclose(joint.split(tool(out)), [1.3, 0.6, s], atol=1e-4)
 
 
@@ -158,18 +153,18 @@ def test_a_place_joint_1_cannot_carry_here_is_gone_to_where_it_can():
     i, j = np.nonzero(found.section.filled)
     q = found.section.at(i[:1], j[:1])[0]
     u, v, _ = found.section.joint.split(found.arm.position(q))
-    moved = after(state, GoInSection(float(u), float(v)))
+    moved = done(state, GoInSection(float(u), float(v)))
     assert_allclose(found.section.joint.split(tool(moved))[:2], [u, v], atol=1e-6)
 
 
 def test_joints_that_do_not_move_the_point_stay_and_held_ones_too():
-    state = after(whole("scara"), LockJoint(3, True))
+    state = done(whole("scara"), LockJoint(3, True))
     before = state[Joints].q
-    moved = after(state, GoInSection(0.5, 0.15))
+    moved = done(state, GoInSection(0.5, 0.15))
     assert moved[Joints].q[3] == before[3]
-    held = after(whole("elbow_3r"), LockJoint(0, True))
+    held = done(whole("elbow_3r"), LockJoint(0, True))
     point = tool(held) + np.array([0.0, 0.2, 0.0])
-    assert after(held, GoToPoint(tuple(point.tolist())))[Joints].q[0] == held[Joints].q[0]
+    assert done(held, GoToPoint(tuple(point.tolist())))[Joints].q[0] == held[Joints].q[0]
 
 
 def test_tool_and_target_know_their_way_to_the_boundary():
@@ -180,10 +175,10 @@ def test_tool_and_target_know_their_way_to_the_boundary():
     assert target_measured(state) is None
     pose = np.array(state[Joints].tool_pose)
     pose[:3, 3] = [2.0, 0.0, 0.6]
-    dragged = after(state, DragTarget(pose, object()))
+    dragged = done(state, DragTarget(pose, object()))
     assert_allclose(target_measured(dragged).to.distance, -0.7, atol=1e-3)
     assert_allclose(target_measured(dragged).to.foot, [1.3, 0.0, 0.6], atol=1e-3)
-    there = after(dragged, GoToPoint(tuple(target_measured(dragged).to.foot.tolist())))
+    there = done(dragged, GoToPoint(tuple(target_measured(dragged).to.foot.tolist())))
     assert abs(tool_measured(there).to.distance) < 1e-3
 
 
@@ -192,7 +187,7 @@ def test_tool_and_target_know_their_way_to_the_boundary():
 def test_every_point_of_a_slice_is_reached_and_lies_in_it(key, kind):
     state = whole(key)
     place = tool(state) @ np.eye(3)["xyz".index(kind)] if kind != "axis" else None
-    state = after(state, Set(SectionView, "slice", kind), PlaceSlice(place))
+    state = done(state, Set(SectionView, "slice", kind), PlaceSlice(place))
     drawn, found = slice_of(state), found_of(state)
     rows, columns = np.nonzero(drawn.reached)
     assert len(rows) > 200
@@ -209,7 +204,7 @@ def test_every_point_of_a_slice_is_reached_and_lies_in_it(key, kind):
 
 
 def test_a_slice_across_the_axis_has_the_area_it_must_have():
-    state = after(whole("elbow_3r"), Set(SectionView, "slice", "z"), PlaceSlice(0.75))
+    state = done(whole("elbow_3r"), Set(SectionView, "slice", "z"), PlaceSlice(0.75))
     drawn = slice_of(state)
     pixel = drawn.plane.width / drawn.reached.shape[1] * drawn.plane.height / drawn.reached.shape[0]
     # A ball of radius 1.3 about z = 0.6 without one of 0.3.
@@ -235,7 +230,7 @@ def test_the_arm_seen_from_the_side_ends_at_the_tool(key):
 
 def test_how_it_is_looked_at_is_kept_and_damaged_files_are_refused():
     looked = (Set(SectionView, "colour", "sigma_min"), Set(SectionView, "slice", "y"))
-    state = after(whole("elbow_3r"), *looked, PlaceSlice(0.2))
+    state = done(whole("elbow_3r"), *looked, PlaceSlice(0.2))
     data = json.loads(json.dumps(state[SectionView].to_json()))
     robot = catalogue()["elbow_3r"]
     back = SectionView.from_json(data, robot)
@@ -248,7 +243,7 @@ def test_how_it_is_looked_at_is_kept_and_damaged_files_are_refused():
     with pytest.raises(InputError, match=r"at most 100 m either way, got 9000000 m$"):
         PlaceSlice(9e6).apply(state)
     with pytest.raises(InputError, match=r"at most 100 rad either way, got 157 rad$"):
-        PlaceSlice(157.0).apply(after(state, Set(SectionView, "slice", "axis")))
+        PlaceSlice(157.0).apply(done(state, Set(SectionView, "slice", "axis")))
     assert replace(back, found=None).for_robot(robot).slice == "y"
 
 

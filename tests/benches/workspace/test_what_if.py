@@ -23,15 +23,13 @@ from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import State, apply
+from support.done import done
 
 OPEN = frozenset({PAGE})
 
 
 def opened(key, *commands):
-    state = State.initial(catalogue()[key])
-    for command in commands:
-        state = apply(state, command)
-    return state
+    return done(State.initial(catalogue()[key]), *commands)
 
 
 def found_of(key, *commands):
