@@ -15,18 +15,20 @@ from armlab.benches.drive.motor.state import CLIP_KEY, Motor
 from armlab.benches.drive.motor.twins import twins_of
 from armlab.benches.drive.motor.ui.blocks import diagram
 from armlab.benches.drive.motor.ui.form import constants_markup, inputs_markup
+from armlab.benches.drive.motor.ui.plots import response_of
 from armlab.benches.drive.motor.ui.poles import functions_markup, plane, poles_markup
 from armlab.benches.drive.motor.ui.powers import powers_markup, units_markup
 from armlab.benches.drive.motor.ui.scene import slowed, torque_marks
 from armlab.benches.drive.motor.ui.twins import state_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.kin.drive import Piece
+from armlab.kin.drive import Piece, run
 from armlab.session.fields import Set
 from armlab.session.parts.timeline import OpenClip, Seek
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
 from armlab.ui.units import units_of
+from support.bare_gui import BarePage
 from support.done import done
 from support.forms import asked
 
@@ -150,6 +152,21 @@ def test_a_profile_is_typed_in_lines():
         apply(opened(), wrong)
 
 
+@pytest.mark.parametrize("kind", ["ramp", "pulse"])
+@pytest.mark.parametrize("name", ["v", "load"])
+def test_a_ramp_or_pulse_that_is_chosen_ends_after_the_start_that_was_typed_for_a_step(name, kind):
+    state = opened(Set(Motor, f"{name}_start", 0.15))
+
+    def chosen(state, kind):
+        (command,) = asked(lambda form: inputs_markup(form, state[Motor]), f"{name}_kind", kind)
+        return apply(state, command)
+
+    assert getattr(chosen(state, kind)[Motor], f"{name}_stop") == pytest.approx(0.25)
+    typed = opened(Set(Motor, f"{name}_start", 0.02))
+    assert getattr(chosen(typed, kind)[Motor], f"{name}_stop") == getattr(Motor(), f"{name}_stop")
+    assert chosen(state, "step") is state
+
+
 def test_one_constant_in_the_units_of_data_sheets():
     found = in_units(0.05)
     assert found["V/krpm"] == pytest.approx(0.05 * 1000.0 * 2.0 * math.pi / 60.0)
@@ -235,6 +252,43 @@ def test_the_poles_are_told_with_their_approximations():
     assert "oscillating: damping ratio 0.102" in swinging
     assert "One pole" in said(poles_markup(opened(ChooseMotorExample("no_inductance"))[Motor]))
     assert said(plane(opened()[Motor].motor)).count("mo-pole") == 2
+
+
+@pytest.mark.parametrize(
+    ("constants", "settled"),
+    [
+        ({"J": 142.0}, True),
+        ({"F": 0.0, "k": 1e-4}, True),
+        ({"R": 1e-3, "L": 1e3, "J": 1e-9, "F": 1e3}, False),
+        ({"R": 1e-9, "F": 0.0, "k": 1.0}, False),
+        ({}, True),
+    ],
+)
+def test_responses_are_drawn_however_far_apart_the_poles_are(constants, settled):
+    page = BarePage("motor", catalogue()["planar_2r"])
+    for name, each in {**constants, "shown": "poles"}.items():
+        page.session.apply(Set(Motor, name, each), 0.0)
+    page.show()
+    motor = page.session.state[Motor].motor
+    drawn, duration = response_of(motor)
+    assert not motor.reduced
+    for piece, gain in ((Piece(duration, 1.0, 0.0), motor.voltage_gain), (Piece(duration, 0.0, 1.0), motor.load_gain)):
+        found = run(drawn, [piece])
+        assert np.isfinite(found.omega).all()
+        if settled:
+            assert found.omega[-1] == pytest.approx(gain, rel=5e-3)
+
+
+def test_time_constants_are_paired_with_the_poles_of_their_size():
+    """With F = 1 the rotor alone settles in J/F = 0.1 ms, faster than the current: R F = 1.2 is far above k²."""
+    state = opened(Set(Motor, "F", 1.0))
+    fast, slow = state[Motor].motor.poles.real.tolist()
+    worst = max(abs(10020.83 / -fast - 1.0), abs(600.0 / -slow - 1.0))
+    assert value(state, "approximation") == pytest.approx(worst, rel=1e-3)
+    assert worst < 0.01
+    rows = said(poles_markup(state[Motor])).split("<tr")
+    (electrical,) = (row for row in rows if "electrical, L/R" in row)
+    assert "−601.3" in electrical
 
 
 def test_powers_are_told_and_balance():

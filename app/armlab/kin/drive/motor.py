@@ -144,6 +144,12 @@ class DcMotor:
         return self.R * self.J / self.stiffness
 
     @property
+    def time_constants(self) -> tuple[float, ...]:
+        """Both time constants, s, the shorter first, as the poles are; without inductance only the mechanical one."""
+        both = sorted((self.electrical_constant, self.mechanical_constant))
+        return (self.mechanical_constant,) if self.reduced else tuple(both)
+
+    @property
     def voltage_gain(self) -> float:
         """Steady speed for each volt, rad/(V s): k/(R F + k²), with the back-EMF inside (notes after 2.19)."""
         return self.k / self.stiffness

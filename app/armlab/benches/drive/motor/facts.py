@@ -62,10 +62,8 @@ def approximation_error(motor: DcMotor) -> float | None:
     """Return by how much -1/tau of the two time constants misses the poles, relative; None where these are complex."""
     if np.any(motor.poles.imag != 0.0):
         return None
-    guesses = [-1.0 / motor.mechanical_constant]
-    if not motor.reduced:
-        guesses.insert(0, -1.0 / motor.electrical_constant)
-    return float(np.abs(np.array(guesses) / motor.poles.real - 1.0).max())
+    guesses = -1.0 / np.array(motor.time_constants)
+    return float(np.abs(guesses / motor.poles.real - 1.0).max())
 
 
 FACTS = Facts(

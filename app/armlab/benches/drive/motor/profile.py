@@ -13,6 +13,9 @@ from armlab.kin.drive.motor_run import Piece
 
 KINDS = {"step": "step", "ramp": "ramp", "pulse": "pulse", "own": "own"}
 
+ENDING = ("ramp", "pulse")
+"""Kinds that have an end."""
+
 RAMP = 25
 """Number of steps of a ramp; each has the value that the ramp has in its middle."""
 
@@ -47,7 +50,7 @@ class Profile:
 
     def check(self, name: str) -> None:
         """Raise `InputError` when a ramp or pulse would end before it begins."""
-        if self.kind in ("ramp", "pulse") and not self.stop > self.start:
+        if self.kind in ENDING and not self.stop > self.start:
             raise InputError(f"{name}: expected an end after the start {self.start:g} s, got {self.stop:g} s")
 
     def jumps(self) -> Rows:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from armlab.benches.drive.motor.profile import KINDS, Rows
+from armlab.benches.drive.motor.commands import ChooseProfile
+from armlab.benches.drive.motor.profile import ENDING, KINDS, Rows
 from armlab.benches.drive.motor.sheets import UNITS, read
 from armlab.benches.drive.motor.state import Motor
 from armlab.benches.drive.power.ui.typed import typed
@@ -49,7 +50,7 @@ def inputs_markup(form: Form, part: Motor) -> Markup:
 
 def _profile(form: Form, part: Motor, name: str, title: str, kind: str, rows: Rows) -> Markup:
     chosen = form.select(
-        f"{name}_kind", f"{title} over time", KINDS, kind, partial(Set, Motor, f"{name}_kind"), f"{title} over time"
+        f"{name}_kind", f"{title} over time", KINDS, kind, partial(ChooseProfile, name), f"{title} over time"
     )
     head = tag("label.option", tag("span", title), chosen)
     if kind == "own":
@@ -64,5 +65,5 @@ def _profile(form: Form, part: Motor, name: str, title: str, kind: str, rows: Ro
         )
         below = tag("div.mo-rows", typed_rows, tag("i", f"time in s, then {unit}"))
         return joined(tag("div.options.mo-form", head), below)
-    names = [name, f"{name}_start", *([f"{name}_stop"] if kind in ("ramp", "pulse") else [])]
+    names = [name, f"{name}_start", *([f"{name}_stop"] if kind in ENDING else [])]
     return tag("div.options.mo-input", head, [typed(form, part, each) for each in names])

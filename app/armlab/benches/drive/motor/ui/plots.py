@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
+
 import numpy as np
 
 from armlab.benches.drive.motor.state import CLIP_KEY, Motor
-from armlab.kin.drive.motor_run import Piece, run
+from armlab.kin.drive.motor import DcMotor
+from armlab.kin.drive.motor_run import MOST_RATE, Piece, run
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 from armlab.ui.colours import BLUE, GREEN, GREY, ORANGE, PURPLE, VERMILLION
@@ -18,6 +22,9 @@ HEIGHT, LOW = 96, 96
 
 SETTLED = 6.0
 """Duration of a response to a step in time constants of its slowest pole."""
+
+MOST_PERIODS = 40.0
+"""Largest number of oscillations that a response shows: more would run together."""
 
 
 class Plots:
@@ -104,8 +111,25 @@ class Responses:
         if not on or part.motor == self._shown:
             return
         self._shown = part.motor
-        slowest = float(np.abs(part.motor.poles.real).min())
-        duration = SETTLED / max(slowest, 1e-9)
+        motor, duration = response_of(part.motor)
         for plot, piece in zip(self._plots, (Piece(duration, 1.0, 0.0), Piece(duration, 0.0, 1.0)), strict=True):
-            found = run(part.motor, [piece])
+            found = run(motor, [piece])
             plot.show(found.t, [found.omega])
+
+
+def response_of(motor: DcMotor) -> tuple[DcMotor, float]:
+    """Return the motor whose responses to steps are drawn, and their duration in seconds.
+
+    While the slow pole settles, a current that is millions of times as fast is seen as one that follows at once: then
+    it is the motor without inductance. Where it is the rotor that is so fast, the beginning is drawn.
+    """
+    duration = SETTLED / max(float(np.abs(motor.poles.real).min()), 1e-9)
+    turning = float(np.abs(motor.poles.imag).max())
+    if turning > 0.0:
+        return motor, min(duration, MOST_PERIODS * 2.0 * math.pi / turning)
+    longest = MOST_RATE / float(np.abs(motor.poles).max())
+    if duration <= longest:
+        return motor, duration
+    if motor.electrical_constant < motor.mechanical_constant:
+        return replace(motor, L=0.0), duration
+    return motor, 0.5 * longest

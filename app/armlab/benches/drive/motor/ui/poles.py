@@ -107,17 +107,17 @@ def pole_text(pole: complex) -> str:
 
 
 def approximations(motor: DcMotor) -> list[float]:
-    """Return what stands for the poles when both time constants are taken apart, 1/s: -R/L and -1/tau_m."""
-    slow = -1.0 / motor.mechanical_constant
-    return [slow] if motor.reduced else [-1.0 / motor.electrical_constant, slow]
+    """Return what stands for the poles when both time constants are taken apart, 1/s, the fastest first."""
+    return [-1.0 / constant for constant in motor.time_constants]
 
 
 def _table(motor: DcMotor) -> Markup:
-    constants = [("mechanical, R J/(R F + k²)", motor.mechanical_constant)]
+    names = ["mechanical, R J/(R F + k²)"]
     if not motor.reduced:
-        constants.insert(0, ("electrical, L/R", motor.electrical_constant))
+        names.insert(0 if motor.electrical_constant <= motor.mechanical_constant else 1, "electrical, L/R")
     rows = []
-    for (name, constant), guess, pole in zip(constants, approximations(motor), motor.poles.tolist(), strict=True):
+    columns = (names, motor.time_constants, approximations(motor), motor.poles.tolist())
+    for name, constant, guess, pole in zip(*columns, strict=True):
         # A complex pair has one decay for both, and no two time constants.
         away = f"{number(100.0 * abs(guess - pole) / abs(pole), 2)} %" if pole.imag == 0.0 else "–"
         rows.append(line(prefixed(constant, "s"), amount(guess), pole_text(pole), away, name=name))
@@ -127,7 +127,8 @@ def _table(motor: DcMotor) -> Markup:
         tag(
             "p.dim",
             "× are the poles. ○ are the approximations −1/τ: they are close where the electrical time constant is far "
-            "below the mechanical one, and mean nothing where the poles are complex.",
+            "below the mechanical one, or far above it because R F is far above k², and mean nothing where the poles "
+            "are complex.",
         ),
     )
 
