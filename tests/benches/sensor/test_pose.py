@@ -63,6 +63,19 @@ def test_the_examples_show_what_they_say(robot):
         assert math.degrees(fact(link, "count")) == pytest.approx(0.088, abs=1e-3)
 
 
+@pytest.mark.parametrize("robot", ARMS)
+@pytest.mark.parametrize("example", ["same_side", "either_side"])
+def test_an_encoder_on_the_link_sees_the_backlash(robot, example):
+    """Only counts are left, as on the page Joint drive: half of one at each joint, at most."""
+    state = opened(robot, ChoosePoseExample(example))
+    link = done(state, Set(Repeats, "counts", 10_000_000), Set(Repeats, "shaft", "link"))
+    joints, part = link[Joints], link[Repeats]
+    off = np.abs(found(link).q - joints.q)
+    assert (off <= 0.5 * part.errors(joints.arm).count * (1.0 + 1e-6)).all()
+    for figure in ("accuracy", "repeatability", "expected_spread"):
+        assert fact(link, figure) < 0.05 * max(fact(state, "accuracy"), fact(state, "repeatability"))
+
+
 def state_turns(state):
     return bool(state[Joints].arm.revolute[0])
 
@@ -147,6 +160,7 @@ def test_what_is_said_of_the_figures():
     assert "with n = 30" in page.text
     page.fill("shaft link")
     assert "gears 1" not in page.text
+    assert "sees the play of the gears" in page.text
 
 
 @pytest.mark.parametrize(

@@ -51,7 +51,8 @@ class JointErrors:
     count : ndarray, shape (n,)
         Angle or length of one count of the encoder: the joint stops anywhere within it.
     backlash : ndarray, shape (n,)
-        Play of the gears: the joint stops half of it short of where its motor is.
+        Play of the gears that no encoder sees: the joint stops half of it short of where its motor is. With an encoder
+        on the link it is 0, whatever play there is.
     zero : ndarray, shape (n,)
         Error of the zero, the same every time.
     """

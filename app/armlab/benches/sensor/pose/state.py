@@ -70,12 +70,14 @@ class Repeats(FieldPart):
     example: str = text("example", "usual")
 
     def errors(self, arm: Arm) -> JointErrors:
-        """Return the errors of the joints of an arm."""
+        """Return the errors of the joints of an arm, with the backlash that the encoder does not see."""
+        # An encoder on the link stands behind the gears: the controller goes on until their play is used up.
+        unseen = 0.0 if self.shaft == "link" else 1.0
         counts = encoder(self.counts, self.shaft, self.ratio).resolution(arm.revolute)
         zeros = np.random.default_rng([self.specimen, ZERO]).standard_normal(arm.n)
         return JointErrors(
             counts,
-            np.where(arm.revolute, self.backlash, self.play),
+            unseen * np.where(arm.revolute, self.backlash, self.play),
             zeros * np.where(arm.revolute, self.zero, self.zero_slide),
         )
 

@@ -33,6 +33,8 @@ Floats = NDArray[np.float64]
 MOST_TIMES_BETTER = 1000.0
 """Largest ratio of AP and RP that is written as a number."""
 
+SEES_PLAY = "The encoder on the link sees the play of the gears, and the joint comes to its place in spite of it."
+
 ANGLES = ("a", "b", "c")
 """Names of the angles about x, y and z in the standard."""
 
@@ -69,6 +71,7 @@ def _head(form: Form, state: State, part: Repeats, units: Units) -> Markup:
             "Encoder", tag("div.se-line.pa-wide", typed(form, part, "counts", units), tag("i", "counts"), shafts, ratio)
         ),
         tag("div.pa-errors", numbers(form, part, (*turning, *sliding, "specimen"), units)),
+        tag("p.dim", SEES_PLAY) if part.shaft == "link" else None,
         row("Approach", approaches),
         row(
             "Sent there",
