@@ -167,8 +167,23 @@ def test_the_page_of_calibration_says_what_is_left():
     assert re.search(r"u = −0\.03125 \+ 1\.042 y", page.text)  # (y - 0.03) / 0.96
     page.fill("example", "too_high")
     assert "too high a degree" in page.text
+    assert "so much noise" in page.text
     page.fill("example", "drift")
     assert "Mostly drift: 1.800 %" in page.text
+
+
+def test_too_high_a_degree_is_neither_resolution_nor_noise_that_is_not_there():
+    page = Filled("calibration")
+    for resolution in ("1", "5"):  # 21 points, 5 % apart, lie on steps of both
+        page.fill("example", "straight")
+        page.fill("resolution", resolution)
+        assert f"{float(resolution) / 2.0:.3f} % left of" in page.text
+        assert "no function of the output takes them away" in page.text
+    page.fill("example", "bent")
+    for name, text in (("noise", "0"), ("points", "4")):
+        page.fill(name, text)
+    assert "too few points for this degree" in page.text
+    assert "so much noise" not in page.text
 
 
 @pytest.mark.parametrize(

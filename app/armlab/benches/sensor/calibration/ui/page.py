@@ -33,6 +33,12 @@ Floats = NDArray[np.float64]
 DEAD = "Largest change of the input that does not change the output; the play counts where the input turns back"
 """Meaning of the resolution error."""
 
+OVERFITTED = "Between the points it is farther off than at them: too few points for this degree."
+OVERFITTED_NOISE = (
+    "Between the points it is farther off than at them: too high a degree for so few points and so much noise."
+)
+"""What is said of a polynomial that follows its points too closely, without noise and with it."""
+
 HEIGHT, LOW = 130, 110
 """Heights of the plots of the errors and of the outputs, pixels."""
 
@@ -174,13 +180,11 @@ def _verdict(part: Curve) -> Markup:
     head = f"{_percent(between)} left of {_percent(part.cycle.largest_error)}"
     if drifted > 0.5 * between:
         return verdict_box("no", head, f"Mostly drift: {_percent(drifted)} since the calibration. Calibrate again.")
-    if between > 2.0 * left + 1e-9:
-        return verdict_box(
-            "no",
-            head,
-            "Between the points it is farther off than at them: too high a degree for so few points and so much noise.",
-        )
-    floor = 0.5 * (sensor.hysteresis + sensor.resolution) + 3.0 * sensor.noise
+    play_and_steps = 0.5 * (sensor.hysteresis + sensor.resolution)
+    # Points that lie on steps of the resolution have no error of it, unlike all other inputs.
+    if part.degree > 1 and between > 2.0 * max(left, play_and_steps) + 1e-9:
+        return verdict_box("no", head, OVERFITTED_NOISE if sensor.noise > 0.0 else OVERFITTED)
+    floor = play_and_steps + 3.0 * sensor.noise
     if left > 1.5 * floor + 1e-9:
         return verdict_box(
             "warn",
