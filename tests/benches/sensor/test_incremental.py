@@ -224,6 +224,23 @@ def test_what_is_said_of_a_count():
     assert "Wrong by +1 count, 45°" in verdict(alone[Incremental], alone.derived(now), UNITS)
 
 
+@pytest.mark.parametrize(
+    ("pulses", "moves", "speed"),
+    [(100, (10.8, -3.6, 27.0), 45.0), (8, (135.0, -112.5, -67.5, 393.75), 720.0)],
+)
+def test_an_edge_at_the_very_end_is_counted(pulses, moves, speed):
+    """The moves end on an edge, whose time must not come out behind the end by rounding."""
+    state = opened(
+        Set(Incremental, "pulses", pulses),
+        Set(Incremental, "decoder", "x4"),
+        SetMoves(tuple(map(math.radians, moves))),
+        Set(Incremental, "speed", math.radians(speed)),
+    )
+    part = state[Incremental]
+    assert part.signals.times[-1] <= part.motion.duration
+    assert fact(state, "count") == fact(state, "opposite_count") == round(sum(moves) * 4 * pulses / 360.0)
+
+
 def test_moves_are_read_in_the_unit_of_the_person():
     assert read_moves("90, -45 0.5", UNITS) == pytest.approx((90 * DEG, -45 * DEG, 0.5 * DEG))
     assert read_moves("pi/2; 10°", UNITS) == pytest.approx((math.pi / 2, 10 * DEG))

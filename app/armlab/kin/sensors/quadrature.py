@@ -313,7 +313,9 @@ class Motion:
             step = 1 if there > here else -1
             edges = np.arange(here + 1, there + 1) if step > 0 else np.arange(here, there, -1)
             part = np.clip((edges - at[k]) / (at[k + 1] - at[k]), 0.0, 1.0)
-            times.append(self.times[k] + part * (self.times[k + 1] - self.times[k]))
+            # Rounding must not put an edge behind the move in which it comes by.
+            at_edges = self.times[k] + part * (self.times[k + 1] - self.times[k])
+            times.append(np.minimum(at_edges, self.times[k + 1]))
             passed.append(edges if step > 0 else edges - 1)
         return Signals(np.concatenate(times), np.concatenate(passed))
 
