@@ -23,6 +23,7 @@ from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.state import State, apply
 from support.done import done
+from support.filled import Filled
 
 INK = (0, 0, 0)
 
@@ -57,6 +58,25 @@ def test_what_is_typed_in_one_kind_is_kept_by_the_others(rng):
         tipped = apply(state, SetSpherical("phi", 1.0)).derived(where_of)
         assert tipped.phi == pytest.approx(1.0)
         assert (tipped.R, tipped.theta) == (pytest.approx(found.R), pytest.approx(found.theta))
+
+
+@pytest.mark.parametrize("degrees", [90.0, -90.0, 270.0, 3510.0])
+@pytest.mark.parametrize("command", [SetCylindrical, SetSpherical])
+def test_a_quarter_turn_that_is_typed_leaves_no_x(command, degrees):
+    state = opened(command("theta", math.radians(degrees)))
+    found = state.derived(where_of)
+    assert found.p[0] == 0.0
+    assert found.by_atan is FACTS.facts["by_atan"].now(state).value is None
+    assert found.theta == pytest.approx(math.remainder(math.radians(degrees), 2.0 * math.pi), abs=1e-12)
+    assert apply(state, SetCylindrical("r", 3.0)).derived(where_of).by_atan is None
+
+
+def test_where_x_is_zero_the_page_says_that_atan_would_divide_by_it():
+    page = Filled("coordinates")
+    for text in ("90", "-90", "270"):
+        page.fill("cylindrical theta", text)
+        assert "– (x = 0)" in page.text
+        assert "atan would divide by zero" in page.text
 
 
 def test_at_the_singular_places_the_last_angles_are_kept():

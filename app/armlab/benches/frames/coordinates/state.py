@@ -27,6 +27,9 @@ MOST_TURNED = 20.0 * math.pi
 ON_AXIS = 1e-9
 """Distance from the z axis, and from the origin, metres, below which an angle is not defined."""
 
+ROUNDING = 1e-13
+"""Coordinate, in distances from the origin, up to which it is the rounding of an angle of some turns."""
+
 SHOWN = {"cylindrical": "Cylindrical", "spherical": "Spherical"}
 
 CYLINDRICAL, SPHERICAL = ("r", "theta", "h"), ("r", "theta", "phi")
@@ -170,7 +173,7 @@ class SetCylindrical(Command):
         found = state.derived(where_of)
         values = {"r": found.r, "theta": found.theta, "h": found.h} | {self.name: _checked(self.name, self.value)}
         p = from_cylindrical(values["r"], values["theta"], values["h"])
-        return put(state, placed(state[Coordinates], p, theta=values["theta"]))
+        return put(state, placed(state[Coordinates], _unrounded(p), theta=values["theta"]))
 
 
 @dataclass(frozen=True)
@@ -187,7 +190,12 @@ class SetSpherical(Command):
         found = state.derived(where_of)
         values = {"r": found.R, "theta": found.theta, "phi": found.phi} | {self.name: _checked(self.name, self.value)}
         p = from_spherical(values["r"], values["theta"], values["phi"])
-        return put(state, placed(state[Coordinates], p, values["theta"], values["phi"]))
+        return put(state, placed(state[Coordinates], _unrounded(p), values["theta"], values["phi"]))
+
+
+def _unrounded(p: Floats) -> Floats:
+    """Return a point (3,) with 0 where an angle has left rounding: at 90° its x is 0, as atan2 and atan must see it."""
+    return np.where(np.abs(p) <= ROUNDING * float(np.linalg.norm(p)), 0.0, p)
 
 
 def _checked(name: str, value: float) -> float:
