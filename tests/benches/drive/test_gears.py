@@ -1,6 +1,7 @@
 """The page of gears: its wheels turn as it says, powers and the best ratio, and what is refused."""
 
 import math
+import re
 from functools import partial
 
 import numpy as np
@@ -130,8 +131,22 @@ def test_the_residual_of_the_printed_derivative_is_seen(truth):
     assert value("slope_with_plus", state) == pytest.approx(0.06)
     text = said(best_of, state)
     assert "n* = 20 with τₘ = 1.2 N m" in text
-    assert "⟦(2.38) prints (Jₘ + Jᵤ/n²) a: 0.06 N m" in text
+    assert "⟦(2.38) prints a plus: Jₘ a + (Jᵤ a + τ<sub>L</sub>)/n² would be 0.06 N m, and zero nowhere." in text
     assert "Jₘ + Jᵤ/n² = 20 g m²" in text
+
+
+@pytest.mark.parametrize(
+    ("commands", "number", "nowhere"),
+    [
+        ((ChooseGearExample("weight"),), "0.51 N m", True),  # 0.01 · 3 + (4 · 3 + 36)/10²
+        ((ChooseGearExample("falling"), TakeRatio("best")), "N m", False),
+        ((ChooseGearExample("best"), Set(Gears, "acceleration", 0.0)), "0 N m", False),
+    ],
+)
+def test_the_derivative_with_a_plus_is_that_of_the_formula_beside_it(commands, number, nowhere):
+    text = said(best_of, opened(*commands))
+    (wrong,) = re.findall(r"\+ τ<sub>L</sub>\)/n² would be ([^⟧]*)⟧", text)
+    assert wrong.split(". The sign")[0].endswith(f"{number}{', and zero nowhere' if nowhere else ''}")
 
 
 def test_the_card_says_when_there_is_no_best_ratio():
@@ -203,6 +218,13 @@ def test_what_is_drawn_turns_with_the_ratio_and_the_sense_that_the_page_says():
     still = apply(opened(), Set(Gears, "speed", 0.0))[Gears]
     assert (angles_at(still, 1.0) == angles_at(still, 0.0)).all()
     assert slowed(EXAMPLES["pair"].part) == pytest.approx(200.0)
+
+
+def test_a_motor_slower_than_its_film_is_sped_up():
+    """The first wheel of the film turns at 90°/s = 1.57 rad/s."""
+    for speed, words in ((1.0, "sped up 1.6 times"), (-1.0, "sped up 1.6 times"), (0.0, "the motor stands still")):
+        assert f"times as large, and {words}." in said(train_of, opened(Set(Gears, "speed", speed)))
+    assert "slowed down 200 times" in said(train_of, opened(ChooseGearExample("pair")))
 
 
 def test_the_film_stops_after_each_turn_and_starts_again_when_a_wheel_is_changed():

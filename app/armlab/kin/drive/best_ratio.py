@@ -76,7 +76,7 @@ def slope(load: Load, ratio: float) -> float:
 
 
 def printed_slope(load: Load, ratio: float) -> float:
-    """Return what notes 2.38 prints for that derivative, with a plus sign; only to be compared."""
+    """Return that derivative with a plus sign, as notes 2.38 prints it without tau_L; only to be compared."""
     return load.motor_inertia * load.acceleration + load.resistance / ratio**2
 
 

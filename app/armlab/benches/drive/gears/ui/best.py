@@ -196,8 +196,11 @@ def _derivative(part: Gears) -> Markup:
         ((mathml(r"d\tau_m/dn"), " by differences"), _small(measured_slope(load, n))),
         (mathml(r"J_m a-(J_u a+\tau_L)/n^2"), _small(slope(load, n))),
     ]
-    wrong = _small(printed_slope(load, n))
-    printed = f"⟦(2.38) prints (Jₘ + Jᵤ/n²) a: {wrong}. It is zero nowhere; the sign is minus.⟧"
+    own = load.motor_inertia * load.acceleration
+    # Where the load drives the motor, or nothing is accelerated, both terms may cancel with a plus as well.
+    nowhere = ", and zero nowhere" if own * load.resistance > 0.0 else ""
+    wrong = f"Jₘ a + (Jᵤ a + τ_L)/n² would be {_small(printed_slope(load, n))}{nowhere}"
+    printed = with_symbol(f"⟦(2.38) prints a plus: {wrong}. The sign is minus.⟧", "τ_L")
     inertia = (
         f"The motor feels Jₘ + Jᵤ/n² = {prefixed(1e3 * at_motor, 'g m²')}, the load n² Jₘ + Jᵤ = "
         f"{prefixed(1e3 * at_load, 'g m²')}."

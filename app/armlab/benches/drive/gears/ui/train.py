@@ -141,13 +141,20 @@ def _sides(form: Form, part: Gears) -> Markup:
     )
 
 
+def _film(part: Gears) -> str:
+    """Return how fast the film is beside the motor."""
+    slow = slowed(part)
+    if slow == 0.0:
+        return "the motor stands still"
+    way, times = ("slowed down", slow) if slow >= 1.0 else ("sped up", 1.0 / slow)
+    return f"{way} {amount(float(f'{times:.2g}'))} times"
+
+
 def _notes(state: State, part: Gears) -> Markup:
     """Return the scale of the picture, and which wheels are undercut."""
     _, _, scale = drawn_places(part, stage_of(state).radius)
-    slow = slowed(part)
-    film = f", and slowed down {amount(float(f'{slow:.2g}'))} times" if slow else ", and the motor stands still"
     few = [str(k + 1) for k, teeth in enumerate(part.teeth) if undercut(teeth)]
-    said = f"Drawn {amount(float(f'{scale:.2g}'))} times as large{film}."
+    said = f"Drawn {amount(float(f'{scale:.2g}'))} times as large, and {_film(part)}."
     if few:
         said += f" Wheel{'s' if len(few) > 1 else ''} {', '.join(few)}: undercut, with fewer than 17.1 teeth."
     return tag("p.dim", said)
