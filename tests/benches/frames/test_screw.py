@@ -31,6 +31,7 @@ from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import State, apply
 from support.arms import random_pose
 from support.done import done
+from support.filled import Filled
 
 ROBOT = catalogue()["planar_2r"]
 
@@ -102,6 +103,14 @@ def test_examples_are_of_all_kinds_and_stay_until_a_pose_moves(key, kind):
     assert ("opposite axis is as good" in str(verdict(state))) == (key == "half")
     assert apply(state, Set(Screw, "straight", False))[Screw].example == key
     assert apply(state, SetPosePosition("first", 0, 0.77))[Screw].example == ""
+
+
+def test_only_where_the_paths_differ_the_page_says_so():
+    page = Filled("screw")
+    assert "Only the positions differ" in page.text
+    page.fill("example", "bolt")
+    assert "The origin is on the axis, so that both paths are the same." in page.text
+    assert "Only the positions differ" not in page.text
 
 
 def test_the_origin_of_a_bolt_moves_on_its_axis_and_a_door_on_a_quarter_of_a_circle():

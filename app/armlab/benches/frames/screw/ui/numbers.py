@@ -21,7 +21,7 @@ from armlab.ui.units import Units, typed_numbers, units_of
 AXES = ("x", "y", "z")
 
 SAME = 1e-9
-"""Difference of two directions up to which they are the same."""
+"""Difference of two directions up to which they are the same, and distance from the axis, metres, that is none."""
 
 KINDS = {
     "none": ("Nothing moves: the identity", "There is no axis to find, or any line is one."),
@@ -160,6 +160,8 @@ def _compared(found: Ways, s: float, units: Units) -> list[tuple[Inside, Inside]
 def _said(found: Ways) -> str:
     if found.screw.kind in ("none", "translation"):
         return "Without a rotation both paths are the same."
+    if found.radius < SAME:
+        return "The origin is on the axis, so that both paths are the same."
     return (
         "At every time the body has the same orientation on both paths: the angles of exp(s [S]) and of slerp grow "
         "evenly about one axis. Only the positions differ."
