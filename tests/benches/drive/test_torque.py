@@ -78,11 +78,25 @@ def test_a_current_the_other_way_round_turns_it_back():
     state = opened(ChooseTorqueExample("runs"), Set(Torque, "current", -2.0))
     assert value(state, "turned") < -100.0
     assert value(state, "torque") < 0.0
-    assert value(state, "mean") > 0.0
+    assert value(state, "mean") < 0.0
     theta, every, one = curve(state[Torque], 91)
     assert len(theta) == 91
     assert (every <= 0.0).all()
     np.testing.assert_array_equal(every, one)
+
+
+@pytest.mark.parametrize("switched", [True, False])
+@pytest.mark.parametrize("coils", [1, 2, 3])
+def test_facts_of_a_turn_have_the_sign_of_the_current(coils, switched):
+    ahead = opened(Set(Torque, "coils", coils), Set(Torque, "switched", switched))
+    back = apply(ahead, Set(Torque, "current", -2.0))
+    found = back.derived(sampled_of)
+    for name in ("least", "largest", "mean"):
+        assert value(back, name) == pytest.approx(getattr(found, name), abs=1e-6)
+    assert value(back, "least") == pytest.approx(-value(ahead, "largest"))
+    assert value(back, "least") <= value(back, "torque") <= value(back, "largest")
+    for name in ("ripple", "constant"):
+        assert value(back, name) == value(ahead, name)
 
 
 def test_what_is_said_of_a_turn():

@@ -14,7 +14,7 @@ from armlab.session.state import State
 def _ripple(state: State) -> float | None:
     part = state[Torque]
     least, largest, mean = part.torques
-    return (largest - least) / mean if mean > 0.0 else None
+    return (largest - least) / abs(mean) if mean else None
 
 
 FACTS = Facts(
@@ -34,7 +34,7 @@ FACTS = Facts(
         ),
         "constant": Fact(
             "the mean torque for each ampere",
-            lambda s: s[Torque].torques[2] / abs(s[Torque].current) if s[Torque].current else None,
+            lambda s: abs(s[Torque].torques[2] / s[Torque].current) if s[Torque].current else None,
             "N m/A",
         ),
         "coils": Fact("the number of coils", lambda s: s[Torque].coils, kind="count"),

@@ -74,9 +74,14 @@ class Torque(FieldPart):
 
     @property
     def torques(self) -> tuple[float, float, float]:
-        """Least, largest and mean torque over a turn, N m, by the closed form; the mean is 0 without a commutator."""
+        """Least, largest and mean torque over a turn, N m, by the closed form; the mean is 0 without a commutator.
+
+        With a current the other way round all are of the other sign, and the least is the one of the largest size.
+        """
         least, largest, mean = (abs(self.coil.peak) * each for each in extremes(self.coils))
-        return (least, largest, mean) if self.switched else (-largest, largest, 0.0)
+        if not self.switched:
+            return -largest, largest, 0.0
+        return (least, largest, mean) if self.coil.peak >= 0.0 else (-largest, 0.0 - least, -mean)
 
     @cached_property
     def released(self) -> Released:
@@ -111,7 +116,7 @@ class Torque(FieldPart):
             )
 
     def _check_turns(self) -> None:
-        mean = self.torques[2]
+        mean = abs(self.torques[2])
         run_up = mean * self.duration**2 / (2.0 * self.inertia)
         steady = math.inf if self.friction == 0.0 else mean * self.duration / self.friction
         turns = min(run_up, steady) / (2.0 * math.pi)

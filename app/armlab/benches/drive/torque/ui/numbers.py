@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from armlab.benches.drive.quantities import prefixed
 from armlab.benches.drive.torque.sampled import sampled_of
 from armlab.benches.drive.torque.state import Torque
@@ -51,12 +49,11 @@ def turn_markup(state: State) -> Markup:
                 f"{prefixed(largest, 'N m')}. Without a commutator the rotor swings, and does not turn.",
             ),
         )
-    head = f"Ripple {amount(100.0 * ripple(part.coils))} %, mean {prefixed(math.copysign(mean, part.coil.peak), 'N m')}"
+    head = f"Ripple {amount(100.0 * ripple(part.coils))} %, mean {prefixed(mean, 'N m')}"
     zero = f" It is zero {found.zeros} times a turn, at every multiple of π." if found.zeros else ""
-    low, high = (least, largest) if part.coil.peak > 0.0 else (-largest, -least)
     body = (
-        f"The torque is between {prefixed(low, 'N m')} and {prefixed(high, 'N m')}.{zero} For each ampere the "
-        f"mean is k = {prefixed(mean / abs(part.current), 'N m/A')}, the constant of the motor."
+        f"The torque is between {prefixed(least, 'N m')} and {prefixed(largest, 'N m')}.{zero} For each ampere the "
+        f"mean is k = {prefixed(abs(mean / part.current), 'N m/A')}, the constant of the motor."
     )
     kind = "warn" if part.coils < 3 else "ok"
     return verdict_box(kind, head, tag("p", body))

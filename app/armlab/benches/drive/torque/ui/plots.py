@@ -46,8 +46,7 @@ class Plots:
         if part != self._shown:
             self._shown = part
             theta, every, one = curve(part, POINTS)
-            mean = math.copysign(part.torques[2], part.coil.peak)
-            self._torque.show(theta / self._factor, [one, np.full(POINTS, mean), every])
+            self._torque.show(theta / self._factor, [one, np.full(POINTS, part.torques[2]), every])
             free = part.motion == "free"
             self._theta.visible(free)
             self._fold.visible(free)
