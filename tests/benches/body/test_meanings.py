@@ -115,6 +115,16 @@ def test_every_meaning_has_its_numbers(key):
     assert ("Angles between the axes" in text) == (key == "orientation")
 
 
+@pytest.mark.parametrize("value", [1.5, -1.5])
+@pytest.mark.parametrize("index", range(3))
+def test_a_component_is_taken_in_both_frames(index, value):
+    """The bound is that of the length, which is the same in both, so that no number is named that nobody typed."""
+    for in_base in (False, True):
+        state = opened(SetVector(index, value, in_base))
+        shown = image_of(state) if in_base else state[Meanings].p
+        assert shown[index] == pytest.approx(value)
+
+
 def test_typed_components_are_commands():
     for cell, in_base in (("p 1", False), ("image 2", True)):
         state, form = shown("coordinates"), BareForm()
@@ -129,7 +139,8 @@ def test_typed_components_are_commands():
     ("command", "told"),
     [
         (SetVector(3, 0.0), r"component \(counted from 0\): expected 0 to 2, got 3"),
-        (SetVector(0, 9.0), "p"),
+        (SetVector(0, 9.0), r"p: expected a length of at most 2.6, got 9.034"),
+        (SetVector(0, 9.0, in_base=True), r"p: expected a length of at most 2.6, got 9\.0"),
         (SetVector(0, float("nan"), in_base=True), "p"),
         (Set(Meanings, "shown", "dance"), "dance"),
     ],

@@ -11,6 +11,7 @@ import numpy as np
 from armlab.benches.body.forms.commands import SetBodyTurn, SetWholeAxis
 from armlab.benches.body.forms.rotation import forms_of
 from armlab.benches.body.forms.state import Triple
+from armlab.errors import InputError
 from armlab.registry import known_name
 from armlab.session.counted import refuse_beyond
 from armlab.session.fields import FieldPart, Set, choice, vector
@@ -29,8 +30,9 @@ FIRST_TURN = math.radians(50.0)
 SAME = 1e-9
 """Difference of the axis of a rotation from one of the base up to which it is that one."""
 
-MOST = 1.5
-"""Largest component of the vector; the outermost gimbal ring has radius 1."""
+LONGEST = 2.6
+"""Largest length of the vector; the outermost gimbal ring has radius 1. Of a length it does not matter in which frame
+the vector is written."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +50,13 @@ class Meanings(FieldPart):
     looks: ClassVar[tuple[str, ...]] = ("shown",)
 
     shown: str = choice("meaning of R", "orientation", SHOWN)
-    p: Triple = vector("p", "vector", (0.8, 0.5, 0.6), -MOST, MOST)
+    p: Triple = vector("p", "vector", (0.8, 0.5, 0.6))
+
+    def check(self) -> None:
+        """Refuse a vector that is too long."""
+        length = math.hypot(*self.p)
+        if length > LONGEST:
+            raise InputError(f"p: expected a length of at most {LONGEST:g}, got {length:.4g}")
 
 
 PART = PartType(Meanings, order=30)
