@@ -100,6 +100,21 @@ def test_the_picture_crosses_where_both_are_as_fine_and_marks_the_speed():
     assert at[0] < part.speed < at[-1]
 
 
+def test_the_error_by_time_of_a_huge_clock_is_small_and_not_zero():
+    """With one period in a turn, D = 4, 10 GHz and 0.01°/s there are 9·10¹³ ticks between counts, and 10¹⁶ below."""
+    page = Filled("encoder_speed")
+    for cell, text in (("pulses", "1"), ("clock", "1e10"), ("speed", "0.01")):
+        page.fill(cell, text)
+    part = page.state[EncoderSpeed]
+    assert (part.pulses, part.clock, part.speed) == (1, 1e10, pytest.approx(0.01 * DEG))
+    _, time = percents(part, speeds(part))
+    assert (time > 0.0).all()
+    assert (np.diff(time) > 0.0).all()
+    ticks = part.meter.resolution * part.clock / part.speed
+    assert float(part.meter.error_by_time(part.speed)) == pytest.approx(1.0 / (ticks - 1.0), rel=1e-12)
+    assert np.isfinite(large(part, UNITS).drawn[1].y).all()
+
+
 def test_what_is_said_of_both():
     assert "The time between counts is finer here" in verdict(opened()[EncoderSpeed], UNITS)
     assert "Counting is finer here" in verdict(example("coarse_clock")[EncoderSpeed], UNITS)

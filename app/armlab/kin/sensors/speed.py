@@ -145,10 +145,12 @@ class Meter:
         Between counts that are g apart there are x = g f / omega ticks on average, and up to one more or less: for even
         counts ``1 / (x - 1)``. Where there may be no tick at all, x <= 1, the error is infinite.
         """
-        gaps = np.array(self.decoder.gaps) / self.pulses
-        mean = gaps * self.clock / np.abs(np.asarray(speed, dtype=np.float64))[..., None]
-        most = np.where(mean > 1.0, mean / np.maximum(mean - 1.0, ROUNDING), math.inf)
-        off = np.stack([self.resolution / gaps * most, self.resolution / gaps * mean / (mean + 1.0)]) - 1.0
+        gaps = np.array(self.decoder.gaps)
+        mean = gaps / self.pulses * self.clock / np.abs(np.asarray(speed, dtype=np.float64))[..., None]
+        # Of huge x, x / (x - 1) - 1 would be 0 by rounding, which no logarithmic axis takes.
+        even = TURN / (self.decoder.per_period * gaps)
+        above = np.where(mean > 1.0, even / np.maximum(mean - 1.0, ROUNDING), math.inf)
+        off = (even - 1.0) + np.stack([above, -even / (mean + 1.0)])
         return np.asarray(np.abs(off).max(axis=(0, -1)))
 
     @property
