@@ -89,7 +89,7 @@ def joint_drives(
     backlash : array_like, shape (n,)
         Rad or m, not negative.
     lead : array_like, shape (n,)
-        Metres in a turn, positive; of joints that turn it is not looked at.
+        Metres in a turn, positive, also of joints that turn, where it has no effect.
 
     Raises
     ------
