@@ -31,8 +31,7 @@ SAME = 1e-9
 """Difference of the axis of a rotation from one of the base up to which it is that one."""
 
 LONGEST = 2.6
-"""Largest length of the vector; the outermost gimbal ring has radius 1. Of a length it does not matter in which frame
-the vector is written."""
+"""Largest length of the vector, the same in whichever frame it is written; the outermost gimbal ring has radius 1."""
 
 
 @dataclass(frozen=True)

@@ -37,7 +37,7 @@ OVERFITTED = "Between the points it is farther off than at them: too few points 
 OVERFITTED_NOISE = (
     "Between the points it is farther off than at them: too high a degree for so few points and so much noise."
 )
-"""What is said of a polynomial that follows its points too closely, without noise and with it."""
+"""Sentences on a polynomial that follows its points too closely, without noise and with it."""
 
 HEIGHT, LOW = 130, 110
 """Heights of the plots of the errors and of the outputs, pixels."""
