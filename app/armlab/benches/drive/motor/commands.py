@@ -7,8 +7,12 @@ from typing import Any
 
 from armlab.benches.drive.motor.profile import ENDING
 from armlab.benches.drive.motor.state import Motor
-from armlab.session.fields import declarations, setting
+from armlab.registry import known_name
+from armlab.session.fields import setting
 from armlab.session.state import Command, State
+
+PROFILES = {"v": "voltage over time", "load": "load over time"}
+"""Titles of the profiles by the beginning of their fields."""
 
 LASTS = 0.1
 """Duration of a ramp or pulse whose end is moved behind its start, seconds."""
@@ -23,11 +27,12 @@ class ChooseProfile(Command):
 
     @property
     def label(self) -> str:  # type: ignore[override]
-        """The title of the field."""
-        return declarations(Motor)[f"{self.name}_kind"].spec.title
+        """The title of the profile."""
+        return PROFILES.get(self.name, "profile")
 
     def apply(self, state: State) -> State:
-        """Return the state with a profile of this kind."""
+        """Return the state with a profile of this kind; `UnknownName` for another name or kind."""
+        known_name("profile", self.name, PROFILES)
         part, values = state[Motor], dict[str, Any]({f"{self.name}_kind": self.kind})
         start, stop = (getattr(part, f"{self.name}_{each}") for each in ("start", "stop"))
         # The end has no field while a step is shown, so nobody can have typed it for this start.
