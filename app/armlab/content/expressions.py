@@ -72,7 +72,7 @@ def _power(base: float, exponent: float) -> float:
     return math.pow(base, exponent)
 
 
-_OPERATIONS: dict[str, Callable[..., float]] = {
+OPERATIONS: dict[str, Callable[..., float]] = {
     "+": lambda a, b: a + b,
     "-": lambda a, b: a - b,
     "*": lambda a, b: a * b,
@@ -84,6 +84,8 @@ _OPERATIONS: dict[str, Callable[..., float]] = {
     "tan of degrees": lambda a: math.tan(math.radians(a)),
     **{name: function for name, (function, _, _) in (FUNCTIONS | MORE_FUNCTIONS).items()},
 }
+"""Operations and functions by name."""
+
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d]\w*)|(?P<sign>\*\*|[-+*/^(),°]))"
 )
@@ -100,7 +102,7 @@ class _Node:
 
     def value(self, values: Mapping[str, float]) -> float:
         if self.operation:
-            result = _OPERATIONS[self.operation](*(node.value(values) for node in self.arguments))
+            result = OPERATIONS[self.operation](*(node.value(values) for node in self.arguments))
             return float(result)
         if self.name:
             if self.name not in values:

@@ -7,7 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
-from armlab.content.expressions import parse
+from armlab.content.expressions import Expression, parse
+from armlab.content.slopes import slope_at
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import EXAMPLES, Example1D, newton_1d
 from armlab.kin.ik.iterate.newton_1d import Newton1D as Iterate1D
@@ -16,18 +17,12 @@ from armlab.session.amounts import signed
 MOST = 20
 """Largest number of steps."""
 
-SMALL = 1e-13
-"""Value of |f| that counts as 0, relative to the larger of 1 and |f(x0)|."""
-
 LARGE = 1e6
 """Growth of |x| beyond which the iterates diverge."""
 
 LONGEST_ROUND = 4
 ROUND = 1e-7
 """Length of the longest cycle that is looked for, and difference, relative to |x|, up to which it closes."""
-
-DIFFERENCE = 6e-6
-"""Step of the central difference, the cube root of the rounding error, relative to the larger of 1 and |x|."""
 
 Function = Callable[[float], float]
 
@@ -44,15 +39,12 @@ class Solved:
         ``"converged"``, ``"level"``, ``"round"``, ``"away"``, ``"undefined"`` or ``"most"``.
     says : str
     f : callable
-    differenced : bool
-        Whether the slope is a central difference.
     """
 
     iterates: tuple[Iterate1D, ...]
     status: str
     says: str
     f: Function
-    differenced: bool
 
     @property
     def last(self) -> int:
@@ -70,29 +62,34 @@ def example_named(key: str) -> Example1D:
 
 def typed_function(text: str) -> Function:
     """Return the typed function of x; `InputError` if it cannot be read."""
+    expression = _read(text)
+    return _where_defined(lambda x: expression.value({"x": x}))
+
+
+def typed_slope(text: str) -> Function:
+    """Return the derivative of the typed function of x; `InputError` if it cannot be read."""
+    expression = _read(text)
+    return _where_defined(lambda x: slope_at(expression, x))
+
+
+def _read(text: str) -> Expression:
     try:
-        expression = parse(text, ("x",))
+        return parse(text, ("x",))
     except InputError as refusal:
         raise InputError(f"f(x): {refusal}") from None
 
-    def f(x: float) -> float:
+
+def _where_defined(f: Function) -> Function:
+    """Return a function that is not a number where a formula has no value, as a root of a negative number."""
+
+    def defined(x: float) -> float:
         try:
-            return expression.value({"x": x})
-        except InputError:
-            # Where a formula has no value, as a root of a negative number, the iteration ends.
+            return f(x)
+        except (ValueError, ZeroDivisionError, OverflowError):
+            # The iteration ends there.
             return math.nan
 
-    return f
-
-
-def slope_of(f: Function) -> Function:
-    """Return the derivative by central difference."""
-
-    def df(x: float) -> float:
-        h = DIFFERENCE * max(1.0, abs(x))
-        return (f(x + h) - f(x - h)) / (2.0 * h)
-
-    return df
+    return defined
 
 
 @lru_cache(maxsize=64)
@@ -105,25 +102,22 @@ def solved(key: str, text: str, x0: float) -> Solved:
         The function cannot be read, or has no finite value and slope at x0.
     """
     if text:
-        f = typed_function(text)
-        df, differenced = slope_of(f), True
+        f, df = typed_function(text), typed_slope(text)
     else:
         example = example_named(key)
-        f, df, differenced = example.f, example.df, False
-    first = f(x0)
-    tolerance = SMALL * max(1.0, abs(first)) if math.isfinite(first) else SMALL
+        f, df = example.f, example.df
     try:
-        found = tuple(newton_1d(f, df, x0, tolerance=tolerance, most=MOST))
+        found = tuple(newton_1d(f, df, x0, most=MOST))
     except InputError:
         raise InputError(f"x₀ = {x0:g}: f has no finite value or slope there") from None
-    status, says = _why(found, tolerance)
-    return Solved(found, status, says, f, differenced)
+    status, says = _why(found)
+    return Solved(found, status, says, f)
 
 
-def _why(found: Sequence[Iterate1D], tolerance: float) -> tuple[str, str]:
+def _why(found: Sequence[Iterate1D]) -> tuple[str, str]:
     last, k = found[-1], len(found) - 1
     steps = "1 step" if k == 1 else f"{k} steps"
-    if abs(last.f) <= tolerance:
+    if last.is_root():
         return "converged", f"converged to x = {signed(last.x, 10)} in {steps}" if k else "x₀ is a root already"
     if abs(last.x) > LARGE * max(1.0, abs(found[0].x)):
         return "away", f"diverged: the iterates move farther and farther away, x{_index(k)} = {signed(last.x, 3)}"

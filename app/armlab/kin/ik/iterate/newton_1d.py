@@ -10,8 +10,9 @@ from typing import NamedTuple
 from armlab.errors import InputError
 from armlab.kin.checks import finite_floats, whole_number
 
-SMALL = 1e-14
-"""Value |f| at which the iteration ends: the rounding of a function of size about 1."""
+SMALL = 1e-13
+"""Step to the next iterate that counts as none, relative to the larger of 1 and |x|. The value of f says nothing of the
+distance to the root: a function may be steep, or small everywhere."""
 
 
 class Tangent(NamedTuple):
@@ -32,6 +33,18 @@ class Newton1D(NamedTuple):
     x: float
     f: float
     tangent: Tangent
+
+    @property
+    def step(self) -> float:
+        """Length and direction of the step to the next iterate; nan where the tangent is level and f is not 0."""
+        # The quotient keeps the last digit that the root of the tangent minus x would cost.
+        if self.f == 0.0:
+            return 0.0
+        return -self.f / self.tangent.slope if self.tangent.slope else math.nan
+
+    def is_root(self, tolerance: float = SMALL) -> bool:
+        """Return whether f is 0 here or the step to the next iterate counts as none."""
+        return abs(self.step) <= tolerance * max(1.0, abs(self.x))
 
 
 @dataclass(frozen=True)
@@ -86,7 +99,7 @@ def newton_1d(
 ) -> list[Newton1D]:
     """Iterate x_(n+1) = x_n - f(x_n) / f'(x_n) and return each iterate with its tangent.
 
-    It ends where |f| is within the tolerance, the tangent is level, a number is not finite, or after ``most`` steps;
+    It ends at a root, or where the tangent is level, a number is not finite, or after ``most`` steps;
     the last iterate is always the last of the list.
 
     Parameters
@@ -95,6 +108,7 @@ def newton_1d(
         Function and derivative.
     x0 : float
     tolerance : float
+        As of `Newton1D.is_root`.
     most : int
 
     Raises
@@ -118,10 +132,9 @@ def newton_1d(
         if point is None:
             break
         found.append(point)
-        if abs(point.f) <= tolerance or point.tangent.slope == 0.0:
+        if point.is_root(tolerance) or point.tangent.slope == 0.0:
             break
-        # The root of the tangent; x minus the quotient keeps the last digit that the intercept would cost.
-        x = x - point.f / point.tangent.slope
+        x = x + point.step
         if not math.isfinite(x):
             break
     if not found:

@@ -58,7 +58,6 @@ def _problem(form: Form, state: State) -> Inside:
     chooser = form.select("equation", "Equation", titles, "" if part.text else part.example, ChooseEquation)
     play = play_button(form, state, CLIP_KEY, "tangents")
     kind = KINDS.get(found.status, "no")
-    slope = tag("p.dim", "f′ by central difference.") if found.differenced else None
     typed = form.field("f", part.text, "Function of x", TypeEquation)
     start = form.field(
         "x0",
@@ -70,7 +69,6 @@ def _problem(form: Form, state: State) -> Inside:
         tag("div.eq.small", "\u2003", FORMULA, title="⟦Notes 4.106-4.110; printed there without x_n⟧"),
         tag("div.kit-head", tag("span.dim", "Equation"), chooser),
         tag("div.kit-numbers.kit-typed", tag("label", tag("span", "or f(x) ="), typed)),
-        slope,
         tag("div.kit-numbers", tag("label", tag("span", "x₀"), start)),
         tag("div.bar", play, tag(f"span.{kind}", f"{SIGNS[kind]} {found.says}.")),
     )
