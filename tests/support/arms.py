@@ -101,3 +101,9 @@ def limited_arm(rng: np.random.Generator, n: int) -> Arm:
             low = rng.uniform(-np.pi, np.pi - width) if width < 2.0 * np.pi else -np.pi
         limits.append((low, low + width))
     return Arm.from_dh(rows, limits=limits)
+
+
+def wrist_alone(base: np.ndarray, d: float = 0.4) -> Arm:
+    """Return a spherical wrist that no joint moves from its place: its linear rows are zero but for rounding."""
+    rows = [("R", 0.0, -np.pi / 2, d, 0.0), ("R", 0.0, np.pi / 2, 0.0, 0.0), ("R", 0.0, 0.0, 0.0, 0.0)]
+    return Arm.from_dh(rows, base=base)

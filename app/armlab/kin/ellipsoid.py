@@ -59,6 +59,8 @@ class Ellipsoid:
         the last m - n are 0: the ellipsoid is flat.
     joint_directions : ndarray, shape (n, k), k = min(m, n)
         Columns v_i: unit vectors of scaled joint speeds with J diag(scale) v_i = sigma_i u_i.
+    size : float
+        See `velocity_ellipsoid`.
 
     All measures are of the first k half axes: with fewer joints than rows w is sqrt(det(J^T J)), because
     sqrt(det(J J^T)) of 5.144 is always 0. w is that of `Arm.manipulability` only where the rows are all of the arm's
@@ -68,11 +70,12 @@ class Ellipsoid:
     axes: Array
     sigma: Array
     joint_directions: Array
+    size: float = 0.0
 
     @property
     def rank(self) -> int:
-        """Number of half axes above `RANK_TOLERANCE` times the longest."""
-        return int(np.sum(self.sigma > RANK_TOLERANCE * self.sigma[0]))
+        """Number of half axes above `RANK_TOLERANCE` times the longest, or times the size if that is larger."""
+        return int(np.sum(self.sigma > RANK_TOLERANCE * max(float(self.sigma[0]), self.size)))
 
     @property
     def w(self) -> float:
@@ -107,7 +110,7 @@ class Measures(NamedTuple):
     sigma_min: Array
 
 
-def velocity_ellipsoid(J: ArrayLike, scale: ArrayLike | None = None) -> Ellipsoid:
+def velocity_ellipsoid(J: ArrayLike, scale: ArrayLike | None = None, size: float = 0.0) -> Ellipsoid:
     """Return the ellipsoid of velocities of one Jacobian block.
 
     The half axes are the singular values, the roots of the eigenvalues of J J^T (5.143, 5.152; the text after 5.152
@@ -119,6 +122,9 @@ def velocity_ellipsoid(J: ArrayLike, scale: ArrayLike | None = None) -> Ellipsoi
         One to three rows of one unit.
     scale : array_like, shape (n,), optional
         Speed of each joint (rad/s or m/s) that counts as 1; without it every joint's unit does.
+    size : float
+        Half axis, scaled, of the same block where it is large, as of `armlab.kin.joint_scale.linear_size`: a block that
+        is zero but for rounding then has rank 0. 0 where nothing is known of the block.
 
     Raises
     ------
@@ -146,10 +152,10 @@ def velocity_ellipsoid(J: ArrayLike, scale: ArrayLike | None = None) -> Ellipsoi
     k = min(m, n)
     sigma = np.zeros(m)
     sigma[:k] = values
-    return Ellipsoid(_settled(u * signs), _settled(sigma), _settled(v_T[:k].T * signs[:k]))
+    return Ellipsoid(_settled(u * signs), _settled(sigma), _settled(v_T[:k].T * signs[:k]), size)
 
 
-def measures(J: ArrayLike, scale: ArrayLike | None = None) -> Measures:
+def measures(J: ArrayLike, scale: ArrayLike | None = None, size: float = 0.0) -> Measures:
     """Return w, inverse condition and shortest half axis of many Jacobian blocks.
 
     Parameters
@@ -157,7 +163,8 @@ def measures(J: ArrayLike, scale: ArrayLike | None = None) -> Measures:
     J : array_like, shape (..., m, n)
         One to three rows of one unit; a matrix that is not finite gives nan.
     scale : array_like, shape (n,), optional
-        As in `velocity_ellipsoid`.
+    size : float
+        Both as in `velocity_ellipsoid`.
 
     Returns
     -------
@@ -175,7 +182,7 @@ def measures(J: ArrayLike, scale: ArrayLike | None = None) -> Measures:
     sigma = np.linalg.svd(usable, compute_uv=False)
     given = finite[..., 0, 0]
     largest, smallest = sigma[..., 0], sigma[..., -1]
-    full = smallest > RANK_TOLERANCE * largest
+    full = smallest > RANK_TOLERANCE * np.maximum(largest, size)
     inverse = np.where(full, smallest / np.where(full, largest, 1.0), 0.0)
     return Measures(*(np.where(given, value, np.nan) for value in (sigma.prod(axis=-1), inverse, smallest)))
 
@@ -197,7 +204,7 @@ class SingularPlaces(NamedTuple):
     samples: int
 
 
-def singular_places(jacobian: Callable[[Array], Array], low: float, high: float) -> SingularPlaces:
+def singular_places(jacobian: Callable[[Array], Array], low: float, high: float, size: float = 0.0) -> SingularPlaces:
     """Return where, from one value of a joint to another, the velocity in some direction is lost.
 
     A singular value changes no faster than the matrix: between two samples whose shortest half axes are long enough
@@ -210,6 +217,8 @@ def singular_places(jacobian: Callable[[Array], Array], low: float, high: float)
         Blocks of shape (N, m, n), one to three rows of one unit, scaled if need be, of values of shape (N,).
     low, high : float
         Both are looked at too.
+    size : float
+        As in `velocity_ellipsoid`.
 
     References
     ----------
@@ -218,8 +227,8 @@ def singular_places(jacobian: Callable[[Array], Array], low: float, high: float)
     values = np.linspace(low, high, COARSE if high > low else 1)
     blocks = jacobian(values)
     smallest = _smallest(blocks)
-    doubtful = float(smallest.max()) <= 1e-6 * float(np.abs(blocks).max())
-    if doubtful and not measures(blocks).inverse_condition.any():
+    doubtful = float(smallest.max()) <= 1e-6 * max(float(np.abs(blocks).max()), size)
+    if doubtful and not measures(blocks, size=size).inverse_condition.any():
         return SingularPlaces((), True, len(values))
     if len(values) == 1:
         return SingularPlaces((), False, 1)
@@ -227,7 +236,7 @@ def singular_places(jacobian: Callable[[Array], Array], low: float, high: float)
     steepest = STEEPER * float(change.max())
     values, smallest = _refined(jacobian, values, smallest, steepest)
     low_ends, high_ends = _minima(values, smallest, steepest)
-    places = _narrowed(jacobian, low_ends, high_ends, SAME_PLACE * (high - low))
+    places = _narrowed(jacobian, low_ends, high_ends, SAME_PLACE * (high - low), size)
     return SingularPlaces(places, False, len(values))
 
 
@@ -269,14 +278,16 @@ def _minima(values: Array, smallest: Array, steepest: float) -> tuple[Array, Arr
     return below[dips], above[dips]
 
 
-def _narrowed(jacobian: Callable[[Array], Array], low: Array, high: Array, same: float) -> tuple[float, ...]:
-    """Return the places in these intervals at which the inverse condition falls to zero."""
+def _narrowed(
+    jacobian: Callable[[Array], Array], low: Array, high: Array, same: float, size: float
+) -> tuple[float, ...]:
+    """Return the places in these intervals at which the inverse condition falls to zero, or all half axes do."""
     if len(low) == 0:
         return ()
     each = np.arange(len(low))
     for _ in range(ZOOMS):
         values = np.linspace(low, high, ZOOM_POINTS, axis=1)
-        inverse = measures(jacobian(values.ravel())).inverse_condition.reshape(values.shape)
+        inverse = _nearness(jacobian(values.ravel()), size).reshape(values.shape)
         best = np.argmin(inverse, axis=1)
         low, high = values[each, np.maximum(best - 1, 0)], values[each, np.minimum(best + 1, ZOOM_POINTS - 1)]
     found: list[float] = []
@@ -284,6 +295,15 @@ def _narrowed(jacobian: Callable[[Array], Array], low: Array, high: Array, same:
         if not found or value - found[-1] > same:
             found.append(value)
     return tuple(found)
+
+
+def _nearness(blocks: Array, size: float) -> Array:
+    """Return the inverse conditions, or the shortest half axes relative to the size where these are less.
+
+    The inverse condition of one row is 1 also close to its zeros.
+    """
+    found = measures(blocks, size=size)
+    return np.minimum(found.inverse_condition, found.sigma_min / size) if size else found.inverse_condition
 
 
 def _scaled(J: ArrayLike, scale: ArrayLike | None) -> Array:

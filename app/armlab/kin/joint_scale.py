@@ -40,5 +40,14 @@ def jacobian_size(arm: Arm, speeds: NDArray[np.float64], length: float = 1.0) ->
     length : float
         Metres that count as 1 in a task without rotation; in others the length scale does.
     """
-    moves = speeds * np.where(arm.revolute, arm.length_scale, 1.0)
-    return float(moves.max()) / (length if arm.task.rotation == "none" else arm.length_scale)
+    return linear_size(arm, speeds) / (length if arm.task.rotation == "none" else arm.length_scale)
+
+
+def linear_size(arm: Arm, speeds: NDArray[np.float64]) -> float:
+    """Return the size of the linear rows of the scaled Jacobian of an arm, m/s, as in `jacobian_size`."""
+    return float((speeds * np.where(arm.revolute, arm.length_scale, 1.0)).max())
+
+
+def angular_size(arm: Arm, speeds: NDArray[np.float64]) -> float:
+    """Return the size of the angular rows of the scaled Jacobian of an arm, rad/s; 0 where no joint turns."""
+    return float(speeds[arm.revolute].max(initial=0.0))

@@ -162,7 +162,7 @@ class Duality:
     velocities: Array
 
 
-def duality(J: ArrayLike, length: float | None = None, speeds: ArrayLike | None = None) -> Duality:
+def duality(J: ArrayLike, length: float | None = None, speeds: ArrayLike | None = None, size: float = 0.0) -> Duality:
     """Return the subspaces of velocities and of forces of one Jacobian.
 
     Metres are never added to radians: with six rows the linear ones are divided by a characteristic length, and joints
@@ -177,6 +177,8 @@ def duality(J: ArrayLike, length: float | None = None, speeds: ArrayLike | None 
         Metres that count as much as a radian, such as `Arm.length_scale`; needed with six rows, for no others.
     speeds : array_like, shape (n,), optional
         rad/s or m/s, positive; 1 when left out.
+    size : float
+        Singular value, scaled, of the same rows where they are large; see `armlab.kin.velocity.subspaces`.
 
     Raises
     ------
@@ -191,7 +193,7 @@ def duality(J: ArrayLike, length: float | None = None, speeds: ArrayLike | None 
     if rows.ndim != 2 or not np.isfinite(rows).all() or rows.shape[0] not in (1, 2, 3, 6):
         raise wrong("J", "a finite matrix of one to three rows of one unit, or of six", J)
     _refuse_length(len(rows), length)
-    found = subspaces(rows, length, speeds)
+    found = subspaces(rows, length, speeds, size=size)
     return Duality(
         found.rank,
         found.sigma,
@@ -202,7 +204,7 @@ def duality(J: ArrayLike, length: float | None = None, speeds: ArrayLike | None 
     )
 
 
-def torque_free(J: ArrayLike, length: float | None = None, speeds: ArrayLike | None = None) -> Array:
+def torque_free(J: ArrayLike, length: float | None = None, speeds: ArrayLike | None = None, size: float = 0.0) -> Array:
     """Return a basis of the wrenches that need no torque, shape (m, k): the left null space N(J^T); see `duality`.
 
     Examples
@@ -210,7 +212,7 @@ def torque_free(J: ArrayLike, length: float | None = None, speeds: ArrayLike | N
     >>> torque_free([[0.0, 0.0], [2.0, 1.0]]).tolist()
     [[1.0], [0.0]]
     """
-    return duality(J, length, speeds).wrenches
+    return duality(J, length, speeds, size).wrenches
 
 
 def _refuse_length(m: int, length: float | None) -> None:

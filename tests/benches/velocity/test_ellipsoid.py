@@ -13,6 +13,7 @@ from armlab.benches.velocity.ellipsoid.state import (
     placed,
     present,
 )
+from armlab.benches.velocity.ellipsoid.ui.words import verdict_of
 from armlab.content.robots import catalogue
 from armlab.errors import UnknownName
 from armlab.kin.arm import Arm
@@ -20,14 +21,11 @@ from armlab.kin.dh import Row
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.state import State, apply
+from support.arms import random_pose, random_q, wrist_alone
 
 
 def state_of(key):
     return State.initial(catalogue()[key])
-
-
-def random_q(arm, rng):
-    return rng.uniform(arm.limits[:, 0], arm.limits[:, 1])
 
 
 def test_half_axes_are_reached_by_joint_speeds_of_length_one_and_by_no_more(robot, rng):
@@ -91,6 +89,23 @@ def test_arms_that_slide_are_measured_by_their_limits():
     assert VelocityBlock(catalogue()["cartesian_3p"].arm, "translation").speeds is None
     unknown = Arm.from_dh([Row("R", a=1.0), Row("P", alpha=0.5)])
     np.testing.assert_array_equal(VelocityBlock(unknown, "translation").speeds, [1.0, 1.0])
+
+
+def test_a_block_that_is_zero_but_for_rounding_has_lost_every_direction(rng):
+    for d in (0.1, 0.2, 0.4, 0.5, 0.7):
+        arm = wrist_alone(random_pose(rng), d)
+        block = VelocityBlock(arm, "translation")
+        assert placed(block, random_q(arm, rng)).lost == (0, 1, 2)
+        assert max(block.drawn, block.drawn_force) < 10.0
+        assert VelocityBlock(arm, "rotation").size == 1.0
+
+
+def test_one_coordinate_is_lost_where_its_row_is_zero_but_for_rounding():
+    block = VelocityBlock(Arm.from_dh([Row("R", a=1.0), Row("R", a=1.0)], task="x"), "translation")
+    for first in (0.0, math.pi):
+        found = placed(block, np.array([first, 0.0]))
+        assert (found.lost, found.ellipsoid.inverse_condition) == ((0,), 0.0)
+        assert verdict_of(block, found)[:2] == ("no", "Singular")
 
 
 @pytest.mark.parametrize(("rows", "lost"), [(1, 2), (2, 1)])

@@ -16,6 +16,7 @@ from armlab.benches.velocity.statics.state import (
     balance,
     displacement,
     dualities,
+    free_forces_at,
     work,
 )
 from armlab.content.robots import catalogue, own_robot
@@ -26,6 +27,7 @@ from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.state import State, apply
+from support.arms import random_pose, random_q, wrist_alone
 
 
 def state_of(key):
@@ -157,6 +159,15 @@ def test_dimensions_of_the_four_subspaces(robot):
         assert part.motions.shape[1] == robot.arm.n - part.rank
     assert found.whole.rank >= max(found.force.rank, found.moment.rank)
     assert found.whole.rank <= min(6, robot.arm.n)
+
+
+def test_a_wrist_on_a_tilted_base_carries_every_force(rng):
+    for d in (0.1, 0.2, 0.4, 0.5, 0.7):
+        arm = wrist_alone(random_pose(rng), d)
+        state = State.initial(own_robot(arm, "wrist"))
+        assert state.derived(dualities).force.rank == 0
+        assert state.derived(dualities).whole.rank == state.derived(dualities).moment.rank
+        assert free_forces_at(arm, random_q(arm, rng)).shape == (3, 3)
 
 
 def test_arms_open_with_a_force_that_their_joints_feel(robot):

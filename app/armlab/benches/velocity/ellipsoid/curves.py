@@ -92,5 +92,5 @@ def _along(planned: Planned, block: VelocityBlock) -> AlongMotion | None:
     if samples is None or len(samples.t) == 0:
         return None
     pick = np.unique(np.linspace(0, len(samples.t) - 1, min(len(samples.t), MOST)).round().astype(int))
-    found = measures(block.rows(samples.q[pick]), block.speeds)
+    found = measures(block.rows(samples.q[pick]), block.speeds, block.size)
     return AlongMotion(samples.t[pick], found.w, found.sigma_min)

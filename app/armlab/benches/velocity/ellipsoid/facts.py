@@ -22,7 +22,7 @@ def _sigma(state: State) -> np.ndarray:
 def _condition(state: State) -> float | None:
     """Return the longest half axis over the shortest: infinite if a direction is lost, None if all are."""
     seen, sigma = _seen(state), _sigma(state)
-    if not sigma[0] > 0.0:
+    if seen.ellipsoid.rank == 0:
         return None
     return float("inf") if seen.lost else float(sigma[0] / sigma[-1])
 

@@ -13,7 +13,7 @@ from armlab.content.robots import Robot
 from armlab.kin.arm import Arm
 from armlab.kin.ellipsoid import RANK_TOLERANCE, Ellipsoid, velocity_ellipsoid
 from armlab.kin.force_ellipsoid import ForceEllipsoid
-from armlab.kin.joint_scale import counted_speeds
+from armlab.kin.joint_scale import angular_size, counted_speeds, joint_scale, linear_size
 from armlab.registry import known_name
 from armlab.session.fields import FieldPart, choice
 from armlab.session.parts.joints import Joints
@@ -74,6 +74,12 @@ class VelocityBlock:
         """
         return counted_speeds(self.arm)
 
+    @cached_property
+    def size(self) -> float:
+        """Half axis, m/s or rad/s, in a configuration where the block is large: rounding is small beside it."""
+        size = linear_size if self.key == "translation" else angular_size
+        return size(self.arm, joint_scale(self.arm))
+
     def axes(self, q: ArrayLike) -> Array:
         """Return the unit vectors of the rows in the world, (..., 3, m): those of frame 0, or x and y of the tool."""
         task, base = self.arm.task, self.arm.base[:3, :3]
@@ -91,7 +97,7 @@ class VelocityBlock:
 
     def ellipsoid(self, q: ArrayLike) -> Ellipsoid:
         """Return the ellipsoid of one configuration."""
-        return velocity_ellipsoid(self.rows(q), self.speeds)
+        return velocity_ellipsoid(self.rows(q), self.speeds, self.size)
 
     @cached_property
     def _sigma(self) -> Array:
@@ -103,8 +109,9 @@ class VelocityBlock:
 
     @cached_property
     def typical(self) -> float:
-        """The median of the longest half axis over configurations inside the limits; 1 if that is 0."""
-        return float(np.median(self._sigma[:, 0])) or 1.0
+        """The median of the longest half axis over configurations inside the limits; 1 if that counts as 0."""
+        median = float(np.median(self._sigma[:, 0]))
+        return median if median > RANK_TOLERANCE * self.size else 1.0
 
     @cached_property
     def typical_force(self) -> float:
@@ -112,10 +119,10 @@ class VelocityBlock:
 
         Not of the longest of them, which is anything near a singularity.
         """
-        sigma = self._sigma[self._sigma[:, 0] > 0.0]
+        sigma = self._sigma[self._sigma[:, 0] > RANK_TOLERANCE * self.size]
         if len(sigma) == 0:
             return 1.0
-        there = sigma > RANK_TOLERANCE * sigma[:, :1]
+        there = sigma > RANK_TOLERANCE * np.maximum(sigma[:, :1], self.size)
         logarithms = np.where(there, -np.log(np.where(there, sigma, 1.0)), 0.0)
         return float(np.median(np.exp(logarithms.sum(axis=1) / there.sum(axis=1))))
 

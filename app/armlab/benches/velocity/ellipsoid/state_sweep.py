@@ -189,7 +189,7 @@ def _curves(swept: Course) -> Curves:
     block, joint, _ = swept
     low, high = block.arm.limits[joint]
     values = np.linspace(low, high, POINTS)
-    w, inverse, smallest = measures(_scaled_rows(swept, values))
+    w, inverse, smallest = measures(_scaled_rows(swept, values), size=block.size)
     return Curves(values, w, smallest, inverse)
 
 
@@ -197,7 +197,7 @@ def _curves(swept: Course) -> Curves:
 def _singularities(swept: Course) -> SingularPlaces:
     block, joint, _ = swept
     low, high = block.arm.limits[joint].tolist()
-    return singular_places(_fitted(swept), low, high)
+    return singular_places(_fitted(swept), low, high, block.size)
 
 
 def _fitted(swept: Course) -> Callable[[Array], Array]:

@@ -15,7 +15,7 @@ from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats
-from armlab.kin.joint_scale import counted_speeds
+from armlab.kin.joint_scale import angular_size, joint_scale, linear_size
 from armlab.kin.statics import Duality, VirtualWork, duality, joint_torques, torque_free, virtual_work
 from armlab.registry import known_name
 from armlab.session.counted import refuse_beyond
@@ -198,8 +198,13 @@ class Dualities(NamedTuple):
 def dualities(state: State) -> Dualities:
     """Return the subspaces of J and J^T at the present configuration, with the characteristic length of the arm."""
     arm = state[Joints].arm
-    J, speeds = arm.jacobian(state[Joints].q), counted_speeds(arm)
-    return Dualities(duality(J, arm.length_scale, speeds), duality(J[:3], None, speeds), duality(J[3:], None, speeds))
+    J, speeds = arm.jacobian(state[Joints].q), joint_scale(arm)
+    linear, angular = linear_size(arm, speeds), angular_size(arm, speeds)
+    return Dualities(
+        duality(J, arm.length_scale, speeds, linear / arm.length_scale),
+        duality(J[:3], None, speeds, linear),
+        duality(J[3:], None, speeds, angular),
+    )
 
 
 def free_forces_at(arm: Arm, q: Array) -> Array:
@@ -207,7 +212,8 @@ def free_forces_at(arm: Arm, q: Array) -> Array:
 
     They are at right angles; in a plane that holds an axis of the world, this is the last of them.
     """
-    free = torque_free(arm.jacobian(q)[:3], None, counted_speeds(arm))
+    speeds = joint_scale(arm)
+    free = torque_free(arm.jacobian(q)[:3], None, speeds, linear_size(arm, speeds))
     if free.shape[1] == 3:
         return np.eye(3)
     if free.shape[1] < 2:

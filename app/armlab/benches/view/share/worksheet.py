@@ -13,7 +13,7 @@ from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row, link_transform
 from armlab.kin.ellipsoid import velocity_ellipsoid
-from armlab.kin.joint_scale import counted_speeds
+from armlab.kin.joint_scale import angular_size, counted_speeds, joint_scale, linear_size
 from armlab.kin.length_power import length_power
 from armlab.kin.rotations import axis_angle, euler_zyx
 from armlab.kin.task import Task
@@ -212,12 +212,15 @@ class _Sheet:
         unit = "terms of different units" if power is None else _power_of_metre(out, power)
         body = [[f"manipulability {out.symbol('w')} of the task", out.number(float(arm.manipulability(self.q))), unit]]
         J, p = task_jacobian(arm, self.q), len(arm.task.position)
-        scale = counted_speeds(self.arm)
-        blocks = (("linear velocity", J[:p], "m/s"), ("angular velocity", J[p:], "rad/s"))
-        for name, block, speed in blocks:
+        scale, speeds = counted_speeds(arm), joint_scale(arm)
+        blocks = (
+            ("linear velocity", J[:p], "m/s", linear_size(arm, speeds)),
+            ("angular velocity", J[p:], "rad/s", angular_size(arm, speeds)),
+        )
+        for name, block, speed, size in blocks:
             if len(block) == 0:
                 continue
-            shape = velocity_ellipsoid(block, scale)
+            shape = velocity_ellipsoid(block, scale, size)
             each = "" if scale is not None else f" per {'rad/s' if arm.revolute.any() else 'm/s'}"
             body.append([f"{out.symbol('sigma', 'min')} of {name}", out.number(shape.sigma_min), f"{speed}{each}"])
             finite = math.isfinite(shape.condition)

@@ -104,7 +104,7 @@ def _axes(part: Manipulability, found: PlacedEllipsoid) -> Inside:
 
 def _speeds(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
     """Return the half axes with bars relative to the largest, and their directions."""
-    largest = float(found.sigma[0]) or 1.0
+    largest = float(found.sigma[0]) if found.ellipsoid.rank else 1.0
     rows = []
     for i in range(block.m):
         value = float(found.sigma[i])
