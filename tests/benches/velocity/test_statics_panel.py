@@ -27,7 +27,8 @@ from armlab.errors import InputError
 from armlab.session.bench import PutInPlace
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.state import State, apply
-from support.forms import asked
+from support.done import done
+from support.forms import BareForm, asked
 from support.student import run, student
 
 
@@ -50,6 +51,17 @@ def test_fields_and_buttons_become_commands():
     assert typed("example") == ()
     with pytest.raises(InputError, match="moment, y: expected a number in N m, got 'strong'"):
         typed("moment 1", "strong")
+
+
+@pytest.mark.parametrize("newtons", [1e3, 1e4, 1e5, 1e6])
+def test_works_of_nothing_agree_however_large_the_terms_that_cancel(newtons):
+    for degrees in (0.0, 17.0, 50.0, 90.0, 133.0):
+        q1 = math.radians(degrees)
+        state = done(put("along"), MoveJoint(0, q1), MoveJoint(1, 0.0))
+        state = done(state, *(SetComponent("force", k, newtons * f(q1)) for k, f in enumerate((math.cos, math.sin))))
+        said = str(work_markup(BareForm(), state))
+        assert "✓" in said
+        assert "✕" not in said
 
 
 def test_the_card_says_which_joint_works_or_why_none_does():

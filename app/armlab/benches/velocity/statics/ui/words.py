@@ -32,7 +32,7 @@ ALONG = 0.9995
 """Component of a unit vector above which it is called an axis of the world."""
 
 SAME_WORK = 1e-9
-"""Difference over the larger work up to which both sides are equal up to rounding."""
+"""Difference, relative to the sizes of the terms of the work, up to which both sides are equal up to rounding."""
 
 SAME_SIZE = 1e-9
 """Difference over the largest torque up to which torques are equally large."""
@@ -116,7 +116,9 @@ def work_markup(form: Form, state: State) -> Markup:
     )
     tool, joints = float(found.tool), float(found.joints)
     apart = abs(tool - joints)
-    same = apart <= SAME_WORK * max(abs(tool), abs(joints), 1e-6)
+    # Where large terms cancel, the rounding of the sum is that of the terms.
+    terms = np.abs(state.derived(balance).wrench) @ np.abs(arm.jacobian(state[Joints].q)) @ np.abs(dq)
+    same = apart <= SAME_WORK * float(terms)
     rows: list[tuple[Inside, str]] = [
         (("tool, ", mathml(TOOL_WORK)), f"{number(MILLI * tool, 3)} mJ"),
         (("joints, ", mathml(JOINT_WORK)), f"{number(MILLI * joints, 3)} mJ"),
