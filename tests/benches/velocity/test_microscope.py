@@ -10,8 +10,9 @@ from armlab.benches.velocity.microscope.commands import AimAlong, BringNear, Set
 from armlab.benches.velocity.microscope.examples import EXAMPLES, ChooseMicroscopeExample
 from armlab.benches.velocity.microscope.looked import known_places, looked, near
 from armlab.benches.velocity.microscope.state import Microscope
-from armlab.content.robots import catalogue
+from armlab.content.robots import catalogue, own_robot
 from armlab.errors import InputError
+from armlab.kin.arm import Arm
 from armlab.session.bench import choosing
 from armlab.session.edits import SetCell
 from armlab.session.fields import Set
@@ -77,6 +78,19 @@ def test_every_known_place_of_every_robot_is_where_it_says(robot):
         for aim in ("lost", "across"):
             for each in apply(at, Set(Microscope, "aim", aim)).derived(looked).answers:
                 assert each.step.says or np.isfinite(each.step.qdot).all()
+
+
+@pytest.mark.parametrize(
+    ("limits", "expected"),
+    [((-150.0, 0.0), -3.0), ((0.0, 150.0), 3.0), ((-150.0, 1.0), -3.0), ((-1.0, 150.0), 3.0), ((-2.0, 1.0), -2.0)],
+)
+@pytest.mark.parametrize("home", [0.0, 1.0, -1.0])
+def test_the_arm_is_brought_to_the_side_that_the_limits_allow(limits, expected, home):
+    rows = [("R", 1.0, 0.0, 0.0, math.radians(turn)) for turn in (0.0, home)]
+    around = np.radians([(-180.0, 180.0), np.subtract(limits, home)])
+    state = State.initial(own_robot(Arm.from_dh(rows, limits=around), "own"))
+    moved = done(state, Set(Microscope, "distance", math.radians(3.0)), BringNear(0))
+    assert math.degrees(moved[Joints].q[1]) + home == pytest.approx(expected)
 
 
 def test_the_wish_follows_the_aim():

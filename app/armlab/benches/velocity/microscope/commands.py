@@ -6,10 +6,12 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from armlab.benches.velocity.microscope.looked import known_places, looked
 from armlab.benches.velocity.microscope.state import DAMPING, ROUNDING, Microscope
 from armlab.errors import InputError
+from armlab.kin.control.singular_poses import SingularPose
 from armlab.registry import known_name
 from armlab.session.counted import refuse_beyond
 from armlab.session.fields import setting
@@ -94,11 +96,19 @@ class BringNear(Command):
             raise InputError(f"singularity: expected 1 to {len(found)}, got {self.place + 1}")
         pose = found[self.place].pose
         q, k = pose.q.copy(), pose.place
-        step = part.distance * float(part.task.joint_units[k])
-        # Back towards where one comes from: there is room.
-        q[k] += step if pose.away <= 0.0 else -step
+        q[k] += _step(pose, part.distance * float(part.task.joint_units[k]), joints.arm.limits[k])
         held = np.flatnonzero(np.array(joints.locked) & ~np.isclose(q, joints.q, rtol=0.0, atol=ROUNDING))
         if len(held):
             raise InputError(f"joint {held[0] + 1} is held and would have to move: release it on the page Joints")
         moved = joints.moved_to(q)
         return state if moved is joints else state.replace(moved)
+
+
+def _step(pose: SingularPose, distance: float, limits: NDArray[np.float64]) -> float:
+    """Return the step of the joint from its singular value: back towards where one comes from, if there is room.
+
+    Without enough on either side it is towards the larger room.
+    """
+    value, back = float(pose.q[pose.place]), 1 if pose.away <= 0.0 else -1
+    room = {1: float(limits[1]) - value, -1: value - float(limits[0])}
+    return distance * (back if room[back] >= min(distance, room[-back]) else -back)
