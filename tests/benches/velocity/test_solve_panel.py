@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.velocity.solve.examples import EXAMPLES, ChooseSolveExample
-from armlab.benches.velocity.solve.found import found
+from armlab.benches.velocity.solve.found import found, found_at
 from armlab.benches.velocity.solve.state import AskFor, SetComponent
 from armlab.benches.velocity.solve.ui import page as solve
 from armlab.benches.velocity.solve.ui.scene import RED, arrows_of, line_of, lines_of, lost_lines, lost_turns, plane_of
@@ -30,7 +30,7 @@ from armlab.ui.colours import BLUE, GREEN
 from armlab.ui.format import mathml
 from armlab.ui.html import joined
 from armlab.ui.units import Units, units_of
-from support.arms import KINDS
+from support.arms import KINDS, wrist_alone
 from support.forms import asked
 from support.student import arm_nodes, run, settled, student
 
@@ -39,6 +39,11 @@ UNITS = Units(Notation())
 
 def example(key):
     return apply(State.initial(catalogue()["planar_2r"]), ChooseSolveExample(key))
+
+
+def parallel(n, task):
+    """Return an arm with parallel axes, whose tool stays in a plane."""
+    return Arm.from_dh([("R", 0.4, 0.0, 0.0, 0.0)] * n, task=task)
 
 
 def numbers(markup):
@@ -60,6 +65,21 @@ def test_the_verdict_says_how_many_and_why():
     few = State.initial(catalogue()["youbot"])
     few = apply(few, SetComponent(0, 0.1))
     assert verdict(found(few), UNITS)[1] == "Infinitely many answers"
+
+
+@pytest.mark.parametrize(
+    ("arm", "q", "says"),
+    [
+        (wrist_alone(np.eye(4)), [0.3, 0.8, 0.2], "although it has enough joints: J has rank 0 of 3 at most."),
+        (parallel(3, "xyz"), [0.3, 0.8, 0.2], "although it has enough joints: J has rank 2 of 3 at most."),
+        (parallel(7, "pose"), [0.3] * 7, "although it has enough joints: J has rank 3 of 6 at most."),
+        (parallel(2, "xyz"), [0.3, 0.8], "too few joints for its task: J has rank 2 of 3 everywhere."),
+    ],
+)
+def test_too_few_joints_are_the_reason_only_where_they_are_too_few(arm, q, says):
+    body = verdict(found_at(arm, np.array(q), (0.1,) * arm.task.m), UNITS)[2]
+    assert says in body
+    assert ("too few joints" in body) == (arm.n < arm.task.m)
 
 
 def test_reached_and_lost_are_the_numbers_of_the_notes():

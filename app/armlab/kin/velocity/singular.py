@@ -71,8 +71,8 @@ def singularities(arm: Arm, q: ArrayLike) -> tuple[Singularity, ...]:
     """Return why an arm is singular in a configuration; empty where it is not.
 
     It is singular where the rank of its task Jacobian is below the usual one. An arm that never reaches all components
-    of its task, because it has too few joints, is not singular for that. Where several ranks are lost there are at
-    least as many reasons.
+    of its task, because it has too few joints or because of how its axes lie, is not singular for that. Where several
+    ranks are lost there are at least as many reasons.
 
     Parameters
     ----------

@@ -79,14 +79,19 @@ def verdict(found: Found, units: Units) -> tuple[str, str, str]:
 
 
 def _why_none(found: Found, units: Units) -> str:
-    rank, m = found.spaces.rank, len(found.J)
+    rank, (m, n) = found.spaces.rank, found.J.shape
     moving, turning = found.vectors(found.answer.lost)
     lost = [
         speed_text(float(np.linalg.norm(part)), kind, units)
         for part, kind in ((moving, False), (turning, True))
         if np.linalg.norm(part) > 1e-9
     ]
-    if not found.singular:
+    if not found.singular and n >= m:
+        first = (
+            "The arm cannot make all velocities of its task in any configuration, although it has enough joints: "
+            f"J has rank {rank} of {m} at most."
+        )
+    elif not found.singular:
         first = f"The arm has too few joints for its task: J has rank {rank} of {m} everywhere."
     else:
         first = f"J has rank {rank} of {m} here, and v is not in its range."
