@@ -4,6 +4,7 @@ import math
 import re
 from contextlib import contextmanager
 
+import numpy as np
 import pytest
 
 from armlab.benches.pose.formulas.ui import page as formulas_page
@@ -115,3 +116,19 @@ def test_the_unit_of_numbers_in_formulas_is_said_before_them(length):
     told = "Numbers in the formulas of p are lengths in m"
     assert told in page_of("puma560")[0]
     assert not any(told in text for text in page_of("planar_2r"))
+
+
+@pytest.mark.parametrize(
+    ("length", "says"),
+    [
+        (2.0, "whatever units are chosen under View.</p>"),
+        (1.0, "whatever units are chosen under View. A length of 1 m is not written as a factor.</p>"),
+    ],
+)
+def test_whole_numbers_of_metres_are_told_to_be_lengths(length, says):
+    tool = np.eye(4)
+    tool[0, 3] = length
+    arm = Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0)] * 2, tool=tool)
+    page = FakePage()
+    formulas_page.PANEL.build(page, START.with_robot(own_robot(arm, "whole")), lambda command: None)
+    assert f"Numbers in the formulas of p are lengths in m, {says}" in page.shown[0]

@@ -9,7 +9,6 @@ from armlab.benches.pose.tool.ui.formulas import (
     LONGEST,
     MOST_TERMS,
     Written,
-    has_numbers,
     offset_lines,
     short_forms,
     used_constants,
@@ -39,7 +38,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     pose = PoseFormulas(arm)
     python, latex = pose.printed("text", MOST_TERMS), pose.printed("latex", MOST_TERMS)
     formulas = {name: written(arm, units, latex[name]) for name in latex}
-    gui.html(_head(python, formulas, len(pose.terms)))
+    gui.html(_head(arm, python, formulas, len(pose.terms)))
     values: dict[str, Html] = {}
 
     def write(letter: str) -> None:
@@ -67,16 +66,14 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _head(python: dict[str, str], formulas: dict[str, Written], count: int) -> Inside:
+def _head(arm: Arm, python: dict[str, str], formulas: dict[str, Written], count: int) -> Inside:
     everything = {
         "LaTeX": "\\begin{aligned}\n"
         + " \\\\\n".join(f"{_symbol(name)} &= {formula.latex}" for name, formula in formulas.items())
         + "\n\\end{aligned}",
         "Python": "\n".join(f"{name} = {text}" for name, text in python.items()),
     }
-    notes = []
-    if any(has_numbers(formula.latex) for name, formula in formulas.items() if name[0] == "p"):
-        notes.append("Numbers in the formulas of p are lengths in m, whatever units are chosen under View.")
+    notes = _on_lengths(arm) if any(name[0] == "p" for name in formulas) else []
     hidden = sum(formula.left_out > 0 for formula in formulas.values())
     if hidden:
         notes.append(
@@ -88,6 +85,17 @@ def _head(python: dict[str, str], formulas: dict[str, Written], count: int) -> I
     copies = [_copy(kind, text) for kind, text in everything.items()] if formulas else None
     note = tag("p.dim", " ".join(notes)) if notes else None
     return tag("h3", "Tool in frame 0 ", mathml(symbol("0", "E")), tag("span.copies", copies)), note
+
+
+def _on_lengths(arm: Arm) -> list[str]:
+    """Return what has to be known of the lengths of the tool, which have no symbols."""
+    lengths = np.abs(arm.tool[:3, 3])
+    notes = []
+    if lengths.any():
+        notes.append("Numbers in the formulas of p are lengths in m, whatever units are chosen under View.")
+    if (lengths == 1.0).any():
+        notes.append("A length of 1 m is not written as a factor.")
+    return notes
 
 
 def _too_long(terms: int) -> Markup:

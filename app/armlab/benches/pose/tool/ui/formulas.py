@@ -73,11 +73,6 @@ def written(arm: Arm, units: Units, latex: str) -> Written:
     return Written(shown, _markup(terms[:kept]), len(terms) - kept)
 
 
-def has_numbers(latex: str) -> bool:
-    """Return whether a formula has lengths as numbers, as those of the tool, which have no symbols."""
-    return _NUMBER.search(latex) is not None
-
-
 def _rounded(number: re.Match[str]) -> str:
     return latex_number(float(number[0].replace(r"\cdot 10^{", "e").rstrip("}")), DIGITS)
 
