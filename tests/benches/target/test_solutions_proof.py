@@ -1,9 +1,12 @@
 """The search from thousands of random starts."""
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
 
 from armlab.benches.target.solutions import job_proof as proof_job
-from armlab.benches.target.solutions.proof import STARTS
+from armlab.benches.target.solutions.proof import MOST, STARTS, Proof
 from armlab.benches.target.solutions.state import (
     Prove,
     Solutions,
@@ -49,6 +52,22 @@ def test_what_the_list_lacks_is_found():
     *_, last = proof_job.JOB.run(proof)
     assert len(last.others) == 2
     assert "2 others not in the list" in last.sentence
+
+
+@pytest.mark.parametrize(
+    ("others", "says"),
+    [
+        (0, "no other than those in the list."),
+        (1, "1 other found that is not in the list, as expected where there are infinitely many."),
+        (2, "2 others found that are not in the list, as expected where there are infinitely many."),
+        (MOST, f"more than {MOST} others found that are not in the list, as expected"),
+    ],
+)
+def test_what_is_found_among_infinitely_many_is_counted(others, says):
+    found = searched(opened("elbow_3r"))[Solutions].found
+    infinite = replace(found.solutions, completeness="infinite", families=())
+    proof = Proof(found.question, infinite, 64, 3, frozenset({0}), (np.zeros(3),) * others)
+    assert f"64 starts, 3 reached the target: {says}" in proof.sentence
 
 
 def test_a_proof_is_given_up_when_the_target_moves_or_it_is_cancelled():

@@ -74,16 +74,20 @@ class Proof:
         said = f"{self.starts} starts, {self.reached} reached the target{inside}: "
         if not self.reached:
             return said + "no solution."
-        more = f"{'more than ' if len(self.others) >= MOST else ''}{len(self.others)}"
+        one = len(self.others) == 1
+        more = f"{'more than ' if len(self.others) >= MOST else ''}{len(self.others)} {'other' if one else 'others'}"
         if not self.of_families and self.solutions.completeness == "infinite":
-            return said + f"{more} others found that are not in the list, as expected where there are infinitely many."
+            if not self.others:
+                return said + "no other than those in the list."
+            found = f"{more} found that {'is' if one else 'are'} not in the list"
+            return said + f"{found}, as expected where there are infinitely many."
         count = len(self.solutions.families) if self.of_families else len(self.solutions)
         kind = ("family", "families") if self.of_families else ("solution", "solutions")
         same = (
             f"the same {count} {kind[count != 1]}" if len(self.known) == count else f"{len(self.known)} of the {count}"
         )
         if self.others:
-            return said + f"{same}, and {more} other{'s' if len(self.others) > 1 else ''} not in the list."
+            return said + f"{same}, and {more} not in the list."
         return said + f"{same}, no other."
 
 
