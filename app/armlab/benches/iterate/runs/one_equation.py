@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
+from armlab.benches.iterate.runs.slopes import slope_at
 from armlab.content.expressions import Expression, parse
-from armlab.content.slopes import slope_at
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import EXAMPLES, Example1D, newton_1d
 from armlab.kin.ik.iterate.newton_1d import Newton1D as Iterate1D

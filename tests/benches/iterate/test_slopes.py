@@ -4,8 +4,8 @@ import math
 
 import pytest
 
+from armlab.benches.iterate.runs.slopes import slope_at
 from armlab.content.expressions import FUNCTIONS, parse
-from armlab.content.slopes import slope_at
 
 FORMULAS = (
     "2x - x/3 + 1/x",
