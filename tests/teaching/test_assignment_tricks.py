@@ -7,11 +7,11 @@ import pytest
 
 from armlab.content.lessons import changed, lessons
 from armlab.content.robots import catalogue
-from armlab.errors import InputError, UnknownName
+from armlab.errors import ContentError, InputError, UnknownName
 from armlab.session.example_links import LookAt
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.session import Redo, Session, StartFresh, Undo
-from armlab.teaching.assignment_commands import HandIn, OpenAssignment, TakeUp
+from armlab.teaching.assignment_commands import HandIn, OpenAssignment, OpenTask, TakeUp
 from armlab.teaching.hand_in import hand_in
 from armlab.teaching.hand_in_assignment import judge_assignment
 from armlab.teaching.hand_in_open import OpenWork
@@ -20,7 +20,9 @@ from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.html import joined
 from armlab.window.lesson import assigned
 from armlab.window.lesson.assigned import Sheet
+from armlab.window.lesson.page import LessonPage
 from support.assigned import NOON, done, exam, folder_fixture, fresh_fixture, goal, points, refused, solved
+from support.bare_gui import BareGui, content
 from support.forms import BareForm
 from support.small_lessons import library_fixture
 
@@ -127,6 +129,19 @@ def test_numbers_that_nobody_reaches_are_refused(fresh, change, says):
 
 
 # --- The teacher changes the file
+
+
+def test_who_has_a_variant_that_comes_to_be_broken_goes_on_in_it_and_hands_it_in(fresh, own, folder):
+    state = solved(exam(fresh))
+    own(v=(folder / "v.md").read_text().replace("step = 1 }\n", f'step = 1 }}\nc = "1 / (goal - {goal(state):g})"\n'))
+    there = done(state, OpenTask(1), OpenTask(0), CloseLesson(), OpenAssignment("exam"))
+    assert goal(there) == goal(state)
+    gui = BareGui()
+    for shown in (there, done(there, HandIn())):
+        LessonPage(gui, print).show(shown)
+    assert "7 of 10 points on screen" in " ".join(map(content, gui.has))
+    with pytest.raises(ContentError, match="it has no value in variant 3"):
+        exam(fresh)
 
 
 def test_who_is_in_a_task_that_was_taken_away_can_go_to_another(fresh, folder):

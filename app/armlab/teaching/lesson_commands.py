@@ -15,7 +15,7 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, State
 from armlab.teaching.assignment_rules import refuse_in_assignment, refuse_late
 from armlab.teaching.lesson_panels import lesson_followed
-from armlab.teaching.lesson_places import at_place, place_of
+from armlab.teaching.lesson_places import at_place, kept_at, place_of
 from armlab.teaching.lesson_progress import MOST_TYPED, Progress, RightAnswer, step_names
 from armlab.teaching.lesson_start import gone_to, refuse_unknown, set_up, without_lesson
 from armlab.teaching.parts.former import Former, offered, without_lessons_switches
@@ -60,7 +60,8 @@ class OpenLesson(Command):
             return state
         opened = replace(part, open=place, set_up=part.set_up + 1).taken_up()
         kept = Progress() if self.anew else opened.progress.anew()
-        lesson = at_place(place)
+        kept_one = self.within and opened.where in part.progress_of
+        lesson = kept_at(place) if kept_one else at_place(place)
         refuse_unknown(lesson)
         begun = set_up(state, lesson, kept.shown(lesson)).replace(
             opened.with_progress(kept), Former.of(own_work(state))

@@ -13,7 +13,7 @@ from armlab.session.clock import now
 from armlab.teaching.assignment_commands import OpenTask, TakeUp
 from armlab.teaching.assignment_work import Work
 from armlab.teaching.lesson_commands import CloseLesson, GoToStep, TakeLessonArm
-from armlab.teaching.lesson_places import at_place, place_of, where_in
+from armlab.teaching.lesson_places import kept_at, place_of, where_in
 from armlab.teaching.lesson_progress import Progress, step_names
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.form import Form, Wish
@@ -54,7 +54,7 @@ class Sheet:
     def lesson(self, i: int) -> Lesson:
         """Return the lesson of a task in the variant of the student."""
         task = self.of.tasks[i]
-        return at_place(place_of(task.lesson, task.number(self.work.number)))
+        return kept_at(place_of(task.lesson, task.number(self.work.number)))
 
     def progress(self, i: int) -> Progress:
         """Return the progress in a task."""
