@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from armlab.content.assignment import LAST_VARIANT, Assignment, said_date
+from armlab.content.held import is_held
 from armlab.content.lesson_lines import LessonError
 from armlab.content.lessons import lessons
 from armlab.errors import InputError, suggestion
@@ -16,6 +17,7 @@ from armlab.teaching.assignment_work import Work
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.lesson_places import where_in
 from armlab.teaching.parts.lesson import LessonPart
+from armlab.teaching.parts.preview import Preview
 from armlab.teaching.parts.shelf import HOME, Shelf
 
 
@@ -42,7 +44,8 @@ class OpenAssignment(Command):
         UnknownName, ContentError
             There is no such assignment, or it cannot begin since it names a page that does not exist.
         InputError
-            It is not open yet, or not any more; another one is open; or the student is not at home.
+            It is not open yet, or not any more; another one is open; or the student is not at home, or in a preview,
+            which forgets what is done in it.
         """
         found, part = lessons().assignment(self.key), state[LessonPart]
         work = _begun(found, part, state.at, self.number)
@@ -50,7 +53,8 @@ class OpenAssignment(Command):
             return state
         if part.assigned is not None and part.assignment != self.key:
             raise InputError(f"The assignment “{part.assigned.title}” is open. Leave it before you open another.")
-        if state[Shelf].place != HOME:
+        in_preview = state[Preview].before is not None and not is_held(self.key)
+        if state[Shelf].place != HOME or in_preview:
             raise InputError("assignment: go back to your own work first")
         opened = replace(part, open="", assignment=self.key).with_work(work.at(found, state.at))
         return OpenTask(_last(opened, found)).apply(state.replace(opened))

@@ -22,6 +22,7 @@ from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.lesson_places import place_of, where_in
 from armlab.teaching.lesson_progress import Progress
 from armlab.teaching.parts.lesson import LessonPart, has_its_arm
+from armlab.teaching.parts.preview import Preview
 from armlab.teaching.parts.shelf import HOME, Shelf
 from armlab.teaching.signature import signed
 
@@ -50,11 +51,11 @@ class OpenWork(Command):
         Raises
         ------
         InputError
-            It is no saved work, or the student is not at home.
+            It is no saved work, or the student is not at home, or in a preview, which forgets what is opened in it.
         UnknownName, ContentError
             Its lesson is not there or cannot be used.
         """
-        if state[Shelf].place != HOME:
+        if state[Shelf].place != HOME or state[Preview].before is not None:
             raise InputError("saved work: go back to your own work first")
         refuse_in_assignment(state[LessonPart])
         data = loaded(self.text)

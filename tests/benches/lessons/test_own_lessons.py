@@ -7,6 +7,7 @@ import pytest
 
 from armlab.benches.lessons.own_commands import ArrangeCourse, ForgetFile, LeaveOut, LoadFile, MoveInCourse
 from armlab.content import held
+from armlab.content.lessons import changed
 from armlab.content.robots import catalogue
 from armlab.content.upload import MOST_TEXT, Upload, read_upload
 from armlab.content.write_robot import robot_toml
@@ -19,6 +20,7 @@ from armlab.session.share import from_short, short, state_of_parts
 from armlab.session.state import State, apply
 from armlab.teaching.assignment_commands import HandIn, OpenAssignment
 from armlab.teaching.hand_in import hand_in
+from armlab.teaching.hand_in_open import OpenWork
 from armlab.teaching.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson, SignAs
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.own_lessons import MOST_FILES, OwnLessons, key_of
@@ -91,6 +93,22 @@ def test_an_assignment_is_seen_whatever_its_dates_and_leaves_no_trace(loaded):
     assert (told["assignment"], [work["lesson"] for work in told["works"]]) == ("hw", ["mine", "v"])
     back = apply(handed, EndPreview())
     assert (back[LessonPart].works, back[LessonPart].student) == ({}, "")
+
+
+def test_nothing_that_a_preview_would_forget_is_begun_or_opened_in_it(loaded, tmp_path):
+    (tmp_path / "mine" / "exam.toml").write_text('title = "E"\n[[tasks]]\nlesson = "v"\n')
+    changed()
+    work = hand_in(apply(loaded, OpenLesson("t")))
+    lesson, assignment = see(loaded, "mine.md"), see(loaded, "hw.toml")
+    with pytest.raises(ArmlabError, match="assignment: go back to your own work first"):
+        apply(lesson, OpenAssignment("exam"))
+    with pytest.raises(ArmlabError, match="saved work: go back to your own work first"):
+        apply(lesson, OpenWork(work))
+    left = apply(assignment, CloseLesson(), 101.0)
+    assert apply(left, OpenAssignment(assignment[LessonPart].assignment), 102.0)[LessonPart].work.begun == 100.0
+    back = apply(lesson, EndPreview())
+    assert apply(back, OpenAssignment("exam"))[LessonPart].assignment == "exam"
+    assert apply(back, OpenWork(work))[LessonPart].open == "t"
 
 
 def test_it_survives_a_restart_also_in_the_middle(loaded):
