@@ -217,9 +217,9 @@ def stand_of(state: State) -> Stand:
 
 
 def _waiting(state: State, stand: str) -> State:
-    """Return the state that waits at another place, or the same one if none does."""
+    """Return the state that waits at another place, or the same one if none does; the last part is asked first."""
     found = [part.waiting_at(stand) for part in state.with_own("waiting_at")]
-    return next((each for each in found if each is not None), state)
+    return next((each for each in reversed(found) if each is not None), state)
 
 
 def _opened(state: State) -> list[str]:

@@ -14,7 +14,7 @@ from armlab.content.write_robot import robot_toml
 from armlab.errors import ArmlabError
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.language import LanguagePart, ReadIn
-from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.session import Session, Undo
 from armlab.session.share import from_short, short, state_of_parts
 from armlab.session.state import State, apply
@@ -214,6 +214,21 @@ def test_the_sandbox_of_a_preview_and_its_undo_are_its_own(loaded):
     assert session.state[Joints].q[0] == 0.3
     session.apply(Undo(), 5.0)
     assert session.state[Joints].q[0] == loaded[Joints].q[0]
+
+
+@pytest.mark.parametrize("sandbox", [False, True])
+def test_after_a_file_is_loaded_in_a_preview_undo_goes_on_from_ones_own_work(loaded, sandbox):
+    session = Session("x", OPENING, loaded)
+    away = (MoveJoint(0, 0.9), *[ToSandbox()] * sandbox)
+    lesson, arm = read_upload(f"mine.md\n{TWO_STEPS}"), read_upload(f"arm.toml\n{robot_toml(catalogue()['ur10'])}")
+    seen = ChooseRobot("scara"), MoveJoint(0, 0.3), PreviewLesson(key(loaded, "mine.md"), "author"), *away
+    for i, command in enumerate((*seen, LoadFile(lesson))):
+        session.apply(command, 2.0 * i)
+    assert [step.label for step in session.history.past] == [ChooseRobot.label, MoveJoint.label]
+    for i, command in enumerate((PreviewLesson("t", "author"), *away, LoadFile(arm), Undo()), start=10):
+        session.apply(command, 2.0 * i)
+    assert (session.robot.key, session.state[Joints].q[0]) == ("scara", 0.3)
+    assert session.state[OwnLessons].holds(key(session.state, "mine.md"))
 
 
 def test_a_preview_from_within_another_has_an_undo_of_its_own(loaded):

@@ -52,6 +52,10 @@ class Preview(Part):
         """The place of the lesson that is looked at, whose history ends with it."""
         return None if self.before is None else Stand(self.key, f"{self.key} {self.number}")
 
+    def waiting_at(self, stand: str) -> State | None:
+        """Return the state to which the preview leads back; it lies over all that waits in the preview."""
+        return None if stand == self.key else self.before
+
     def to_json(self) -> Json:
         """Return the state to which it leads back as JSON, without the parts that stay; None for none."""
         if self.before is None:
