@@ -332,6 +332,18 @@ def test_undo_takes_back_motions_and_no_answer():
     assert session.state[LessonPart] == LessonPart(number=number)
 
 
+def test_no_undo_takes_away_what_a_step_has_put_in_place(own):
+    own(t=TWO_STEPS.replace("Move and answer.\n", 'Move.\n```start\n[[do]]\nkind = "move"\nq_deg = [-30, 40]\n```\n'))
+    session = Session.fresh("token", PUMA)
+    for k, command in enumerate([OpenLesson("t"), MoveJoint(0, 0.5), GoToStep(1), Undo(), Redo()]):
+        session.apply(command, 2.0 * k)
+    np.testing.assert_allclose(np.degrees(session.state[Joints].q), [-30.0, 40.0])
+    for k, command in enumerate([MoveJoint(0, 0.5), GoToStep(2), Undo(), Undo()], start=10):
+        session.apply(command, 2.0 * k)
+    np.testing.assert_allclose(np.degrees(session.state[Joints].q), [-30.0, 40.0])
+    assert session.state[LessonPart].index == 2, "it goes on with what has become of the one before"
+
+
 def test_a_student_signs_on_one_line(fresh):
     state = done(fresh, SignAs("  Ada \n  Lovelace "))
     assert state[LessonPart].student == "Ada Lovelace"

@@ -14,7 +14,7 @@ from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import PlaceTarget, Target
-from armlab.session.session import Session, Undo
+from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import State
 from armlab.session.store import state_from_text
 from armlab.teaching.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson, TakeLessonArm, UnlockHint
@@ -242,6 +242,22 @@ def test_an_undo_does_not_go_round_a_lock(own):
     session.apply(CloseLesson(), 2.0)
     session.apply(Undo(), 3.0)
     assert session.robot is PUMA
+
+
+def test_an_undo_does_not_hold_joints_of_a_lesson_that_is_closed(own):
+    own(t=locked("locked_joints = [2]"))
+    session = Session.fresh("token", PUMA)
+    seen = []
+    last = OpenLesson("v", variant=0), CloseLesson(), Undo()
+    for k, command in enumerate(
+        [OpenLesson("t"), MoveJoint(0, 0.5), CloseLesson(), Undo(), Redo(), OpenLesson("t"), *last]
+    ):
+        session.apply(command, 2.0 * k)
+        seen.append((*np.degrees(session.state[Joints].q[:1]).round(), *session.state[Joints].locked))
+    moved = 29.0, False, False
+    assert seen[2:5] == [moved, (10.0, False, False), moved]
+    assert seen[5:] == [(10.0, False, True), (0.0, False, False), (0.0, False, False), (10.0, False, False)]
+    assert session.state[LessonPart].lesson is None
 
 
 def test_the_lesson_itself_may_do_everything(fresh, own):

@@ -177,7 +177,10 @@ class Session:
                 self._become(after, window)
 
     def _note(self, command: Command, after: State, at: float) -> None:
-        """Record a step of undo. Each place has its own history; a shared one and a preview start empty."""
+        """Record a step of undo. Each place has its own history; a shared one and a preview start empty.
+
+        It also begins anew where a command ends it: an undo would jump across what that has put in place.
+        """
         before, here, there = self.state, stand_of(self.state), stand_of(after)
         if here != there:
             if not here.passing:
@@ -186,13 +189,18 @@ class Session:
                     del self._elsewhere[next(iter(self._elsewhere))]
             self.history = History() if there.passing else self._elsewhere.pop(there.name, History())
             before = _waiting(before, there.name)
+        if command.ends_history(self.state, after):
+            self.history = History()
         if command.undoable and _is_work(before, after):
             self.history.note(before, after, command, at)
 
     def _stepped(self, step: Callable[[State], State], back: Callable[[State], State], at: float) -> State:
         """Return the state after undo or redo; a refused one stays in the history."""
         found = step(self.state)
-        restored = _with_kept(found, self.state)
+        restored = found
+        for part in self.state.with_own("for_undo"):
+            restored = part.for_undo(restored)
+        restored = _with_kept(restored, self.state)
         if restored is self.state:
             return restored
         try:

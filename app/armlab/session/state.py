@@ -106,6 +106,10 @@ class Part:
         """Return the state that waits at another place while the student stands here; None for none."""
         return None
 
+    def for_undo(self, found: State) -> State:
+        """Return a state that undo has found without what held in it by this part, and does not hold any more."""
+        return found
+
     def rewound(self, clip: str) -> Self:
         """Return the part with its film at the start, if the film with this key is its own and open."""
         return self
@@ -302,6 +306,10 @@ class Command:
     def apply(self, state: State) -> State:
         """Return the new state. Pure: no clock but `State.at`, no randomness, no I/O. Raise `ArmlabError` to refuse."""
         raise NotImplementedError
+
+    def ends_history(self, before: State, after: State) -> bool:
+        """Return whether steps before it cannot be taken back any more: it has put something in place for good."""
+        return False
 
     @property
     def channel(self) -> object:

@@ -198,6 +198,10 @@ class GoToStep(Command):
             put = put.replace(replace(put[LessonPart], set_up=part.set_up + 1))
         return lesson_followed(state, put)
 
+    def ends_history(self, before: State, after: State) -> bool:
+        """Return whether the step has put something in place, which no undo is to take away while it is shown."""
+        return after[LessonPart].set_up != before[LessonPart].set_up
+
 
 @dataclass(frozen=True)
 class UnlockHint(Command):

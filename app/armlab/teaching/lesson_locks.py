@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from armlab.content.lesson import Lesson
 from armlab.content.robots import OWN
 from armlab.errors import InputError
@@ -33,6 +35,20 @@ def refuse_locked(found: Lesson, before: State, now: State) -> None:
     moved = now[Target].pose is not before[Target].pose and now[Target].pose is not None
     if "target" in found.locked and moved:
         raise _kept("the target where it is" + ("" if "joints" in found.locked else "; move the joints"))
+
+
+def held(joints: Joints, lesson: Lesson, on: bool) -> Joints:
+    """Return the joints with those locked by a lesson held, or free again."""
+    locked = tuple(on if j + 1 in lesson.locked_joints else held for j, held in enumerate(joints.locked))
+    return replace(joints, locked=locked)
+
+
+def freed(state: State, lesson: Lesson | None) -> State:
+    """Return the state with the joints free that a lesson holds; the same state without a lesson that holds some."""
+    joints = state[Joints]
+    if lesson is None or not lesson.locked_joints or joints.arm.n < max(lesson.locked_joints):
+        return state
+    return state.replace(held(joints, lesson, False))
 
 
 def _refuse_moved(found: Lesson, before: State, now: State) -> None:

@@ -25,6 +25,7 @@ from armlab.session.share import STAYS
 from armlab.session.state import Part, State, part_types
 from armlab.session.words import command_of, lies_in
 from armlab.teaching.deeds import with_done
+from armlab.teaching.lesson_locks import freed, held
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.taught import taught
 
@@ -80,19 +81,10 @@ def refuse_unknown(lesson: Lesson) -> None:
                 raise ContentError(f"{lesson.file}, line {step.line}", f"step {number}.check", str(error)) from None
 
 
-def held(joints: Joints, lesson: Lesson, on: bool) -> Joints:
-    """Return the joints with those locked by a lesson held, or free again."""
-    locked = tuple(on if j + 1 in lesson.locked_joints else held for j, held in enumerate(joints.locked))
-    return replace(joints, locked=locked)
-
-
 def without_lesson(state: State) -> State:
     """Return the state with no lesson open, and the joints free that it held; all else is as it was."""
-    part, joints = state[LessonPart], state[Joints]
-    found = part.lesson
-    if found is not None and found.locked_joints and joints.arm.n >= max(found.locked_joints):
-        joints = held(joints, found, False)
-    return state.replace(joints, replace(part, open="", assignment=""))
+    part = state[LessonPart]
+    return freed(state, part.lesson).replace(replace(part, open="", assignment=""))
 
 
 def _begins(lesson: Lesson, k: int) -> bool:

@@ -30,7 +30,7 @@ from armlab.session.state import Json, Part, PartType, State
 from armlab.teaching.assignment_work import Work
 from armlab.teaching.closed_pages import closed_pages
 from armlab.teaching.lesson_films import films_played
-from armlab.teaching.lesson_locks import refuse_locked
+from armlab.teaching.lesson_locks import freed, refuse_locked
 from armlab.teaching.lesson_places import is_place, kept_at, where_in
 from armlab.teaching.lesson_progress import Progress, read, step_names, written
 from armlab.teaching.signature import signed
@@ -227,6 +227,11 @@ class LessonPart(Part):
             except InputError as error:
                 own = "" if self.assignment else " In your own sandbox you can change everything."
                 raise InputError(f"{error}{own}") from None
+
+    def for_undo(self, found: State) -> State:
+        """Return a state that undo has found with the joints free that another lesson held, or one closed since."""
+        was = found[LessonPart]
+        return found if was.open == self.open else freed(found, was.lesson)
 
     def after(self, before: State, now: State) -> Self:
         """Return the part with events noted: start of a step, clips watched, an answer, a check that is met."""
