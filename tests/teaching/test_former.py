@@ -16,14 +16,23 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.session import Session, StartFresh, Undo
 from armlab.session.share import short, state_of_parts
+from armlab.teaching.assignment_commands import HandIn, OpenAssignment
 from armlab.teaching.hand_in import hand_in
-from armlab.teaching.lesson_commands import CloseLesson, OpenLesson
+from armlab.teaching.hand_in_open import OpenWork
+from armlab.teaching.lesson_commands import CloseLesson, OpenLesson, SignAs
 from armlab.teaching.parts.former import BackToFormer, ForgetFormer, Former, offered
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.shelf import BackToLesson, OpenShared, Shelf, ToSandbox
+from support.assigned import done, folder_fixture, fresh_fixture
+from support.small_lessons import library_fixture
 from support.trips import UR10, applied, reloaded, written
 
 PUMA = catalogue()["puma560"]
+
+
+own = pytest.fixture(library_fixture, name="own")
+folder = pytest.fixture(folder_fixture, name="folder")
+fresh = pytest.fixture(fresh_fixture, name="fresh")
 
 
 @pytest.fixture
@@ -153,6 +162,28 @@ def test_it_waits_with_the_lesson_while_the_student_is_in_the_sandbox_even_over_
     assert again.robot is PUMA
     assert again.state[Joints].q[1] == 0.3
     assert again.state[Shelf].waiting == ""
+
+
+def test_a_lesson_that_is_opened_from_the_sandbox_follows_the_one_that_waits(session):
+    applied(session, OpenLesson("first_arm"), ToSandbox(), ChooseRobot("scara"), OpenLesson("ik_2r"), CloseLesson())
+    assert offered(session.state) is PUMA
+    applied(session, BackToFormer())
+    assert session.state[Joints].q[1] == 0.3
+
+
+def on(state):
+    return {name for name, on in state[Display].switches.items() if on}
+
+
+def test_an_assignment_or_saved_work_opened_in_a_lesson_leaves_none_of_its_overlays(fresh):
+    state = done(fresh, Show("names", True), SignAs("Ada"), OpenLesson("t"))
+    work = hand_in(state)
+    assert on(done(state, OpenWork(work), CloseLesson())) == {"names"}
+    there = done(state, OpenAssignment("homework", 3))
+    assert on(done(there, CloseLesson())) == {"names"}
+    assert on(done(there, Show("frames", True), OpenAssignment("homework", 5), CloseLesson())) == {"names"}
+    handed = hand_in(done(there, HandIn()))
+    assert on(done(state, OpenWork(handed), CloseLesson())) == {"names"}
 
 
 def test_a_shared_arm_knows_nothing_of_it_and_links_do_not_hold_it(session):

@@ -16,9 +16,10 @@ from armlab.session.state import Command, State
 from armlab.teaching.assignment_work import Work
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.lesson_places import where_in
+from armlab.teaching.parts.former import Former
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.preview import Preview
-from armlab.teaching.parts.shelf import HOME, Shelf
+from armlab.teaching.parts.shelf import HOME, Shelf, at_home
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,8 @@ class OpenAssignment(Command):
         if state[Shelf].place != HOME or in_preview:
             raise InputError("assignment: go back to your own work first")
         opened = replace(part, open="", assignment=self.key).with_work(work.at(found, state.at))
-        return OpenTask(_last(opened, found)).apply(state.replace(opened))
+        begun = OpenTask(_last(opened, found)).apply(state.replace(opened))
+        return begun.replace(Former.of(at_home(state)))  # of the lesson that is open until now, too
 
 
 @dataclass(frozen=True)

@@ -21,9 +21,10 @@ from armlab.teaching.handed import handed_of
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.lesson_places import place_of, where_in
 from armlab.teaching.lesson_progress import Progress
+from armlab.teaching.parts.former import Former
 from armlab.teaching.parts.lesson import LessonPart, has_its_arm
 from armlab.teaching.parts.preview import Preview
-from armlab.teaching.parts.shelf import HOME, Shelf
+from armlab.teaching.parts.shelf import HOME, Shelf, at_home
 from armlab.teaching.signature import signed
 
 log = logging.getLogger(__name__)
@@ -70,6 +71,7 @@ class OpenWork(Command):
             part, open="", progress_of=MappingProxyType(known), student=part.student or signed(data["student"])
         )
         begun = OpenLesson(found.key, variant=found.variant).apply(state.replace(ready))
+        begun = begun.replace(Former.of(at_home(state)))  # of the lesson that is open until now, too
         return _as_it_stood(begun, data.get("parts"))
 
 
@@ -92,7 +94,7 @@ def _with_assignment(state: State, data: Json) -> State:
     begun = min(handed.begun, state.at, *([] if here is None else [here.begun]))
     work = Work(data["variant"], begun, handed.handed, handed.attempt, handed.left)
     student, works = part.student or signed(data["student"]), MappingProxyType({**part.works, found.key: work})
-    ready = replace(part, open="", progress_of=MappingProxyType(known), student=student, works=works)
+    ready = replace(part, progress_of=MappingProxyType(known), student=student, works=works)
     return OpenAssignment(found.key).apply(state.replace(ready))
 
 

@@ -22,7 +22,7 @@ from armlab.teaching.parts.former import Former, offered, without_lessons_switch
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.own_lessons import OwnLessons
 from armlab.teaching.parts.preview import Preview
-from armlab.teaching.parts.shelf import own_work
+from armlab.teaching.parts.shelf import at_home
 from armlab.teaching.signature import signed
 
 MOST_VARIANT = 9999
@@ -64,7 +64,7 @@ class OpenLesson(Command):
         lesson = kept_at(place) if kept_one else at_place(place)
         refuse_unknown(lesson)
         begun = set_up(state, lesson, kept.shown(lesson)).replace(
-            opened.with_progress(kept), Former.of(own_work(state))
+            opened.with_progress(kept), Former.of(at_home(state))
         )
         return lesson_followed(state, begun)
 

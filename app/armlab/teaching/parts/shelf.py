@@ -211,10 +211,10 @@ class BackFromShared(Command):
         return _arrived(state, found, Shelf(shelf.own, parked=_frozen(parked)), found[LessonPart].open)
 
 
-def own_work(state: State) -> State:
-    """Return the student's own work without what waits elsewhere: the state itself, or the one under a shared one."""
+def at_home(state: State) -> State:
+    """Return the student's state at home, without what waits elsewhere: the one that waits there, or the present one."""
     shelf = state[Shelf]
-    return shelf.parked[shelf.own] if shelf.shared else state.replace(Shelf())
+    return state.replace(Shelf()) if shelf.place == HOME else shelf.parked[HOME]
 
 
 def _left(state: State) -> dict[str, State]:
