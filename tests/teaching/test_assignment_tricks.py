@@ -108,6 +108,24 @@ def test_a_file_of_an_earlier_attempt_changes_nothing_of_a_later_one(fresh):
     refused(twice, OpenWork(early), "Attempt 2 has been handed in here; this file holds attempt 1")
 
 
+def test_a_file_handed_in_time_dates_no_later_answer_back(fresh, folder):
+    begun = done(fresh, SignAs("Ada"), OpenAssignment("homework", 3))
+    empty = done(begun, HandIn())
+    early, late = hand_in(empty), NOON + 3 * 3600
+    for state in (done(empty, TakeUp(), at=late), begun):
+        mixed = done(done(solved(state, late), CloseLesson(), at=late), OpenWork(early), at=late)
+        assert not mixed[LessonPart].rests
+        report = judge_assignment(hand_in(done(mixed, HandIn(), at=late)), "homework")
+        assert (report.points, report.handed.attempt, report.handed.late > 0.0) == (3.0, 2, True)
+    twice = json.dumps({**json.loads(early), "attempt": 2})
+    for file in (early, twice):
+        there = done(solved(begun, late), HandIn(), CloseLesson(), at=late)
+        refused(there, OpenWork(file), "Work has been handed in here on .*; this file is older", late)
+    assert done(done(empty, CloseLesson()), OpenWork(early), at=late)[LessonPart].rests
+    rewritten(folder, "homework", ("late_percent", "attempts = 1\nlate_percent"))
+    refused(done(solved(begun), CloseLesson()), OpenWork(early), "no attempt is left after the one in this file")
+
+
 def test_an_example_of_a_closed_page_is_refused(fresh):
     state = exam(fresh)
     refused(state, LookAt("laws/same_time"), "The page of this example is closed while this lesson is open")

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import ClassVar
 
+from armlab.content.assignment import said_date
 from armlab.content.lessons import lessons
 from armlab.errors import InputError
 from armlab.session.parts.display import Display
@@ -17,7 +18,7 @@ from armlab.teaching.assignment_rules import refuse_in_assignment
 from armlab.teaching.assignment_work import Work
 from armlab.teaching.hand_in import LONGEST_KEY, judged_anew, loaded, opened
 from armlab.teaching.hand_in_assignment import claimed_in, refuse_another
-from armlab.teaching.handed import handed_of
+from armlab.teaching.handed import Handed, handed_of
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.lesson_places import place_of, where_in
 from armlab.teaching.lesson_progress import Progress
@@ -76,15 +77,18 @@ class OpenWork(Command):
 
 
 def _with_assignment(state: State, data: Json) -> State:
-    """Return the state with an assignment as it was handed in elsewhere; what is done here stays done."""
+    """Return the state with an assignment as it was handed in elsewhere; what is done here stays done.
+
+    Work that is in progress here stays so, and takes in what the file holds.
+    """
     found, part = lessons().assignment(str(data["assignment"])[:LONGEST_KEY]), state[LessonPart]
     refuse_another(found, data)
     if found.exam:
         raise InputError("Work on an exam goes on only in the browser in which it was begun.")
     refuse_before(found, state.at)
     handed, here = handed_of(found, data), part.works.get(found.key)
-    if here is not None and here.attempts > handed.attempt:
-        raise InputError(f"Attempt {here.attempts} has been handed in here; this file holds attempt {handed.attempt}.")
+    if here is not None:
+        _refuse_mixed(here, handed)
     known = dict(part.progress_of)
     for lesson, claimed in claimed_in(found, data):
         holds, _ = judged_anew(lesson, claimed, plans=False)
@@ -92,10 +96,22 @@ def _with_assignment(state: State, data: Json) -> State:
         known[where] = _together(known.get(where, Progress()), holds)
     # A time that is over does not come back by what a file claims.
     begun = min(handed.begun, state.at, *([] if here is None else [here.begun]))
-    work = Work(data["variant"], begun, handed.handed, handed.attempt, handed.left)
+    # What is answered here now was not in the file when that was handed in.
+    when = None if here is not None and here.handed is None else handed.handed
+    work = Work(data["variant"], begun, when, handed.attempt, handed.left)
     student, works = part.student or signed(data["student"]), MappingProxyType({**part.works, found.key: work})
     ready = replace(part, progress_of=MappingProxyType(known), student=student, works=works)
     return OpenAssignment(found.key).apply(state.replace(ready))
+
+
+def _refuse_mixed(here: Work, handed: Handed) -> None:
+    """Raise `InputError` where what is done here came later than a file, and would get its date."""
+    if here.attempts > handed.attempt:
+        raise InputError(f"Attempt {here.attempts} has been handed in here; this file holds attempt {handed.attempt}.")
+    if here.handed is None and 0 < handed.of.attempts <= handed.attempt:
+        raise InputError("You are working on this here, and no attempt is left after the one in this file.")
+    if here.handed is not None and round(here.handed, 1) > handed.handed:  # as it is rounded in files
+        raise InputError(f"Work has been handed in here on {said_date(here.handed)}; this file is older.")
 
 
 def _together(here: Progress, there: Progress) -> Progress:
