@@ -10,14 +10,21 @@ import pytest
 from armlab.content.robots import catalogue
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.state import State, apply
+from armlab.teaching.assignment_commands import HandIn, OpenTask, TakeUp
 from armlab.teaching.hand_in import hand_in, judge
+from armlab.teaching.hand_in_assignment import judge_assignment
 from armlab.teaching.hand_in_class import looked_at_together
 from armlab.teaching.hand_in_reports import Judged, gradescope, rows, table
 from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson, SignAs
 from armlab.teaching.parts.lesson import LessonPart
+from support.assigned import NOON, exam, folder_fixture, solved
+from support.assigned import done as assigned
 from support.small_lessons import library_fixture
 
 own = pytest.fixture(library_fixture, name="own")
+
+
+folder = pytest.fixture(folder_fixture, name="folder")
 
 
 @pytest.fixture
@@ -54,6 +61,21 @@ def test_work_that_agrees_to_the_last_digit_is_marked_with_both(fresh, own):
 def test_work_of_nothing_is_not_marked(fresh, own):
     files = [Judged(name, judge(hand_in(timed(fresh, SignAs(name), OpenLesson("v", variant=3))))) for name in "ab"]
     assert [one.same_as for one in looked_at_together(files)] == [(), ()]
+
+
+def test_two_students_of_one_name_are_told_apart_by_their_variants(fresh, folder):
+    anna, other = (solved(exam(fresh, number, "Anna Rossi")) for number in (3, 4))
+    anna = assigned(assigned(anna, OpenTask(1), GoToStep(2)), Answer("3"), at=NOON + 3.7)
+    again = assigned(assigned(anna, HandIn()), TakeUp(), HandIn(), at=NOON + 60)
+    copied = json.loads(hand_in(assigned(other, HandIn())))
+    copied["works"][1]["progress"] = json.loads(hand_in(again))["works"][1]["progress"]
+    texts = hand_in(assigned(anna, HandIn())), hand_in(again), json.dumps(copied)
+    files = [Judged(name, judge_assignment(text, "exam")) for name, text in zip("abc", texts, strict=True)]
+    names = {3: "Anna Rossi", 4: "anna rossi", 5: "Bob"}
+    marked = looked_at_together(files, names)
+    assert [one.problem for one in marked] == ["Another attempt counts: b.", "", ""]
+    assert [one.points for one in marked] == [0.0, 8.5, 8.5]
+    assert [one.same_as for one in marked] == [("c",), ("c",), ("a", "b")]
 
 
 def test_work_in_the_variant_of_another_does_not_count(fresh, own):

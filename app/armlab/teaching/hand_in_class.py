@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import unicodedata
-from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections import Counter, defaultdict
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import replace
 
 from armlab.teaching.hand_in import Report
@@ -19,7 +19,9 @@ def looked_at_together(judged: Sequence[Judged], students: Mapping[int, str] | N
     judged : sequence of Judged
     students : mapping of int to str, optional
         Names by the variant that each was given. Work in another variant, or of somebody else, does not count.
+        Students of the same name are told apart by their variants.
     """
+    shared = _shared(students or {})
     prints: list[frozenset[str]] = [frozenset() if one.report is None else one.report.prints for one in judged]
     having: dict[str, list[int]] = defaultdict(list)
     for i, each in enumerate(prints):
@@ -28,30 +30,42 @@ def looked_at_together(judged: Sequence[Judged], students: Mapping[int, str] | N
     marked = []
     for i, (one, each) in enumerate(zip(judged, prints, strict=True)):
         others = sorted({k for found in each for k in having[found]} - {i})
-        others = [k for k in others if not _attempts_of_one(one.report, judged[k].report)]
+        others = [k for k in others if not _attempts_of_one(one.report, judged[k].report, shared)]
         problem = one.problem
         if one.report is not None:
             problem = one.report.handed.problem if one.report.handed is not None else ""
             problem = problem or (_not_assigned(one.report, students) if students is not None else "")
         marked.append(replace(one, problem=problem, same_as=tuple(judged[k].file for k in others)))
-    return _last_attempts(marked)
+    return _last_attempts(marked, shared)
 
 
-def _attempts_of_one(one: Report | None, other: Report | None) -> bool:
+def _attempts_of_one(one: Report | None, other: Report | None, shared: Set[str]) -> bool:
     """Return whether both are attempts of one student at an assignment, of which one goes on from the other."""
     if one is None or other is None or one.handed is None or other.handed is None:
         return False
-    return bool(one.student) and _plain(one.student) == _plain(other.student)
+    return bool(one.student) and _who(one, shared) == _who(other, shared)
 
 
-def _last_attempts(judged: Sequence[Judged]) -> list[Judged]:
+def _shared(students: Mapping[int, str]) -> frozenset[str]:
+    """Return the names that several students have."""
+    counts = Counter(map(_plain, students.values()))
+    return frozenset(name for name, count in counts.items() if count > 1)
+
+
+def _who(report: Report, shared: Set[str]) -> tuple[str, int | None]:
+    """Return what tells a student from the others: the name, with the variant where several have it."""
+    name = _plain(report.student)
+    return name, report.variant if name in shared else None
+
+
+def _last_attempts(judged: Sequence[Judged], shared: Set[str]) -> list[Judged]:
     """Return the verdicts with all but the last attempt of each student marked as not counting."""
-    last: dict[str, Judged] = {}
+    last: dict[tuple[str, int | None], Judged] = {}
     for one in judged:
         if one.report is not None and not one.problem and one.report.handed is not None and one.report.student:
-            who = _plain(one.report.student)
+            who = _who(one.report, shared)
             last[who] = max(last.get(who, one), one, key=_attempt)
-    return [replace(one, problem=_earlier(one, last)) for one in judged]
+    return [replace(one, problem=_earlier(one, last, shared)) for one in judged]
 
 
 def _attempt(one: Judged) -> tuple[int, float]:
@@ -59,11 +73,11 @@ def _attempt(one: Judged) -> tuple[int, float]:
     return (0, 0.0) if handed is None else (handed.attempt, handed.handed)
 
 
-def _earlier(one: Judged, last: Mapping[str, Judged]) -> str:
+def _earlier(one: Judged, last: Mapping[tuple[str, int | None], Judged], shared: Set[str]) -> str:
     """Return the reason why the work does not count; that it is an earlier attempt where there was none."""
     if one.problem or one.report is None or one.report.handed is None:
         return one.problem
-    counts = last.get(_plain(one.report.student), one)
+    counts = last.get(_who(one.report, shared), one)
     return "" if counts is one else f"Another attempt counts: {counts.file}."
 
 
