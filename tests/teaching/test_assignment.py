@@ -25,8 +25,10 @@ from armlab.teaching.lesson_commands import Answer, CloseLesson, GoToStep, OpenL
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.shelf import ToSandbox
 from armlab.window.lesson.assigned import Sheet
+from armlab.window.lesson.page import LessonPage
 from armlab.window.wished import wished
 from support.assigned import NOON, done, exam, folder_fixture, fresh_fixture, goal, points, refused, solved
+from support.bare_gui import BareGui, content
 from support.small_lessons import library_fixture
 
 own = pytest.fixture(library_fixture, name="own")
@@ -121,6 +123,16 @@ def test_a_wrong_prediction_gives_no_points_in_an_exam(fresh):
     assert points(state) == 0.0
     homework = done(fresh, SignAs("Ada"), OpenAssignment("homework", 3), GoToStep(1), Answer("-1"), HandIn())
     assert points(homework, "homework") == 2.0  # as on screen
+
+
+def test_the_dock_of_an_exam_says_that_a_prediction_cannot_be_changed_and_an_answer_can(fresh):
+    gui = BareGui()
+    page = LessonPage(gui, print)
+    for step, fixed in ((1, True), (2, False)):
+        state = done(exam(fresh), GoToStep(step), Answer("1"))
+        page.show(state)
+        shown = " ".join(map(content, gui.has))
+        assert ("only the first one counts" in shown, "You can change it" in shown) == (fixed, not fixed)
 
 
 def test_a_forged_answer_that_was_right_before_does_not_count_in_an_exam(fresh):

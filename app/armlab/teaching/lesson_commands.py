@@ -63,9 +63,7 @@ class OpenLesson(Command):
         kept_one = self.within and opened.where in part.progress_of
         lesson = kept_at(place) if kept_one else at_place(place)
         refuse_unknown(lesson)
-        begun = set_up(state, lesson, kept.shown(lesson)).replace(
-            opened.with_progress(kept), Former.of(at_home(state))
-        )
+        begun = set_up(state, lesson, kept.shown(lesson)).replace(opened.with_progress(kept), Former.of(at_home(state)))
         return lesson_followed(state, begun)
 
     def _refuse_in_assignment(self, part: LessonPart) -> None:

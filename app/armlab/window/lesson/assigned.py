@@ -143,10 +143,12 @@ def check_box(part: LessonPart) -> Markup:
     return verdict_box("todo", "Noted" if part.progress.tried else "To do", says)
 
 
-def noted(typed: str) -> Markup | None:
-    """Return what is said of an answer whose verdict has to wait; nothing before there is one."""
+def noted(typed: str, settled: bool) -> Markup | None:
+    """Return what is said of an answer whose verdict has to wait, settled as a prediction is; nothing before it."""
     if not typed:
         return None
+    if settled:
+        return verdict_box("todo", "Your prediction is noted; only the first one counts.", role="status")
     return verdict_box("todo", "Your answer is noted", "You can change it until you hand in.", role="status")
 
 

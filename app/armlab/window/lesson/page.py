@@ -126,7 +126,7 @@ class LessonPage:
         right = part.progress.right.get(part.name)
         verdict = part.verdict
         if part.silent and (verdict is None or verdict.name != "unreadable"):
-            self._question.show(fields, assigned.noted(typed))
+            self._question.show(fields, assigned.noted(typed, settled))
             return
         self._question.show(fields, said(verdict, settled, right.typed if right else ""))
 
