@@ -9,6 +9,7 @@ from armlab.content.lessons import changed, lessons
 from armlab.content.robots import catalogue
 from armlab.errors import ContentError, InputError, UnknownName
 from armlab.session.example_links import LookAt
+from armlab.session.panel_commands import hidden_panels
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.session import Redo, Session, StartFresh, Undo
 from armlab.teaching.assignment_commands import HandIn, OpenAssignment, OpenTask, TakeUp
@@ -184,6 +185,13 @@ def test_points_of_steps_whose_titles_hold_values_are_those_of_every_variant(fre
     assert state[LessonPart].lesson.steps[0].title != first
     assert Sheet.open(state[LessonPart]).points == (7.0, 10.0)
     assert points(done(state, HandIn())) == 7.0
+
+
+def test_pages_that_are_closed_or_opened_meanwhile_are_so_at_once(fresh, folder):
+    state = exam(fresh)
+    assert "pose" in hidden_panels(state)
+    rewritten(folder, "exam", ('pages = ["joints"]', 'pages = ["pose"]'))
+    assert ("joints" in hidden_panels(state), "pose" in hidden_panels(state)) == (True, False)
 
 
 def test_who_has_begun_can_come_back_whatever_becomes_of_the_file(fresh, folder):

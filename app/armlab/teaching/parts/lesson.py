@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from types import MappingProxyType
 from typing import ClassVar, Self
 
@@ -150,9 +149,9 @@ class LessonPart(Part):
             return ""
         return next((step.panel for step in found.steps[self.index :: -1] if step.panel), found.panel)
 
-    @cached_property
+    @property
     def hidden(self) -> frozenset[str]:
-        """Keys of the panels that the open lesson hides, or its assignment."""
+        """Keys of the panels that the open lesson hides, or its assignment, as their files say now."""
         found, assigned = self.lesson, self.assigned
         if found is None:
             return frozenset()
