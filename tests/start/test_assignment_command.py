@@ -7,7 +7,9 @@ import json
 import numpy as np
 import pytest
 
+from armlab.commands._scheme import conditions
 from armlab.content import lessons as library_module
+from armlab.content.assignment import parse_assignment
 from armlab.content.robots import catalogue
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.state import State, apply
@@ -91,6 +93,13 @@ def test_the_sheet_has_the_marking_scheme_and_the_answers_of_every_lesson(typed,
     assert "## T: solutions" in out
     goals = [library_module.lesson("v", number).values["goal"] for number in (3, 4)]
     assert all(f"| {2 * goal:g} ± 0.1 |" in out for goal in goals)
+
+
+@pytest.mark.parametrize(("due", "says"), [("due = 2030-01-01", "Late work is accepted until"), ("", "It closes on")])
+def test_the_scheme_speaks_of_late_work_only_where_there_is_a_date_that_it_is_due(due, says):
+    text = f'title = "H"\n{due}\ncloses = 2030-01-02\n[[tasks]]\nlesson = "v"\n'
+    assert any(line.startswith(says) for line in conditions(parse_assignment("h", text, "h.toml")))
+    assert sum(line.startswith("Late") for line in conditions(parse_assignment("h", text, "h.toml"))) == bool(due)
 
 
 def test_mistakes_and_work_on_something_else_are_told_with_their_file(typed, sheet, work):

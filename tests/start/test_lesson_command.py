@@ -49,6 +49,7 @@ def test_a_new_lesson_is_written_once(typed, place):
         (("../x",), "expected lower-case letters"),
         (("x" * 65,), "at most 64"),
         (("first_arm",), "there is a lesson 'first_arm' in the lab"),
+        (("readme",), "readme.md is read by people and is no lesson; choose another name"),
         (("x", "--robot", "puma650"), "puma560"),
         (("x", "--to", "gone"), "gone: there is no such folder"),
     ],

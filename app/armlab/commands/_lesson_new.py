@@ -20,6 +20,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Write the file; a file that is there already stays as it is."""
+    from armlab.commands._found import README
     from armlab.content.lessons import lessons
     from armlab.content.new_lesson import new_lesson
     from armlab.content.robots import KEY, catalogue
@@ -27,6 +28,8 @@ def run(options: argparse.Namespace) -> int:
     name = options.name.removesuffix(".md")
     if not KEY.match(name):
         raise InputError(f"name: expected lower-case letters, digits and underscores, at most 64, got {name[:80]!r}")
+    if f"{name}.md" == README:
+        raise InputError(f"name: a file {README} is read by people and is no lesson; choose another name")
     if name in lessons().lessons:
         raise InputError(f"name: there is a lesson {name!r} in the lab; choose another name")
     text = new_lesson(catalogue()[options.robot])

@@ -45,7 +45,8 @@ def conditions(found: Assignment) -> Iterator[str]:
     if found.due is not None:
         yield f"It is due on {said_date(found.due)}."
     if found.closes is not None and found.closes != found.due:
-        yield f"Late work is accepted until {said_date(found.closes)}."
+        closes = "It closes on" if found.due is None else "Late work is accepted until"
+        yield f"{closes} {said_date(found.closes)}."
     if found.late_percent:
         yield f"Late work loses {found.late_percent:g} % of its points."
     if found.minutes:
