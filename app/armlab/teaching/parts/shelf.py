@@ -212,7 +212,7 @@ class BackFromShared(Command):
 
 
 def at_home(state: State) -> State:
-    """Return the student's state at home, without what waits elsewhere: the one that waits there, or the present one."""
+    """Return the state at home, without what waits elsewhere: the one that waits there, or the present one."""
     shelf = state[Shelf]
     return state.replace(Shelf()) if shelf.place == HOME else shelf.parked[HOME]
 
