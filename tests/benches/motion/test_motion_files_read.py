@@ -17,9 +17,11 @@ from armlab.benches.motion.files.commands import (
 )
 from armlab.benches.motion.files.read import MOST_SAMPLES
 from armlab.benches.motion.files.table import MOST_BYTES, MOST_COLUMNS, MOST_ROWS
+from armlab.benches.motion.plan.commands import SetMove
 from armlab.benches.motion.plan.job import with_planned
-from armlab.benches.motion.plan.limits import LastFor
+from armlab.benches.motion.plan.limits import LastFor, LimitJerk, LimitTool
 from armlab.benches.motion.plan.state import Plan, planned_now
+from armlab.benches.motion.plan.words import judged, rounded_up
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
@@ -76,13 +78,48 @@ def test_a_motion_at_its_limits_read_again_keeps_them_and_without_rates_but_for_
     assert with_rates.violations == ()
     assert with_rates.fastest == pytest.approx(planned_now(fast).fastest, rel=1e-6)
     # Without them its acceleration swings over where it jumps.
-    names, *rows = table(fast).splitlines()
-    only = "\n".join(",".join(row.split(",")[: 1 + fast[Joints].arm.n]) for row in (names, *rows))
     jumps = planned_now(fast).motion.edges
-    over = planned_now(with_planned(apply(fast, ReadMotion(only)))).violations
+    over = planned_now(with_planned(apply(fast, ReadMotion(only_positions(fast, 200.0))))).violations
     assert over
     assert all(np.abs(jumps - 0.5 * (each.start + each.end)).min() < 0.06 for each in over)
     assert max(each.end - each.start for each in over) < 0.1
+
+
+def only_positions(state, rate):
+    """Return the planned motion as a table without its rates."""
+    return "\n".join(",".join(row.split(",")[: 1 + state[Joints].arm.n]) for row in table(state, rate).splitlines())
+
+
+def test_a_motion_read_with_its_rates_keeps_a_limit_of_tool_speed_in_the_least_time_that_is_told():
+    state = opened("planar_2r")
+    read = apply(apply(state, ReadMotion(table(state))), LimitTool(0.2))
+    found = planned_now(with_planned(read))
+    assert judged(found).kind == "no"
+    assert found.least == pytest.approx(found.duration * found.figures.tool_speed / 0.2, rel=1e-3)
+    assert judged(planned_now(with_planned(apply(read, LastFor(rounded_up(found.least)))))).kind == "ok"
+    assert judged(planned_now(with_planned(apply(read, LastFor(0.99 * found.least))))).kind == "no"
+
+
+def test_a_motion_read_with_its_rates_keeps_a_limit_of_jerk_if_it_was_planned_with_one():
+    state = opened("planar_2r")
+    read = apply(apply(state, ReadMotion(table(state))), LimitJerk(0.05))
+    found = planned_now(with_planned(read))
+    assert {each.quantity for each in found.violations} == {"jerk"}
+    assert judged(planned_now(with_planned(apply(read, LastFor(rounded_up(found.least)))))).kind == "ok"
+    smooth = with_planned(apply(apply(state, SetMove(1, law="double_s")), LimitJerk(0.05)))
+    for rate in (50.0, 200.0, 1000.0):
+        again = planned_now(with_planned(apply(smooth, ReadMotion(table(smooth, rate)))))
+        assert judged(again).kind == "ok"
+        assert again.least == pytest.approx(planned_now(smooth).least, rel=1e-3)
+
+
+def test_a_motion_read_without_rates_has_the_least_time_of_its_jerk():
+    state = opened("planar_2r", law="septic")
+    smooth = with_planned(apply(state, LimitJerk(0.5)))
+    read = apply(smooth, ReadMotion(only_positions(state, 50.0)))
+    least = planned_now(with_planned(read)).least
+    assert least == pytest.approx(planned_now(smooth).least, rel=0.02)
+    assert judged(planned_now(with_planned(apply(read, LastFor(rounded_up(least)))))).kind == "ok"
 
 
 @pytest.mark.parametrize("key", ROBOTS)

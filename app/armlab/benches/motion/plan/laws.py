@@ -52,7 +52,7 @@ def fastest(question: Question, stretch: Stretch, path: Path) -> Trajectory:
     except InputError as refusal:
         raise InputError(f"move {stretch.title}: {refusal}") from None
     motion = Trajectory(path, law)
-    slower = scaled(motion, max(1.0, _too_fast(question.arm, motion, limits)))
+    slower = scaled(motion, max(1.0, tool_share(question.arm, motion, limits)))
     assert isinstance(slower, Trajectory)
     return slower
 
@@ -126,10 +126,12 @@ def lasting(stretch: Stretch, path: Path, motion: Motion, duration: float) -> Mo
 def slack(question: Question, motion: Motion) -> float:
     """Return the factor of time with which a motion meets one limit; below 1 it may be faster."""
     limits = question.limits
-    _, scaling = as_fast_as_allowed(motion, limits.of_joints(), jumps=True)
-    return max(scaling.k, _too_fast(question.arm, motion, limits))
+    # What was recorded may begin and end with a speed; that is no jump, so its jerk counts.
+    moving = question.recorded is not None
+    _, scaling = as_fast_as_allowed(motion, limits.of_joints(), jumps=True, moving=(moving, moving))
+    return max(scaling.k, tool_share(question.arm, motion, limits))
 
 
-def _too_fast(arm: Arm, motion: Motion, limits: Limits) -> float:
+def tool_share(arm: Arm, motion: Motion, limits: Limits) -> float:
     """Return the ratio of the largest speed of the tool to its limit."""
     return 0.0 if limits.tool_speed is None else fastest_tool(arm, motion) / limits.tool_speed

@@ -8,14 +8,21 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.motion.plan.laws import slack
-from armlab.benches.motion.plan.question import Leg, Planned, Question, Recorded
+from armlab.benches.motion.plan.laws import slack, tool_share
+from armlab.benches.motion.plan.question import Leg, Limits, Planned, Question, Recorded
 from armlab.benches.motion.plan.samples import ROUNDING, drawn_leg, exceeded, sampled, spans_of, too_fast
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.motion import Motion, Trajectory, Violation, law_type, path_type, scaled
+from armlab.kin.motion.peaks import QUANTITIES
 
 Floats = NDArray[np.float64]
+
+JERK = 3
+"""Order of the jerk among the derivatives of the joint values."""
+
+JERK_ROUNDING = 1.0 + 1e-3
+"""Multiple of a limit of jerk up to which it counts as kept: the digits of a file are few in a difference."""
 
 
 def recorded_motion(question: Question) -> Iterator[Planned | None]:
@@ -60,25 +67,37 @@ def _judged(
     """
     if recorded.qdot is None or recorded.qddot is None:
         return exceeded(question, motion), own.duration * slack(question, own)
-    t = (np.array(recorded.t) - recorded.t[0]) * k
-    rates = {"velocity": np.array(recorded.qdot) / k, "acceleration": np.array(recorded.qddot) / k**2}
-    limits = {"velocity": question.limits.velocity, "acceleration": question.limits.acceleration}
-    shares = {name: np.abs(rates[name]) / np.array(limits[name]) for name in rates}
-    over = [*_outside(question.arm, t, np.array(recorded.q))]
-    for name, share in shares.items():
-        over += _above(t, share, "velocity" if name == "velocity" else "acceleration")
-    most = max(float(shares["velocity"].max()), math.sqrt(float(shares["acceleration"].max())))
-    if most == 0.0:
+    t, q = np.array(recorded.t) - recorded.t[0], np.array(recorded.q)
+    over, factors = _outside(question.arm, k * t, q), [tool_share(question.arm, own, question.limits)]
+    for order, share in enumerate(_shares(question.limits, recorded, t), start=1):
+        over += _above(k * t, share / k**order, order)
+        factors.append(float(share.max()) ** (1.0 / order))
+    if not any(factors):
         raise InputError("recorded motion: the arm stands still all the time")
-    return tuple(sorted(over, key=lambda each: (each.start, each.joint, each.quantity))), motion.duration * most
+    return tuple(sorted(over, key=lambda each: (each.start, each.joint, each.quantity))), own.duration * max(factors)
 
 
-def _above(t: Floats, shares: Floats, quantity: str) -> list[Violation]:
-    found = []
-    for joint in range(shares.shape[1]):
-        for first, last in _runs(shares[:, joint] > ROUNDING):
-            found.append(Violation(joint + 1, quantity, float(t[first]), float(t[last])))  # type: ignore[arg-type]
-    return found
+def _shares(limits: Limits, recorded: Recorded, t: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return the parts of the limits that velocity, acceleration and jerk take, a column for each joint.
+
+    Those of the jerk have one row fewer: from one sample to the next its peak is at least its mean.
+    """
+    a = np.array(recorded.qddot)
+    jerk = np.diff(a, axis=0) / np.diff(t)[:, None]
+    held = limits.of_joints().each
+    v_share, a_share, j_share = (np.abs(x) / h for x, h in zip((np.array(recorded.qdot), a, jerk), held, strict=True))
+    return v_share, a_share, j_share
+
+
+def _above(t: Floats, shares: Floats, order: int) -> list[Violation]:
+    """Return when shares at times, or between them if there is one fewer, are above 1."""
+    most = JERK_ROUNDING if order == JERK else ROUNDING
+    between = len(t) - len(shares)
+    return [
+        Violation(joint + 1, QUANTITIES[order], float(t[first]), float(t[last + between]))
+        for joint in range(shares.shape[1])
+        for first, last in _runs(shares[:, joint] > most)
+    ]
 
 
 def _outside(arm: Arm, t: Floats, q: Floats) -> list[Violation]:
