@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from armlab.benches.motion.files.commands import ReadMotion
 from armlab.benches.motion.pick.course import CLOSING, GRASP
 from armlab.benches.motion.pick.facts import FACTS
 from armlab.benches.motion.pick.state import (
@@ -140,6 +141,15 @@ def test_without_closing_and_without_opening_the_words_say_what_to_do():
     assert placed(kept) == 0
 
 
+def test_a_motion_from_a_file_has_no_gripper_whatever_its_waypoints_say():
+    state = set_up("puma560", SetAtWaypoint(0, "gripper", "close"))
+    rows = "\n".join(f"{t},{','.join(f'{value:.6f}' for value in planned_now(state).motion.at(t))}" for t in (0.0, 1.0))
+    read = with_planned(apply(state, ReadMotion(rows)))
+    assert planned_now(read).grips == ()
+    assert read.derived(course_of).tries == ()
+    assert told(read) == ("warn", "0 of 3 boxes at the goal at the end", ())
+
+
 def test_one_undo_brings_the_former_plan_and_no_boxes_back():
     before = apply(State.initial(catalogue()["puma560"]), SetWaypointJoint(1, 0, 0.3))
     after = apply(before, PickAndPlace())
@@ -160,6 +170,11 @@ def test_boxes_are_added_typed_dragged_and_removed_and_what_cannot_be_is_refused
     assert state[Pick].boxes == table_of(catalogue()["scara"]).boxes
     with pytest.raises(InputError, match="at most 3"):
         apply(state, AddBox())
+    # A box that has been nudged still stands at its place.
+    nudged = apply(apply(state, RemoveBox(1)), MoveBox(0, 0, state[Pick].boxes[0][0] + 0.001))
+    assert apply(nudged, AddBox())[Pick].boxes[2] == state[Pick].boxes[1]
+    with pytest.raises(InputError, match="no place within reach of the arm is free; move or remove a box first"):
+        apply(set_up("cartesian_3p"), AddBox())
     moved = apply(state, MoveBox(1, 2, 0.2))
     assert moved[Pick].boxes[1] == (*state[Pick].boxes[1][:2], 0.2)
     dragged = apply(moved, DragBox(GOAL, np.array([0.1, 0.2, 0.3]), object()))

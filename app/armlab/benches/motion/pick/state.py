@@ -165,11 +165,14 @@ class AddBox(Command):
     label: ClassVar[str] = "one more box"
 
     def apply(self, state: State) -> State:
-        """Return the state with the box at a free place, and a goal if there was none."""
+        """Return the state with the box at a free place, and a goal if there was none; `InputError` if none is free."""
         part, table = state[Pick], table_of(state[RobotPart].robot)
         if len(part.boxes) >= MOST_BOXES:
             raise InputError(f"boxes: at most {MOST_BOXES}")
-        place = next((each for each in table.boxes if each not in part.boxes), table.boxes[-1])
+        edge = edge_of(state[Joints].arm)
+        place = next((each for each in table.boxes if _free(each, part.boxes, edge)), None)
+        if place is None:
+            raise InputError("boxes: no place within reach of the arm is free; move or remove a box first")
         return put(state, replace(part, boxes=(*part.boxes, place), goal=part.goal or table.goal))
 
 
@@ -255,6 +258,11 @@ class DragBox(Command):
         """Return the state with the box there."""
         _refuse_missing(state[Pick], self.which)
         return state.replace(state[Pick].moved(self.which, _place(self.place.tolist(), name_of(self.which))))
+
+
+def _free(place: Point, boxes: Sequence[Point], edge: float) -> bool:
+    """Return whether a box at a place would not stand inside one of those that are there."""
+    return all(np.abs(np.subtract(place, each)).max() >= edge for each in boxes)
 
 
 def _refuse_missing(part: Pick, which: int) -> Point:

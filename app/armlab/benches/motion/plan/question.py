@@ -283,7 +283,9 @@ class Planned:
 
     @property
     def grips(self) -> tuple[Grip, ...]:
-        """When the gripper opens or closes, in the order of time."""
+        """When the gripper opens or closes, in the order of time; a recorded motion passes no waypoints."""
+        if self.question.recorded is not None:
+            return ()
         reached = [(0, 0.0)] if self.running else []
         reached += [(leg.stretch.last, leg.arrival) for leg in self.running if leg.stretch is not None]
         points = self.question.waypoints

@@ -42,6 +42,8 @@ def _missing(state: State, found: Course) -> tuple[str, ...]:
     planned = last_planned(state)
     if planned is None or planned.motion is None:
         return ("there is no motion yet that could carry a box",) if state[Plan].planned is not None else ()
+    if planned.question.recorded is not None:
+        return ()
     if not any(grip.closes for grip in found.grips):
         return ("the gripper never closes: let it close at the waypoint at a box",)
     held = found.held(planned.duration)
