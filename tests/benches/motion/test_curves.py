@@ -1,6 +1,8 @@
 """The laboratory of curves: its numbers against the notes, and its examples."""
 
 import json
+import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,6 +11,7 @@ from scipy.interpolate import CubicSpline
 
 from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.curves.examples import EXAMPLES, ChooseExample, differences
+from armlab.benches.motion.curves.facts import FACTS
 from armlab.benches.motion.curves.knots import MOST_KNOTS
 from armlab.benches.motion.curves.made import Drawn, free_options, grid, kinds, made, why_not
 from armlab.benches.motion.curves.solved import lts_solved, normalised, one_polynomial, pieces, spline_solved
@@ -291,3 +294,14 @@ def test_a_velocity_that_jumps_at_a_knot_exceeds_a_limit_of_acceleration():
     (only,) = found.beyond(5.0, 5.0)
     assert (only.quantity, only.start, only.end) == ("acceleration", pytest.approx(1.5), pytest.approx(1.5))
     assert found.beyond(5.0, None) == []
+
+
+def test_a_jump_makes_the_peaks_above_it_infinite(state):
+    knots = ((0.0, 0.0), (1.0, 1.0), (3.0, 0.0))
+    polyline, spline = curve(knots, "polyline"), curve(knots, "spline")
+    assert [polyline.largest(order) for order in (2, 3)] == [math.inf, math.inf]
+    assert [spline.largest(order) for order in (1, 2, 3)] == list(spline.peaks)
+    shown = state.replace(replace(state[Curves], knots=knots, curves=(polyline.drawn,)))
+    values = {name: fact.now(shown).value for name, fact in FACTS.facts.items()}
+    assert (values["peak_acceleration"], values["peak_jerk"], values["bending"]) == (math.inf, math.inf, math.inf)
+    assert values["peak_velocity"] == polyline.peaks[0]

@@ -163,7 +163,7 @@ class Law(ABC):
 
     @cached_property
     def peak_jerk(self) -> float:
-        """The largest |s'''|; infinite where the acceleration jumps."""
+        """The largest |s'''| between jumps of the acceleration, exact."""
         return float(self._extremes(3).peak[0])
 
     @property

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -144,6 +145,10 @@ class Made:
         first, second, third = (float(extremes_of_series(each).peak[0]) for each in self.series[1:])
         return first, second, third
 
+    def largest(self, order: int) -> float:
+        """Return the largest absolute value of a derivative of order 1 to 3; infinite where the one below it jumps."""
+        return math.inf if self.trajectory.continuity < order - 1 else self.peaks[order - 1]
+
     @cached_property
     def overshoot(self) -> float:
         """The largest distance of the curve beyond the range of the knots (notes, figure 6.1: wandering)."""
@@ -154,7 +159,12 @@ class Made:
 
     @cached_property
     def bending(self) -> float:
-        """The integral of q'' squared over time, which is least for a natural spline (notes, end of 6.2.2)."""
+        """The integral of q'' squared over time, which is least for a natural spline (notes, end of 6.2.2).
+
+        It is infinite where the velocity jumps.
+        """
+        if math.isinf(self.largest(2)):
+            return math.inf
         series = self.series[2]
         nodes, weights = np.polynomial.legendre.leggauss(series.coefficients.shape[1])
         values = np.polynomial.chebyshev.chebval(nodes, np.moveaxis(series.coefficients[:, :, 0], 1, 0))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from armlab.benches.motion.curves.commands import FindFastest, TakeFastest
@@ -60,8 +61,7 @@ def facts(part: Curves) -> Markup | None:
 
 def _peak(made: Made, order: int) -> str:
     """Return the largest value of a derivative between the first and the last knot."""
-    jumps = made.trajectory.continuity < order - 1
-    return "∞" if jumps else figures(made.peaks[order - 1])
+    return _figures(made.largest(order))
 
 
 def _short(text: str) -> str:
@@ -69,7 +69,11 @@ def _short(text: str) -> str:
 
 
 def _bending(made: Made) -> str:
-    return "∞" if made.trajectory.continuity < 1.0 else figures(made.bending)
+    return _figures(made.bending)
+
+
+def _figures(value: float) -> str:
+    return "∞" if math.isinf(value) else figures(value)
 
 
 def verdicts(part: Curves) -> Markup | None:
