@@ -14,7 +14,7 @@ from armlab.kin.motion.signs import ON_8, ON_8_PRINTED
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
 from support.done import done
-from support.forms import asked
+from support.forms import BareForm, asked
 
 
 def opened(*commands):
@@ -67,7 +67,7 @@ def test_typed_intervals_are_read_or_refused_with_what_was_expected(text, expect
         assert read(text, "") == expected
 
 
-@pytest.mark.parametrize("some", [*ON_8, *ON_8_PRINTED, ((0.1, 2.5),)])
+@pytest.mark.parametrize("some", [*ON_8, *ON_8_PRINTED, ((0.1, 2.5),), ((1 / 9, 8 / 3),), ((0.1234567, 2.6667),)])
 def test_what_is_written_is_read_back(some):
     assert read(written(some), "") == some
 
@@ -88,7 +88,15 @@ def test_the_bands_mark_what_is_undetermined():
     assert str(bands(Signs())).count("law-doubt") == 0
     printed = str(bands(Signs(*ON_8_PRINTED)))
     assert printed.count("law-doubt") == 1
-    assert "undetermined for 39.1 %" in printed
+    assert "undetermined for 39.06 %" in printed
+
+
+@pytest.mark.parametrize(("minus", "share"), [("1-3, 4-5, 7-7.9999", "0.00125 %"), ("1-3, 4-5", "12.5 %")])
+def test_however_little_is_undetermined_its_share_is_not_zero(minus, share):
+    state = opened(ReadSigns("whole"), SetSigns("minus", minus))
+    assert f"Undetermined for {share}<" in str(joined(signs_markup(BareForm(), state[Laws])))
+    with pytest.raises(InputError, match=f"at {share} of the time"):
+        UseSigns().apply(state)
 
 
 def test_fields_and_buttons_become_commands():

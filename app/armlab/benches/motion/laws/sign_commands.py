@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from armlab.benches.motion.chosen import Chosen
-from armlab.benches.motion.laws.signs import DURATION, Signs, read
+from armlab.benches.motion.laws.signs import DURATION, Signs, percent, read
 from armlab.benches.motion.laws.state import Laws
 from armlab.benches.motion.laws.timing import Entry, Timing
 from armlab.errors import InputError
@@ -70,7 +70,7 @@ class UseSigns(Command):
         signs = state[Laws].signs
         if signs.undetermined:
             raise InputError(
-                f"intervals: at {100.0 * signs.undetermined:.4g} % of the time both signs hold or none, so there is no "
+                f"intervals: at {percent(signs.undetermined)} of the time both signs hold or none, so there is no "
                 "acceleration"
             )
         table = Chosen.of(free_law_types(), "table", rows=signs.rows())

@@ -11,6 +11,7 @@ from typing import Any, Self
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.kin.motion.signs import ON_8, Interval, Piece, ends_of, pieces, undetermined_share
+from armlab.session.amounts import amount
 from armlab.session.state import Json
 
 LONGEST = 100.0
@@ -20,6 +21,9 @@ MOST = 12
 """Largest number of intervals of one sign."""
 
 DURATION = 8.0
+
+LARGEST_DENOMINATOR = 99
+"""Largest denominator of a fraction that is written as one."""
 
 Some = tuple[Interval, ...]
 
@@ -110,14 +114,28 @@ def read(text: str, where: str) -> Some:
 
 
 def written(some: Some) -> str:
-    """Return intervals as they are typed, eighths as fractions.
+    """Return intervals as they are typed, eighths and what has no short decimals as fractions.
 
-    >>> written(((0.0, 1.0), (0.375, 4.0)))
-    '0–1, 3/8–4'
+    >>> written(((0.0, 1.0), (0.375, 1.55), (1.55, 25.0 / 9.0)))
+    '0–1, 3/8–1.55, 1.55–25/9'
     """
     return ", ".join("–".join(map(_number, one)) for one in some)
 
 
 def _number(value: float) -> str:
-    eighths = Fraction(value).limit_denominator(8)
-    return str(eighths) if float(eighths) == value else f"{value:g}"
+    eighths, fraction = (Fraction(value).limit_denominator(most) for most in (8, LARGEST_DENOMINATOR))
+    if float(eighths) == value:
+        return str(eighths)
+    short = f"{value:g}"
+    if float(short) == value:
+        return short
+    return str(fraction) if float(fraction) == value else repr(value)
+
+
+def percent(share: float) -> str:
+    """Return a share as percentage, however small.
+
+    >>> percent(0.390625), percent(0.0), percent(1.25e-5)
+    ('39.06 %', '0 %', '0.00125 %')
+    """
+    return f"{amount(100.0 * share)} %"

@@ -5,13 +5,12 @@ from __future__ import annotations
 from functools import partial
 
 from armlab.benches.motion.laws.sign_commands import READINGS, SIDES, ReadSigns, SetSigns, UseSigns
-from armlab.benches.motion.laws.signs import DURATION, Signs, read, written
+from armlab.benches.motion.laws.signs import DURATION, Signs, percent, read, written
 from armlab.benches.motion.laws.state import Laws
 from armlab.session.amounts import amount
 from armlab.session.state import Command
 from armlab.ui import svg
 from armlab.ui.form import Form
-from armlab.ui.format import trimmed
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import row, verdict_box
 
@@ -61,13 +60,13 @@ def bands(signs: Signs) -> Markup:
     for second in range(int(signs.duration) + 1):
         anchor = "start" if not second else "end" if second == signs.duration else "middle"
         shapes.append(svg.text("tick", scale * second, MIDDLE + BAND + 12.0, str(second), anchor))
-    said = f"Intervals of plus and minus one; undetermined for {100.0 * signs.undetermined:.1f} % of the time"
+    said = f"Intervals of plus and minus one; undetermined for {percent(signs.undetermined)} of the time"
     return svg.drawing("chart.law-bands", WIDE, MIDDLE + BAND + 16.0, said, *shapes)
 
 
 def _card(form: Form, signs: Signs) -> Markup:
     if signs.ends is None:
-        share = f"{trimmed(100.0 * signs.undetermined, 2)} %"
+        share = percent(signs.undetermined)
         said = f"For {share} of the {amount(signs.duration, 's')} both signs hold, or none: this is no acceleration."
         return verdict_box("no", f"Undetermined for {share}", tag("p", said))
     speed, place = signs.ends
