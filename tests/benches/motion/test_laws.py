@@ -1,6 +1,7 @@
 """The bench of timing laws: the numbers of the notes through its state, scaling, bounds, limits, words."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -186,12 +187,39 @@ def test_the_chosen_law_is_the_one_that_is_stretched():
     assert stretch_rows(part)[2][2] == second.peak_acceleration
 
 
+def test_the_optimal_scaling_keeps_the_limit_of_jerk_of_a_law_that_is_to_move_at_its_ends():
+    double_s = Set(Laws, "scaled", 1)
+    state = after(ChooseLawExample("end_speeds"), SetQuantity("jerk", 2.0), AsFastAsAllowed(False), double_s)
+    assert "J is just reached" in optimal_text(state[Laws])
+    assert apply(state, StretchOptimally())[Laws].stretched.peak_jerk == pytest.approx(2.0)
+
+
 def test_before_and_after_are_told_with_their_powers_of_k():
     rows = stretch_rows(bench(ChooseLaw(0, "quintic"), Stretch(2.0)))
     assert [after / before for _, _, before, after, _ in rows] == pytest.approx([2.0, 1 / 2, 1 / 4, 1 / 8])
     assert [power for *_, power in rows] == ["k", "1/k", "1/k²", "1/k³"]
     plain = stretch_rows(bench(ChooseLaw(0, "quintic")))
     assert all(before == after for _, _, before, after, _ in plain)
+
+
+@pytest.mark.parametrize(
+    ("rows", "first", "said"),
+    [
+        (
+            [[0, 1, 1], [1, 3, 0], [3, 4, -1]],
+            0.0,
+            "Trapezoid of speed: speeds up for 1 s, moves at 1 1/s for 2 s, ",
+        ),
+        ([[0, 1, 1], [1, 2, 0]], 0.5, "Trapezoid of speed: speeds up for 1 s, moves at 1.5 1/s for 1 s."),
+        ([[0, 1, 1], [1, 3, 0], [3, 5, -2]], 0.0, ""),
+        ([[0, 1, 1], [1, 2, 0]], -2.0, ""),
+    ],
+)
+def test_a_table_has_phases_only_if_it_never_turns_back(rows, first, said):
+    entry = Entry(Chosen.of(free_law_types(), "table", rows=rows, sdot_first=first), True)
+    text = phases_text(replace(Laws(), entries=(entry,)), 0)
+    assert text.startswith(said)
+    assert bool(text) == bool(said)
 
 
 def test_the_bound_of_speed_of_the_example_is_one_half():

@@ -2,16 +2,23 @@
 
 import csv
 import io
+import math
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.laws.commands import ChooseLaw, SetQuantity, Stretch
 from armlab.benches.motion.laws.examples import EXAMPLES, ChooseLawExample
+from armlab.benches.motion.laws.facts import FACTS
 from armlab.benches.motion.laws.state import Laws
+from armlab.benches.motion.laws.timing import Entry
 from armlab.benches.motion.laws.ui.form import form_markup
 from armlab.benches.motion.laws.ui.plots import LawPlot, grid, race_markup
+from armlab.benches.motion.laws.ui.tables import values_markup
+from armlab.benches.motion.laws.words import stretch_rows
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import free_law_types
@@ -135,6 +142,29 @@ def test_the_race_stands_where_the_laws_are():
     assert now == [160.0, 160.0]
     back = race_markup(opened(ChooseLawExample("plus_minus_one"), OpenClip("laws"), Seek(6.0)))
     assert 'class="now" cx="10.0"' in back
+
+
+def test_a_table_that_stands_still_stands_at_the_beginning():
+    part = opened()[Laws]
+    still = Entry(Chosen.of(free_law_types(), "table", rows=[[0.0, 1.0, 0.0]]), True)
+    state = opened().replace(replace(part, entries=(still,)))
+    assert set(re.findall(r' cx="([^"]+)"', str(race_markup(state)))) == {"10.0"}
+
+
+def test_a_peak_is_infinite_where_the_derivative_below_it_jumps():
+    for example, order, texts, fact in (
+        ("double_s", 3, ["5", "∞"], 5.0),
+        ("double_s", 2, ["1.5", "1.5"], 1.5),
+        ("bang_coast_bang", 3, ["∞", "∞"], math.inf),
+        ("smoothness", 3, ["1.5", "7.5", "6.562"], 1.5),
+    ):
+        state = opened(ChooseLawExample(example))
+        name, key = {2: ("max |s̈|", "peak_acceleration"), 3: ("max |jerk|", "peak_jerk")}[order]
+        row = re.search(rf"<td>{re.escape(name)}.*?</tr>", str(values_markup(state[Laws], 0.0)))[0]
+        assert re.findall(r"<td>([^<]*)", row)[1:] == texts
+        assert FACTS.facts[key].now(state).value == pytest.approx(fact)
+    bang = opened(ChooseLawExample("bang_coast_bang"), Stretch(2.0))[Laws]
+    assert [row[2:4] for row in stretch_rows(bang) if row[0] == "max jerk"] == [(math.inf, math.inf)]
 
 
 # -- what is pressed and typed -----------------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.laws.bounds import joint_paths
 from armlab.benches.motion.laws.state import MOST_LAWS, Laws
-from armlab.benches.motion.laws.timing import AS_TYPED, Entry
+from armlab.benches.motion.laws.timing import AS_TYPED, Entry, smoothness
 from armlab.errors import InputError
 from armlab.kin.motion import free_law_types, law_type
 from armlab.kin.motion.breaks import SMOOTH_ENOUGH
@@ -244,8 +244,8 @@ def optimal(part: Laws) -> Scaling:
     ----------
     Notes 6.161-6.163.
     """
-    law, timing = part.laws[part.scaled], part.timing
-    jerk = law.peak_jerk if law.continuity_from_rest >= SMOOTH_ENOUGH else 0.0
+    entry, law, timing = part.entries[part.scaled], part.laws[part.scaled], part.timing
+    jerk = law.peak_jerk if smoothness(entry, law) >= SMOOTH_ENOUGH else 0.0
     limits = [timing.limit(order) for order in (1, 2, 3)]
     held = (
         peak

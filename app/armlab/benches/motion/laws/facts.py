@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from armlab.benches.motion.laws.state import Laws
-from armlab.benches.motion.laws.timing import Phases, excesses, phases
+from armlab.benches.motion.laws.timing import Phases, excesses, largest, phases
 from armlab.kin.motion.law import Law
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
@@ -36,10 +36,8 @@ FACTS = Facts(
         "laws": Fact("the number of laws", lambda s: len(s[Laws].entries), kind="count"),
         "duration": Fact("the duration of the first law", lambda s: _law(s).duration, "s"),
         "peak_speed": Fact("the largest speed of the first law", lambda s: _law(s).peak_speed, "1/s"),
-        "peak_acceleration": Fact(
-            "the largest acceleration of the first law", lambda s: _law(s).peak_acceleration, "1/s²"
-        ),
-        "peak_jerk": Fact("the largest jerk of the first law", lambda s: _law(s).peak_jerk, "1/s³"),
+        "peak_acceleration": Fact("the largest acceleration of the first law", lambda s: largest(_law(s), 2), "1/s²"),
+        "peak_jerk": Fact("the largest jerk of the first law", lambda s: largest(_law(s), 3), "1/s³"),
         "limits_kept": Fact("the first law keeps the limits", _kept, kind="truth"),
         "triangle": Fact(
             "the first law is a triangle of speed", _of_phases(lambda found: found.triangle), kind="truth"

@@ -157,6 +157,13 @@ def _made(entry: Entry, timing: Timing, options: dict[str, Any]) -> Law:
     return kind.shaped(Limits(timing.limit(1), timing.limit(2), timing.limit(3)), timing.distance, **options)
 
 
+def largest(law: Law, order: int) -> float:
+    """Return the largest |derivative| of order 1 to 3 on [0, T]; infinite where the one below it jumps inside."""
+    if law.continuity < order - 1:
+        return math.inf
+    return (law.peak_speed, law.peak_acceleration, law.peak_jerk)[order - 1]
+
+
 class Excess(NamedTuple):
     """A limit that is exceeded.
 
@@ -184,7 +191,7 @@ def excesses(entry: Entry, timing: Timing) -> tuple[Excess, ...]:
     """
     law = law_of(entry, timing)
     peaks = (law.peak_speed, law.peak_acceleration, law.peak_jerk)
-    smooth = law.continuity if entry.moving_ends else law.continuity_from_rest
+    smooth = smoothness(entry, law)
     found = []
     for order, peak in enumerate(peaks, start=1):
         limit = timing.limit(order)
@@ -195,6 +202,11 @@ def excesses(entry: Entry, timing: Timing) -> tuple[Excess, ...]:
         if spans or jumps:
             found.append(Excess(order, math.inf if jumps else peak, limit, spans))
     return tuple(found)
+
+
+def smoothness(entry: Entry, law: Law) -> float:
+    """Return the class of the law of an entry, with rest before and after it unless it is to move at its ends."""
+    return law.continuity if entry.moving_ends else law.continuity_from_rest
 
 
 def _spans(law: Law, order: int, limit: float) -> tuple[tuple[float, float], ...]:
@@ -230,13 +242,13 @@ STILL = 1e-9
 
 
 def phases(law: Law) -> Phases | None:
-    """Return the phases of a trapezoid or triangle of speed, or None for another law.
+    """Return the phases of a trapezoid or triangle of speed, or None for another law, such as one that turns back.
 
     References
     ----------
     Notes 6.104-6.113.
     """
-    if law.degree != 2:
+    if law.degree != 2 or not law.monotone:
         return None
     middles = 0.5 * (law.edges[1:] + law.edges[:-1])
     values = law.at(middles, 2)

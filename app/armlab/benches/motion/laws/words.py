@@ -10,7 +10,7 @@ from typing import NamedTuple
 from armlab.benches.motion.laws.bounds import Bounded
 from armlab.benches.motion.laws.commands import optimal
 from armlab.benches.motion.laws.state import Laws
-from armlab.benches.motion.laws.timing import Entry, Excess, Phases, Timing, phases
+from armlab.benches.motion.laws.timing import Entry, Excess, Phases, Timing, largest, phases
 from armlab.errors import InputError
 from armlab.kin.motion import Law, LawBounds
 from armlab.kin.motion.breaks import class_text
@@ -145,8 +145,8 @@ def stretch_rows(part: Laws) -> tuple[tuple[str, str, float, float, str], ...]:
     return (
         ("T", "s", law.duration, after.duration, "k"),
         ("max|ṡ|", UNITS[1], law.peak_speed, after.peak_speed, "1/k"),
-        ("max|s̈|", UNITS[2], law.peak_acceleration, after.peak_acceleration, "1/k²"),
-        ("max jerk", UNITS[3], law.peak_jerk, after.peak_jerk, "1/k³"),
+        ("max|s̈|", UNITS[2], largest(law, 2), largest(after, 2), "1/k²"),
+        ("max jerk", UNITS[3], largest(law, 3), largest(after, 3), "1/k³"),
     )
 
 

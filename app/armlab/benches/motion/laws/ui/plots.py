@@ -173,10 +173,12 @@ def race_markup(state: State) -> Markup:
     part, t = state[Laws], present_time(state)
     spans = np.array([law.span for law in part.every])
     low, high = float(spans[:, 0].min()), float(spans[:, 1].max())
+    # Laws that stand still all stand at the beginning.
+    extent = (high - low) or 1.0
     step = part.end / FLASHES
 
     def x(law: Law, times: Array) -> list[float]:
-        place = (law.at(times) - low) / (high - low)
+        place = (law.at(times) - low) / extent
         places: list[float] = (MARGIN + (WIDTH - 2 * MARGIN) * np.clip(place, 0.0, 1.0)).tolist()
         return places
 

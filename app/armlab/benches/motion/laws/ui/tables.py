@@ -7,6 +7,7 @@ from collections.abc import Callable
 from armlab.benches.motion.laws.bounds import FIELDS, Bounded, joint_paths
 from armlab.benches.motion.laws.commands import ChooseBoundPath, LowerSpeed, SetBound, SetBoundOption, TakeBounds
 from armlab.benches.motion.laws.state import Laws
+from armlab.benches.motion.laws.timing import largest
 from armlab.benches.motion.laws.ui.form import marked, names
 from armlab.benches.motion.laws.words import (
     ENDS,
@@ -37,10 +38,10 @@ PEAKS: tuple[tuple[str, str, Value], ...] = (
     ("T", "s", lambda law: amount(law.duration)),
     ("max |ṡ|", "1/s", lambda law: amount(law.peak_speed)),
     ("T max |ṡ| / L", "", lambda law: _factor(law, law.peak_speed, 1)),
-    ("max |s̈|", "1/s²", lambda law: amount(law.peak_acceleration)),
-    ("T² max |s̈| / L", "", lambda law: _factor(law, law.peak_acceleration, 2)),
-    ("max |jerk|", "1/s³", lambda law: amount(law.peak_jerk)),
-    ("T³ max |jerk| / L", "", lambda law: _factor(law, law.peak_jerk, 3)),
+    ("max |s̈|", "1/s²", lambda law: amount(largest(law, 2))),
+    ("T² max |s̈| / L", "", lambda law: _factor(law, largest(law, 2), 2)),
+    ("max |jerk|", "1/s³", lambda law: amount(largest(law, 3))),
+    ("T³ max |jerk| / L", "", lambda law: _factor(law, largest(law, 3), 3)),
     ("class inside", "", lambda law: class_words(law.continuity)),
     ("class from rest", "", lambda law: class_words(law.continuity_from_rest)),
     ("ṡ(T) − ṡ(0) = ∫ s̈ dt", "1/s", lambda law: amount(gain(law))),
