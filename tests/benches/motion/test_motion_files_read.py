@@ -177,9 +177,9 @@ def test_columns_stand_in_any_order_beside_others_and_in_other_units():
     arm = state[Joints].arm
     t = np.linspace(0.0, 1.0, 11)
     q = sines(arm, t)
-    head = "note,q4_deg,q3_mm,qdot1_rad_s,q2,t_ms,q1_rad,\n"
+    head = "note,q4_deg,q3_mm,qdot1_rad_s,q2,q1_dot,theta2_ref,t_ms,q1_rad,time_sent,\n"
     rows = [
-        f'"x y",{c[3] * 180.0 / math.pi!r},{1e3 * c[2]!r},7,{c[1]!r},{1e3 * s!r},{c[0]!r},\n'
+        f'"x y",{c[3] * 180.0 / math.pi!r},{1e3 * c[2]!r},7,{c[1]!r},8,9,{1e3 * s!r},{c[0]!r},10,\n'
         for s, c in zip(t.tolist(), q.tolist(), strict=True)
     ]
     recorded = apply(state, ReadMotion(head + "".join(rows)))[Plan].recorded
@@ -196,6 +196,7 @@ WRONG = {
     "t,q1,q2,q3\n0,0,0,0": "row 1, column q3: there is no joint 3; this arm has joints 1 to 2",
     "t,q1,q2,q2_deg\n0,0,0,0": "row 1: joint 2 is there twice, in columns q2 and q2_deg",
     "t,q1_mm,q2\n0,0,0": "column q1_mm: expected joint 1, which is revolute, in rad, deg, degrees, °, got 'mm'",
+    "t,q1_dot,q1_ref,q2\n0,0,0,0": "column q1_dot: expected joint 1, which is revolute, in rad, deg, .*got 'dot'",
     "t_h,q1,q2\n0,0,0": "column t_h: expected the time in s, sec, seconds, ms, got 'h'",
     "0,0,0,0\n1,0,0,0": "expected the names time, q1 to q2, or 3 numbers in this order, got 4 numbers",
     "t,q1,q2\n0,0,0\n\n1,nan,0": "row 4, column q1: expected a finite number, got 'nan'",

@@ -52,7 +52,8 @@ def columns_of(arm: Arm, names: Sequence[str], row: int = 1) -> list[Column]:
     """Return the columns of the time and of joints 1 to n.
 
     The time is called ``time`` or ``t``, joint 1 ``q1``, ``joint1``, ``theta1`` or ``d1``, with a unit behind it
-    (``q1_deg``, ``q1 [deg]``, ``q1, °``) or none for s, rad and m.
+    (``q1_deg``, ``q1 [deg]``, ``q1, °``) or none for s, rad and m. Another ending, as in ``q1_ref`` beside ``q1``, makes another
+    quantity; a column with one is refused only where it is all that there is.
 
     Parameters
     ----------
@@ -74,17 +75,24 @@ def columns_of(arm: Arm, names: Sequence[str], row: int = 1) -> list[Column]:
     [('t', 1.0), ('q1', 1.0), ('q2_deg', 0.0175)]
     """
     found: dict[int, Column] = {}
+    refused: dict[int, InputError] = {}
     for index, name in enumerate(names):
         read = _read(arm, index, name, row)
         if read is None:
             continue
         place, column = read
+        if isinstance(column, InputError):
+            refused.setdefault(place, column)
+            continue
         if place in found:
             what = "the time" if place == 0 else f"joint {place}"
             raise InputError(
                 f"table, row {row}: {what} is there twice, in columns {found[place].name[:30]} and {name[:30]}"
             )
         found[place] = column
+    for place, refusal in refused.items():
+        if place not in found:
+            raise refusal
     missing = ["time" if place == 0 else f"q{place}" for place in range(arm.n + 1) if place not in found]
     if missing:
         there = ", ".join(names)
@@ -117,13 +125,13 @@ def headless(arm: Arm, count: int, row: int = 1) -> list[Column]:
     return [Column(index, str(index + 1), 1.0, "") for index in range(count)]
 
 
-def _read(arm: Arm, index: int, name: str, row: int) -> tuple[int, Column] | None:
-    """Return the joint of a column, 0 for the time, and how it is read, or None for another quantity."""
+def _read(arm: Arm, index: int, name: str, row: int) -> tuple[int, Column | InputError] | None:
+    """Return the joint of a column, 0 for the time, and how it is read or why not, or None for another quantity."""
     plain = name.strip().lower().translate(PLAIN)
     where = f"table, row {row}, column {name[:30]}"
     time = TIME.fullmatch(plain)
     if time is not None:
-        return 0, Column(index, name, *_factor(time[1], TIMES, where, "the time"))
+        return 0, _column(index, name, time[1], TIMES, f"{where}: expected the time")
     joint = JOINT.fullmatch(plain)
     if joint is None or joint[2][:1].isalpha():
         return None
@@ -132,11 +140,12 @@ def _read(arm: Arm, index: int, name: str, row: int) -> tuple[int, Column] | Non
         raise InputError(f"{where}: there is no joint {number}; this arm has joints 1 to {arm.n}")
     turns = bool(arm.revolute[number - 1])
     what = f"joint {number}, which is {'revolute' if turns else 'prismatic'},"
-    return number, Column(index, name, *_factor(joint[2], TURNS if turns else SLIDES, where, what))
+    return number, _column(index, name, joint[2], TURNS if turns else SLIDES, f"{where}: expected {what}")
 
 
-def _factor(ending: str, units: dict[str, float], where: str, what: str) -> tuple[float, str]:
+def _column(index: int, name: str, ending: str, units: dict[str, float], expected: str) -> Column | InputError:
+    """Return a column with the unit at the end of its name, or the refusal of one that is no unit."""
     unit = ending.strip(AROUND)
     if unit not in units:
-        raise InputError(f"{where}: expected {what} in {', '.join(filter(None, units))}, got {unit[:30]!r}")
-    return units[unit], unit
+        return InputError(f"{expected} in {', '.join(filter(None, units))}, got {unit[:30]!r}")
+    return Column(index, name, units[unit], unit)
