@@ -8,6 +8,7 @@ import pytest
 from armlab.benches.motion.plan.commands import SetMove, SetMoveOption
 from armlab.benches.motion.plan.figures import MOST_SPANS
 from armlab.benches.motion.plan.job import with_planned
+from armlab.benches.motion.plan.laws import CORNERS, SPEED_JUMPS
 from armlab.benches.motion.plan.limits import CompareMoves, LastFor, LimitJoint, LimitTool, SampleBy
 from armlab.benches.motion.plan.moves import Waypoint
 from armlab.benches.motion.plan.paths import places
@@ -177,6 +178,21 @@ def test_a_joint_that_the_arm_has_not_is_refused(joint):
     for command in (SetWaypointJoint(1, joint, 0.1), LimitJoint(joint, "velocity", 1.0)):
         with pytest.raises(InputError, match=says):
             apply(opened("puma560"), command)
+
+
+# -- velocities that jump ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("duration", [None, 20.0])
+def test_a_velocity_that_jumps_for_its_law_is_not_blamed_on_a_corner(duration):
+    """At the end of a move, or where an independent joint arrives, there is no corner to fly over."""
+    three = done(opened("puma560", points=3), *(SetMove(k, law="constant") for k in (1, 2)))
+    ending = done(opened("puma560", points=3), SetMoveOption(1, "law", "sdot_end", 0.3))
+    apart = done(opened("puma560"), SetMove(1, law="constant", apart=True))
+    for state in (three, ending, apart):
+        assert worked_out(done(state, LastFor(duration))).unkept == (SPEED_JUMPS,)
+    cornered = done(opened("puma560", points=3), *(SetMove(k, path="polyline") for k in (1, 2)), LastFor(duration))
+    assert worked_out(cornered).unkept == (CORNERS,)
 
 
 # -- beside the plan -------------------------------------------------------------------------------------------------

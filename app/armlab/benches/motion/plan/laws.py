@@ -16,6 +16,7 @@ from armlab.kin.motion import (
     LawBounds,
     Motion,
     Path,
+    Sequential,
     Trajectory,
     as_fast_as_allowed,
     independent,
@@ -24,6 +25,7 @@ from armlab.kin.motion import (
     scaled,
 )
 from armlab.kin.motion.breaks import SMOOTH_ENOUGH
+from armlab.kin.motion.sequence import Separate, Slowed
 
 Floats = NDArray[np.float64]
 
@@ -77,12 +79,24 @@ def how(question: Question, stretch: Stretch) -> dict[str, Any]:
 
 def unkept(question: Question, motion: Motion) -> tuple[str, ...]:
     """Return in words the limits that a motion exceeds in any time."""
-    if motion.continuity < 1.0:
+    if _cornered(motion):
         return (CORNERS,)
     if motion.continuity_from_rest < 1.0:
         return (SPEED_JUMPS,)
     jumps = motion.continuity_from_rest < SMOOTH_ENOUGH
     return (JERK_JUMPS,) if question.limits.jerk_time is not None and jumps else ()
+
+
+def _cornered(motion: Motion) -> bool:
+    """Return whether the velocity jumps inside of a move, where all joints go along one path.
+
+    At the end of a move, and where the first of several independent joints arrives, it is the law that makes it jump.
+    """
+    if isinstance(motion, Slowed):
+        return _cornered(motion.motion)
+    if isinstance(motion, Sequential):
+        return any(map(_cornered, motion.motions))
+    return not isinstance(motion, Separate) and motion.continuity < 1.0
 
 
 def independent_motion(question: Question, stretch: Stretch, start: Floats, end: Floats) -> Motion:
