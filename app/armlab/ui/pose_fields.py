@@ -45,7 +45,7 @@ def typed_component(arm: Arm, pose: Floats, name: str, text: str, units: Units) 
         raise InputError(
             f"{name}: expected at most {units.constant(most, turns)} either way, got {text.strip()[:40]!r}"
         )
-    reference = _reference(arm)
+    reference = reference_of(arm)
     local = inverse(reference) @ pose
     if not turns:
         local[AXES.index(name), 3] = value
@@ -56,7 +56,7 @@ def typed_component(arm: Arm, pose: Floats, name: str, text: str, units: Units) 
     return np.asarray(reference @ local)
 
 
-def _reference(arm: Arm) -> NDArray[np.float64]:
+def reference_of(arm: Arm) -> NDArray[np.float64]:
     """Return the frame in which poses are typed: the world, or frame 0 of an arm whose base is turned.
 
     The task is about the axes of frame 0; a wall-mounted planar arm cannot be asked for the world's x and y.
@@ -80,7 +80,7 @@ def pose_form(
     prefix : str
         Their cells begin with it.
     """
-    task, reference = arm.task, _reference(arm)
+    task, reference = arm.task, reference_of(arm)
     local = inverse(reference) @ pose
 
     def field(name: str, value: str, unit: str, off: bool = False) -> Markup:

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import math
 import re
 from dataclasses import replace
 from types import SimpleNamespace
@@ -9,7 +10,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from armlab.benches.motion.plan.commands import SetMove
+from armlab.benches.motion.chosen import Chosen
+from armlab.benches.motion.plan.commands import SetMove, SetMoveOption
+from armlab.benches.motion.plan.examples import TakeExample
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import SampleBy
 from armlab.benches.motion.plan.points import SetWaypointPose
@@ -20,7 +23,10 @@ from armlab.benches.motion.steps.ui.formulas import formula_of, says_of
 from armlab.benches.motion.steps.ui.plots import JointPlot, StepPlot
 from armlab.benches.motion.steps.worked import steps
 from armlab.content.robots import catalogue
+from armlab.kin.arm import Arm
 from armlab.kin.motion import path_types
+from armlab.kin.rotations import rotation_about
+from armlab.kin.transforms import transform
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
@@ -65,11 +71,36 @@ def everything(found, units=UNITS):
 def test_each_kind_of_path_has_a_formula_and_a_sentence():
     for kind in path_types().values():
         for letter in "pq":
-            latex = formula_of(kind, letter)
+            latex = formula_of(Chosen(kind.key), letter)
             assert latex, kind.key
             assert "X" not in latex
             assert mathml(latex, True).startswith("<math")
-        assert says_of(kind, None).endswith((".", "length."))
+        assert says_of(Chosen(kind.key), None).endswith((".", "length."))
+
+
+@pytest.mark.parametrize(("shape", "name", "latex"), [(None, "parabola", "''"), ("quartic", "quartic", "^{(4)}")])
+def test_blends_are_called_by_their_curve_and_pass_by_the_knots(shape, name, latex):
+    chosen = Chosen.of(path_types(), "overfly", **({"shape": shape} if shape else {}))
+    assert f"a {name} instead of each corner" in says_of(chosen, None)
+    assert latex in formula_of(chosen, "p")
+    found = looked("puma560", TakeExample("corner_fly"), SetMoveOption(1, "path", "shape", shape))
+    said = texts(words.path(found, UNITS))
+    assert "A curve past the knots with a parameter s" in said
+    assert f"a {name} instead of each corner" in said
+
+
+def test_poses_of_an_arm_whose_base_is_turned_stand_in_frame_0():
+    """A planar arm on a wall turns about z of frame 0; in the world its yaw would be 0 throughout."""
+    planar = catalogue()["planar_3r"]
+    base = transform(rotation_about("x", np.pi / 2))
+    wall = Arm.from_dh(planar.arm.rows, base=base, limits=planar.arm.limits, task=planar.arm.task)
+    state = State.initial(replace(planar, arm=wall))
+    on_wall, on_floor = (steps(with_planned(each)) for each in (state, State.initial(planar)))
+    said, flat = (texts(words.knots(found, UNITS)) for found in (on_wall, on_floor))
+    assert "knot in frame 0 x mm y mm z mm φ °" in said
+    assert said.replace("knot in frame 0", "knot") == flat
+    phi = math.degrees(np.sum(on_wall.knot_q[0]))
+    assert f"{phi:.1f}".replace("-", "−") in said
 
 
 def test_the_numbers_of_the_steps_are_those_of_the_plan():

@@ -8,17 +8,19 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.plan.moves import TURNINGS
 from armlab.benches.motion.plan.question import Feasible
 from armlab.benches.motion.steps.state import INVERSE, JOINTS, KNOTS, PATH, SAMPLING
-from armlab.benches.motion.steps.ui.formulas import formula_of, says_of
+from armlab.benches.motion.steps.ui.formulas import formula_of, rounds_corners, says_of
 from armlab.benches.motion.steps.worked import Steps, length_of
 from armlab.kin.conditioning import NEAR
 from armlab.kin.motion import law_types
-from armlab.kin.motion.path_types import PathType
 from armlab.kin.rotations import euler_zyx
+from armlab.kin.transforms import inverse as inverse_transform
 from armlab.ui.format import capitalised, dot, lowered, mathml, number, pairs, so_many
 from armlab.ui.html import Inside, Markup, classes, joined, tag
+from armlab.ui.pose_fields import reference_of
 from armlab.ui.small_numbers import NO_BREAK, small, with_unit
 from armlab.ui.symbols import with_indices
 from armlab.ui.tables import line
@@ -82,12 +84,14 @@ def knots(found: Steps, units: Units) -> Markup:
 
 
 def _poses(found: Steps, names: Sequence[str], units: Units) -> Markup:
-    position, angles = found.knot_poses[:, :3, 3], euler_zyx(found.knot_poses[:, :3, :3])[0]
-    turns = {"none": (), "phi": (0,)}.get(found.arm.task.rotation, (0, 1, 2))
-    heads = ["knot", *(f"{axis}, {units.length_unit}" for axis in "xyz")]
-    heads += [f"{('yaw', 'pitch', 'roll')[k]}, {units.angle_unit}" for k in turns]
+    reference = reference_of(found.arm)
+    poses = inverse_transform(reference) @ found.knot_poses
+    position, angles = poses[:, :3, 3], euler_zyx(poses[:, :3, :3])[0]
+    turns = {"none": (), "phi": ("φ",)}.get(found.arm.task.rotation, ("yaw", "pitch", "roll"))
+    heads = ["knot, in frame 0" if reference is found.arm.base else "knot"]
+    heads += [f"{axis}, {units.length_unit}" for axis in "xyz"] + [f"{turn}, {units.angle_unit}" for turn in turns]
     rows = [
-        [name, *(units.text(float(x), False) for x in p), *(units.turned(float(a[k])) for k in turns)]
+        [name, *(units.text(float(x), False) for x in p), *map(units.turned, a[: len(turns)].tolist())]
         for name, p, a in zip(names, position, angles, strict=True)
     ]
     return _scrolled(_table(heads, rows))
@@ -150,7 +154,7 @@ def _list(found: Steps) -> Markup:
 
 def path(found: Steps, units: Units) -> Markup:
     """Return the second step: the path in space."""
-    kind = found.stretch.move.kind
+    chosen = found.stretch.move.path
     if not found.in_space:
         return tag(
             "p",
@@ -160,7 +164,7 @@ def path(found: Steps, units: Units) -> Markup:
     if found.way is None:
         return _trouble(found)
     rows = [
-        ("kind", lowered(kind.title)),
+        ("kind", lowered(found.stretch.move.kind.title)),
         ("length of the path", units.length(found.length)),
     ]
     straight = length_of(found.knot_poses[:, :3, 3])
@@ -170,16 +174,16 @@ def path(found: Steps, units: Units) -> Markup:
         rows.append(("orientation", TURNINGS[found.stretch.move.turning]))
         rows.append(("angle of rotation", units.angle(found.turn)))
     said = (
-        "A curve through the knots with a parameter s from 0 to 1, which is not yet time: when the tool is "
-        "where is decided by the timing law."
+        f"A curve {'past' if rounds_corners(chosen) else 'through'} the knots with a parameter s from 0 to 1, which is "
+        "not yet time: when the tool is where is decided by the timing law."
     )
-    about = tag("p.dim", says_of(kind, found.way.position))
-    return joined(tag("p", said), _formula(kind, "p"), about, pairs(rows))
+    about = tag("p.dim", says_of(chosen, found.way.position))
+    return joined(tag("p", said), _formula(chosen, "p"), about, pairs(rows))
 
 
-def _formula(kind: PathType, letter: str) -> Markup | None:
-    """Return the formula of a kind of path, with the letter of the quantity, or nothing if none is known."""
-    formula = formula_of(kind, letter)
+def _formula(chosen: Chosen, letter: str) -> Markup | None:
+    """Return the formula of a path, with the letter of the quantity, or nothing if none is known."""
+    formula = formula_of(chosen, letter)
     return tag("div.eq.small", mathml(formula, True)) if formula else None
 
 
@@ -296,20 +300,20 @@ def _spline(found: Steps) -> Markup:
 
 
 def _laid(found: Steps) -> Markup:
-    kind = found.stretch.move.kind
+    move = found.stretch.move
     if found.arm.revolute.any():
         way = "No singularity can stop this, but in general the tool does not move along a straight line."
     else:
         way = "All joints are prismatic: where their values change in proportion, the tool moves along a straight line."
     said = tag("p", f"The joint values of the knots are interpolated directly. {way}")
-    if found.stretch.move.independent:
+    if move.independent:
         apart = (
             "Each joint follows its own law, and those that arrive first wait for the last. Below, s = t/T is the "
             "share of the time that has passed."
         )
         return joined(said, tag("p", apart))
-    about = tag("p.dim", f"{kind.title}. {says_of(kind, found.path)}")
-    return joined(said, _formula(kind, "q"), about)
+    about = tag("p.dim", f"{move.kind.title}. {says_of(move.path, found.path)}")
+    return joined(said, _formula(move.path, "q"), about)
 
 
 def _timing(found: Steps) -> str | None:
