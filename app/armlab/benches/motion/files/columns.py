@@ -52,8 +52,8 @@ def columns_of(arm: Arm, names: Sequence[str], row: int = 1) -> list[Column]:
     """Return the columns of the time and of joints 1 to n.
 
     The time is called ``time`` or ``t``, joint 1 ``q1``, ``joint1``, ``theta1`` or ``d1``, with a unit behind it
-    (``q1_deg``, ``q1 [deg]``, ``q1, °``) or none for s, rad and m. Another ending, as in ``q1_ref`` beside ``q1``, makes another
-    quantity; a column with one is refused only where it is all that there is.
+    (``q1_deg``, ``q1 [deg]``, ``q1, °``) or none for s, rad and m. Another ending, as in ``q1_ref`` beside ``q1``,
+    makes another quantity; a column with one is refused only where it is all that there is.
 
     Parameters
     ----------
