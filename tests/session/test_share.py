@@ -19,7 +19,7 @@ from armlab.content.write_robot import robot_toml
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.session import share
-from armlab.session.edits import SetCell
+from armlab.session.edits import SetCell, SetEnd
 from armlab.session.fields import Set
 from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
@@ -148,6 +148,15 @@ def test_an_edited_table_travels_whole():
     assert again[RobotPart].own
     assert again[RobotPart].origin == "puma560"
     assert again[RobotPart].robot.arm.rows[1].a == 0.123456789012345
+
+
+def test_a_target_at_a_small_arm_far_away_travels():
+    base = np.eye(4)
+    base[0, 3] = 90.0
+    small = [SetCell(i, "a", 0.02) for i in (0, 1)]
+    state = done(State.initial(catalogue()["planar_2r"]), *small, SetEnd("base", base))
+    state = apply(state, PlaceTarget(state[Joints].tool_pose))
+    np.testing.assert_allclose(from_short(short(state))[Target].pose, state[Target].pose, rtol=0.0, atol=1e-9)
 
 
 def test_progress_name_and_shelf_stay():

@@ -14,7 +14,7 @@ from armlab.content.robots import catalogue
 from armlab.session import store as module
 from armlab.session.edits import SetCell
 from armlab.session.parts.joints import Joints, MoveJoint, TakePose
-from armlab.session.parts.robot import ChooseRobot
+from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import DragTarget, Target, target_pose
 from armlab.session.session import Session
 from armlab.session.state import State
@@ -39,6 +39,17 @@ def test_a_session_comes_back_from_disk(tmp_path):
     again = Store(tmp_path, PUMA).get("a student")
     assert again.state.to_json() == session.state.to_json()
     assert again.state[Target].pose is not None
+
+
+def test_an_arm_that_was_made_small_comes_back_from_disk(tmp_path):
+    planar = catalogue()["planar_3r"]
+    store = Store(tmp_path, planar)
+    for i, a in enumerate((0.04, 0.025, 0.02)):
+        store.get("a student").apply(SetCell(i, "a", a), float(i))
+    assert store.save() == 1
+    again = Store(tmp_path, planar).get("a student")
+    assert again.notice is None
+    assert [row.a for row in again.state[RobotPart].robot.arm.rows] == [0.04, 0.025, 0.02]
 
 
 def test_a_session_in_memory_is_the_same_object():

@@ -167,5 +167,5 @@ def _check_words(robot: Robot) -> None:
 
 def _check_target(state: State) -> None:
     pose, arm = state[Target].pose, state[Joints].arm
-    if pose is not None and not np.abs(pose[:3, 3]).max() <= FARTHEST * 2.0 * arm.length_scale:
+    if pose is not None and not np.linalg.norm(pose[:3, 3] - arm.base[:3, 3]) <= FARTHEST * 2.0 * arm.length_scale:
         raise InputError(f"target: farther than {FARTHEST:g} times the reach of the arm")

@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -22,11 +23,13 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
 from armlab.kin.lines import Line, common_normal
 from armlab.kin.rotations import rotation_from_axis_angle
-from armlab.session.edits import SetCell
+from armlab.session.edits import SetCell, SetEnd
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.session import Session, Undo
+from armlab.session.share import state_of_parts
 from armlab.session.state import State, apply
+from support.done import done
 
 PUMA = catalogue()["puma560"]
 
@@ -162,6 +165,42 @@ def test_another_arm_gets_lines_of_its_own_size(state):
     assert lines.handle == "turn"
     assert lines.normal.a > 1.0
     assert np.linalg.norm(lines.first.point - state[Joints].arm.base[:3, 3]) < lines.scale
+
+
+def read_back(state):
+    return state_of_parts(json.loads(json.dumps(state.to_json())))
+
+
+def small(state):
+    """The state with a planar 3R arm of links of 40, 25 and 20 mm."""
+    return done(state, *(SetCell(i, "a", a) for i, a in enumerate((0.04, 0.025, 0.02))))
+
+
+def at_90_metres(state):
+    """The state with the base far away."""
+    base = np.eye(4)
+    base[0, 3] = 90.0
+    return apply(state, SetEnd("base", base))
+
+
+@pytest.mark.parametrize("edited", [small, at_90_metres])
+def test_lines_come_along_where_an_edit_leaves_them_too_far_away(edited):
+    state = edited(apply(State.initial(catalogue()["planar_3r"]), HandleLines("turn")))
+    lines = state[Lines]
+    assert lines.handle == "turn"
+    assert np.linalg.norm(lines.first.point - state[Joints].arm.base[:3, 3]) < lines.scale
+    np.testing.assert_array_equal(read_back(state)[Lines].first.point, lines.first.point)
+    on_axes = edited(apply(State.initial(catalogue()["planar_3r"]), TakeAxes(1)))
+    assert on_axes[Lines].pair == 1
+    np.testing.assert_array_equal(on_axes[Lines].first.point, on_axes[Joints].frames[1][:3, 3])
+
+
+def test_saved_lines_too_far_away_are_read_as_the_first_ones():
+    state = small(State.initial(catalogue()["planar_3r"]))
+    first = state[Lines].first
+    far = state.replace(replace(state[Lines], first=Line([5.0, 0.0, 0.0], first.direction), handle="turn"))
+    np.testing.assert_array_equal(read_back(far)[Lines].first.point, first.point)
+    assert read_back(far)[Lines].handle == "turn"
 
 
 def test_they_are_written_and_read_and_damage_is_noticed(state):

@@ -198,6 +198,13 @@ def test_it_is_written_read_back_and_fitted_to_another_arm():
             Microscope.from_json({**part.to_json(), **damage}, robot)
 
 
+def test_an_arm_of_millimetres_has_a_velocity_that_can_be_read_back():
+    state = opened("planar_3r", *(SetCell(i, "a", 0.001) for i in range(3)))
+    part, robot = state[Microscope], state[RobotPart].robot
+    assert part.sized(part.own) == pytest.approx(0.3)
+    assert Microscope.from_json(json.loads(json.dumps(part.to_json())), robot).own == part.own
+
+
 @pytest.mark.parametrize("key", ["planar_2r", "scara", "puma560"])
 def test_the_size_on_the_page_is_that_of_the_typed_velocity(key):
     state = opened(key, SetComponent(1, 0.4))

@@ -84,9 +84,15 @@ class Lines(Part):
         return replace(self.initial(robot), handle=self.handle)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep the lines; `after` moves those on axes of the arm with the table."""
+        """Keep the lines, unless they are now too far away; `after` moves those on axes of the arm with the table."""
         pair = self.pair if self.pair is not None and self.pair + 1 < robot.arm.n else None
-        return replace(self, scale=2.0 * robot.arm.length_scale, pair=pair)
+        kept = replace(self, scale=2.0 * robot.arm.length_scale, pair=pair)
+        return kept if pair is not None else kept._near(robot)
+
+    def _near(self, robot: Robot) -> Self:
+        """Return the part, or the first lines where one of its own is farther away than lines can be dragged."""
+        inside = all(_is_inside(line.point, robot.arm) for line in (self.first, self.second))
+        return self if inside else self.for_robot(robot)
 
     def after(self, before: State, now: State) -> Self:
         """Follow the axes of the arm."""
@@ -103,13 +109,14 @@ class Lines(Part):
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read them back."""
+        """Read them back; lines too far away are the first ones again, as after an edit of the table."""
         scale = 2.0 * robot.arm.length_scale
-        first, second = (Line(_inside(point, robot.arm), direction) for point, direction in data["lines"])
+        first, second = (Line(point, direction) for point, direction in data["lines"])
         pair = None if data["pair"] is None else int(data["pair"])
         if pair is not None and not 0 <= pair < robot.arm.n - 1:
             raise InputError(f"lines: joint {pair + 1} is the last one and has no next axis")
-        return cls(first, second, scale, pair, next(name for name in HANDLES if name == data["handle"]))
+        part = cls(first, second, scale, pair, next(name for name in HANDLES if name == data["handle"]))
+        return part._near(robot)
 
 
 PART = PartType(Lines, order=40)
@@ -270,9 +277,13 @@ def _axes(joints: Joints, pair: int) -> tuple[Line, Line]:
     return first, second
 
 
+def _is_inside(point: NDArray[np.floating], arm: Arm) -> bool:
+    return bool(np.linalg.norm(point - arm.base[:3, 3]) <= FARTHEST * 2.0 * arm.length_scale)
+
+
 def _inside(point: ArrayLike, arm: Arm) -> NDArray[np.float64]:
     values = np.array(point, dtype=float)
-    most = FARTHEST * 2.0 * arm.length_scale
-    if values.shape != (3,) or not np.linalg.norm(values - arm.base[:3, 3]) <= most:
+    if values.shape != (3,) or not _is_inside(values, arm):
+        most = FARTHEST * 2.0 * arm.length_scale
         raise InputError(f"line: expected a point within {most:.4g} m of the base, got {values.tolist()}")
     return values
