@@ -6,15 +6,18 @@ import re
 import numpy as np
 import pytest
 
+from armlab.benches.control.follow.state import Control
 from armlab.benches.robot.normal.state import KeepLines, TakeAxes
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session import share
 from armlab.session.edits import AddJoint, Convert, RemoveJoint, ReorderJoint, SetCell, SetEnd, SetKind, SetLimits
+from armlab.session.fields import FieldPart, Set, fields_of
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints, RandomPose
 from armlab.session.parts.robot import RobotPart, robot_from_json
 from armlab.session.parts.target import PlaceTarget
+from armlab.session.run_targets import first_target
 from armlab.session.share import from_short, short, state_of_parts
 from armlab.session.state import State, apply, part_types
 from support.arms import random_pose
@@ -129,3 +132,27 @@ def test_what_the_lab_accepts_it_reads_back(seed, endless):
         linked = {key: part for key, part in data.items() if key not in (*share.STAYS, Display.key)}
         again = written(from_short(short(state)))
         assert_same({key: again[key] for key in linked}, linked)
+
+
+@pytest.mark.parametrize("kind", [kind for kind in SAVED if issubclass(kind, FieldPart)], ids=lambda kind: kind.key)
+def test_a_number_at_its_bound_travels_in_a_link(kind):
+    """With nine decimals π is larger than it is."""
+    start = State.initial(PUMA)
+    for name, field in fields_of(kind).items():
+        for bound in {field.low, field.high} if field.kind in ("number", "vector") else ():
+            value = [bound] * len(getattr(start[kind], name)) if field.kind == "vector" else bound
+            try:
+                state = apply(start, Set(kind, name, value))
+            except InputError:
+                continue
+            again = getattr(from_short(short(state))[kind], name)
+            np.testing.assert_allclose(again, getattr(state[kind], name), rtol=1e-9, atol=1e-9)
+
+
+def test_a_target_that_an_edit_leaves_much_too_far_away_is_the_first_one_again():
+    base = np.eye(4)
+    base[0, 3] = 90.0
+    state = State.initial(catalogue()["planar_2r"])
+    for command in (SetEnd("base", base), SetCell(0, "a", 0.01), SetCell(1, "a", 0.01)):
+        state = apply(state, command)
+    np.testing.assert_array_equal(state_of_parts(written(state))[Control].target, first_target(state[RobotPart].robot))

@@ -16,6 +16,10 @@ from armlab.registry import known_name
 Kind = Literal["number", "whole", "choice", "flag", "vector", "list", "rows", "text"]
 Options = Mapping[str, Any]
 
+ROUNDING = 1e-9
+"""Angle, radians, by which a value may pass a bound and then is the bound: with nine decimals, as links have, π is
+larger than it is."""
+
 
 @dataclass(frozen=True)
 class Field:
@@ -108,6 +112,9 @@ class Field:
         array = as_floats(value, self.key, "numbers")
         if not np.isfinite(array).all():
             raise wrong(self.key, "finite numbers", value)
+        if self.unit == "rad":
+            inside = np.clip(array, self.low, self.high)
+            array = np.where(np.abs(array - inside) <= ROUNDING, inside, array)
         self._check_range(array, value)
         if self.kind == "number":
             if array.shape != ():

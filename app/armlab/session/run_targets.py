@@ -38,3 +38,11 @@ def checked_target(robot: Robot, pose: ArrayLike) -> NDArray[np.float64]:
         raise InputError(f"target: farther than {FARTHEST:g} times the reach of the arm")
     checked.setflags(write=False)
     return checked
+
+
+def target_after(robot: Robot, pose: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return a target after an edit of the table: the same, or the first one where it is now much too far away."""
+    try:
+        return checked_target(robot, pose)
+    except InputError:
+        return first_target(robot)

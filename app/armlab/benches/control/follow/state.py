@@ -19,7 +19,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline
-from armlab.session.run_targets import checked_target, first_target
+from armlab.session.run_targets import checked_target, first_target, target_after
 from armlab.session.state import Json, Part, PartType, State
 
 CLIP_KEY = "control"
@@ -87,7 +87,8 @@ class Control(Part):
         runs = tuple(
             replace(run, start=joint_values(arm, run.start, "start"), link=min(run.link, arm.n)) for run in self.runs
         )
-        return replace(self, runs=runs, example="", before=None, outcomes={})
+        target = target_after(robot, self.target)
+        return replace(self, runs=runs, target=target, example="", before=None, outcomes={})
 
     def after(self, before: State, now: State) -> Self:
         """Follow the target of the lab, and forget the earlier configuration when the run is closed."""
