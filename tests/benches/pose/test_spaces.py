@@ -28,7 +28,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.rotations import rotation_about
 from armlab.kin.transforms import transform
-from armlab.session.edits import SetLimits
+from armlab.session.edits import SetCell, SetEnd, SetLimits
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.robot import ChooseRobot
@@ -38,6 +38,9 @@ from armlab.ui.html import joined
 from support.bare_gui import BarePage
 from support.done import done
 from support.forms import asked
+
+ABOUT_X = transform(rotation_about("x", math.pi))
+TILTED = transform(rotation_about("y", math.radians(-120.0)))
 
 
 def opened(*commands, robot="planar_3r"):
@@ -211,6 +214,34 @@ def test_two_arms_have_the_same_r_and_their_tools_are_apart_or_not(described, rn
         else:
             # The last link of unit length is turned by the same angle as the tool.
             assert apart == pytest.approx(2.0 * math.sin(0.5 * turned), abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    "turned",
+    [SetCell(1, "alpha", math.pi), SetCell(2, "alpha", math.pi), SetEnd("tool", ABOUT_X), SetEnd("tool", TILTED)],
+)
+def test_a_tool_that_is_turned_over_or_tilted_has_another_arm_of_its_r(turned):
+    state = opened(Set(Spaces, "described", "tool"), turned)
+    state = state.replace(state[Joints].moved_to([0.3, 0.8, 0.4]))
+    (other,) = twins_of(state).others
+    np.testing.assert_allclose(other[:2], [1.1, -0.8], rtol=0, atol=1e-9)
+    np.testing.assert_allclose(state[Joints].arm.fk(other), state[Joints].tool_pose, rtol=0, atol=1e-9)
+    assert "Two arms, one tool" in shown(arms_markup, state)
+    for k, value in enumerate(fact("r", state)):
+        np.testing.assert_allclose(apply(state, SetR(k, value))[Joints].q, [0.3, 0.8, 0.4], rtol=0, atol=1e-9)
+
+
+def test_a_tool_with_x_across_the_plane_has_no_angle_but_joint_3_has():
+    state = opened(Set(Spaces, "described", "tool"), SetEnd("tool", transform(rotation_about("y", 0.5 * math.pi))))
+    text = shown(arms_markup, state)
+    assert "No angle φ" in text
+    assert fact("arms", state) is None
+    with pytest.raises(InputError, match="has no angle φ"):
+        SetR(2, 0.0).apply(state)
+    assert asked(lambda form: joined(arms_markup(form, state)), "described joint3") == (
+        Set(Spaces, "described", "joint3"),
+    )
+    assert fact("arms", apply(state, Set(Spaces, "described", "joint3"))) == 2
 
 
 def test_a_typed_r_moves_the_arm_to_the_nearest_configuration():

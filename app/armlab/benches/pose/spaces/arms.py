@@ -17,6 +17,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.ik.solutions import wrapped_rows
 from armlab.kin.ik.solve_all import solve_all
 from armlab.kin.representations import arms_by_third_joint, by_third_joint, third_joint_misfit
+from armlab.kin.rotations import rotation_about
 from armlab.kin.task import task_named
 from armlab.kin.transforms import inverse
 from armlab.session.parts.joints import Joints
@@ -26,6 +27,8 @@ Floats = NDArray[np.float64]
 
 SAME = 1e-6
 """Largest difference of joint values, radians up to whole turns, of two arms that are one."""
+
+NO_ANGLE = "the x axis of its tool is along z of frame 0, so that the tool has no angle φ"
 
 SYMBOLS = {"joint3": ("p_x", "p_y", "q_3"), "tool": ("p_x", "p_y", "φ")}
 """Components of r for each description."""
@@ -50,8 +53,16 @@ class Twins(NamedTuple):
 
 
 def misfit(state: State) -> str:
-    """Return why the arm cannot be described here; empty if it can."""
-    return third_joint_misfit(state[Joints].arm) or ""
+    """Return why the arm cannot be described here, or not as it is chosen; empty if it can."""
+    arm = state[Joints].arm
+    no_angle = state[Spaces].described == "tool" and not has_angle(arm)
+    return third_joint_misfit(arm) or (NO_ANGLE if no_angle else "")
+
+
+def has_angle(arm: Arm) -> bool:
+    """Return whether the tool of a planar 3R has an angle φ: its x axis is not along z of frame 0."""
+    T = inverse(arm.base) @ arm.fk(np.zeros(arm.n))
+    return math.hypot(*T[:2, 0]) > SAME
 
 
 @cache
@@ -72,10 +83,10 @@ def arms_of(arm: Arm, r: Floats, described: str) -> Floats:
     """Return all configurations of this r, shape (k, 3)."""
     if described == "joint3":
         return wrapped_rows(arm, np.asarray(arms_by_third_joint(arm, r)).reshape(-1, arm.n))
-    cosine, sine = math.cos(r[2]), math.sin(r[2])
-    T = np.eye(4)
-    T[:2, :2], T[:2, 3] = [[cosine, -sine], [sine, cosine]], r[:2]
-    T[2, 3] = float((inverse(arm.base) @ arm.fk(np.zeros(3)))[2, 3])
+    # A tool may be turned over, or tilted: it is turned about z and moved in the plane, and stays so.
+    T = np.array(inverse(arm.base) @ arm.fk(np.zeros(3)), dtype=np.float64)
+    T[:3, :3] = rotation_about("z", r[2] - math.atan2(T[1, 0], T[0, 0])) @ T[:3, :3]
+    T[:2, 3] = r[:2]
     found = solve_all(replace(arm, task=task_named("xy phi")), arm.base @ T)
     return np.asarray(found.q, dtype=np.float64)
 

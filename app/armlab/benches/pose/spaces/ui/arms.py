@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from armlab.benches.pose.spaces.arms import (
+    NO_ANGLE,
     SYMBOLS,
     GoToTwin,
     SetR,
@@ -37,7 +38,12 @@ ONE_TOOL = 1e-9
 
 def arms_markup(form: Form, state: State) -> Inside:
     """Return r, the arms that have it, and what r says; or arms that can be described so."""
-    why = misfit(state)
+    why, part = misfit(state), state[Spaces]
+    if why == NO_ANGLE:
+        said = (
+            "φ is the angle of the tool's x axis about z of frame 0, but this axis is along z: take joint 3 and q₃."
+        )
+        return _described(form, part), verdict_box("todo", "No angle φ", tag("p", said))
     if why:
         hint = "Put this arm on the table; undo brings the present one back"
         offers = [form.chip(f"arm {key}", catalogue()[key].name, ChooseRobot(key), hint) for key in suited()]
@@ -48,17 +54,21 @@ def arms_markup(form: Form, state: State) -> Inside:
             tag("h3", "Choose such an arm"),
             tag("div.bar", offers),
         )
-    part, units, twins = state[Spaces], units_of(state), state.derived(twins_of)
-    chips = form.chips(
-        "described", DESCRIBED, part.described, "Numbers that describe the arm", partial(Set, Spaces, "described")
-    )
+    units, twins = units_of(state), state.derived(twins_of)
     return (
-        tag("div.bar", tag("span.dim", "r of"), chips),
+        _described(form, part),
         tag("div.kit-numbers", [_field(form, part, twins, k, units) for k in range(3)]),
         _table(state, twins, units),
         _go(form, twins),
         _card(state, twins, units),
     )
+
+
+def _described(form: Form, part: Spaces) -> Markup:
+    chips = form.chips(
+        "described", DESCRIBED, part.described, "Numbers that describe the arm", partial(Set, Spaces, "described")
+    )
+    return tag("div.bar", tag("span.dim", "r of"), chips)
 
 
 def _field(form: Form, part: Spaces, twins: Twins, k: int, units: Units) -> Markup:
