@@ -42,9 +42,10 @@ PERFECT = (
 
 def test_an_arm_without_errors_misses_nothing(robot):
     state = opened(*PERFECT, robot=robot.key)
-    assert fact("accuracy", state) == pytest.approx(0.0, abs=1e-12)
-    assert fact("repeatability", state) == pytest.approx(0.0, abs=1e-12)
-    assert fact("entered", state) == 30
+    visits = visits_of(state)
+    assert (fact("accuracy", state), fact("repeatability", state)) == (0.0, 0.0)
+    assert factor_of(visits, state[Joints].arm.reach) == 1.0
+    assert visits.entered(0.0, 0.0) == 30
 
 
 @pytest.mark.parametrize("taught", [False, True])

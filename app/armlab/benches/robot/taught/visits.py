@@ -16,6 +16,9 @@ from armlab.session.state import State
 
 Floats = NDArray[np.float64]
 
+ROUNDING = 1e-12
+"""Distance from the goal, in length scales of the arm, below which the goal is reached."""
+
 
 class Visits(NamedTuple):
     """Result of the visits.
@@ -55,10 +58,13 @@ def _visits(arm: Arm, q: tuple[float, ...], part: TaughtGoal) -> Visits:
     rng = np.random.default_rng(part.seed)
     stops = commanded + zero + spread * rng.standard_normal((part.visits + 1, arm.n))
     reached = np.asarray(real.position(stops), dtype=np.float64)
+    exact = np.asarray(arm.position(commanded), dtype=np.float64)
+    # One place and places in a row are rounded differently, which is no error of the arm.
+    reached[np.linalg.norm(reached - exact, axis=1) <= ROUNDING * arm.length_scale] = exact
     if not spread.any():
         reached[:] = reached[0]  # processors may round places in a row differently
     # The first one is the visit at which the goal is taught.
-    goal = reached[0] if part.taught else np.asarray(arm.position(commanded), dtype=np.float64)
+    goal = reached[0] if part.taught else exact
     points = reached[1:]
     along = np.asarray(arm.fk(commanded)[:3, 2], dtype=np.float64)
     away = points - goal

@@ -55,7 +55,7 @@ class Cloud:
         move(self._ball, visits.goal)
         # Below the goal, since the hand of the arm is above it.
         move(self._label, visits.goal - np.array([0.0, 0.0, 0.2 * DRAWN * self._canvas.size]))
-        write(self._label, f"deviations {factor:g} times as large")
+        write(self._label, f"deviations {factor:g} times as large" if factor > 1.0 else "deviations in true size")
         points = (visits.goal + factor * (visits.points - visits.goal)).astype(np.float32)
         if self._points is None or len(self._points.points) != len(points):
             if self._points is not None:
