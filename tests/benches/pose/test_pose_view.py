@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.pose.tool.state import (
+    MATRIX,
     Invert,
     LookAt,
     PoseView,
@@ -15,6 +16,8 @@ from armlab.benches.pose.tool.state import (
     step_of,
 )
 from armlab.benches.pose.tool.ui.chooser import chooser_markup
+from armlab.benches.pose.tool.ui.notation import cosine
+from armlab.benches.pose.tool.ui.scene import marks_of
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
 from armlab.kin.dh import link_transform
@@ -22,9 +25,11 @@ from armlab.kin.transforms import inverse
 from armlab.session.edits import RemoveJoint
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, RandomPose
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.selection import Select, Selection
 from armlab.session.state import State, apply
+from armlab.ui.units import Units
 from support.forms import asked
 
 
@@ -99,6 +104,21 @@ def test_the_angle_between_axes_has_the_entry_as_its_cosine(state):
             for j in range(3):
                 assert math.cos(pair.angle(i, j)) == pytest.approx(pair.transform[i, j], abs=1e-12)
                 assert 0.0 <= pair.angle(i, j) <= math.pi
+
+
+def test_no_cosine_is_minus_zero():
+    """That of a quarter turn is a little above or below zero, by rounding."""
+    state = State.initial(catalogue()["irb120"])
+    pair, units = pair_of(state), Units(Notation())
+    said = [cosine(float(pair.transform[i, j]), pair.angle(i, j), units) for i in range(3) for j in range(3)]
+    assert "cos 90.0° = 0.000" in said
+    assert not any("−0.000" in text for text in said)
+    labels = [
+        marks_of(pair, state.replace(Selection(MATRIX, i, j))[Selection], 1.0, units).label
+        for i in range(3)
+        for j in range(3)
+    ]
+    assert labels == said
 
 
 @pytest.mark.parametrize("turned", [1e-9, 1e-5, math.pi - 1e-9])

@@ -56,8 +56,8 @@ def inverse_markup(state: State) -> Inside:
 
 
 def radians(value: float) -> str:
-    """Return an angle in radians with ten digits."""
-    return scientific(value, 9) if 0.0 < abs(value) < SMALL else f"{value:.10g}".replace("-", MINUS)
+    """Return an angle in radians with ten digits; never minus zero."""
+    return scientific(value, 9) if 0.0 < abs(value) < SMALL else f"{value + 0.0:.10g}".replace("-", MINUS)
 
 
 def _solutions(found: Inverse, state: State) -> Markup:

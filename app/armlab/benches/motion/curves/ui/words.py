@@ -32,7 +32,7 @@ def figures(value: float, digits: int = 4) -> str:
 
 def typed_number(value: float) -> str:
     """Return a number for a field; the stored one keeps all its digits until it is typed again."""
-    return f"{value:.7g}".replace("-", MINUS)
+    return f"{value + 0.0:.7g}".replace("-", MINUS)
 
 
 def read_rows(text: str) -> tuple[tuple[float, ...], ...]:

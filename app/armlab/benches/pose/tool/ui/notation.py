@@ -5,7 +5,7 @@ from __future__ import annotations
 from armlab.benches.pose.tool.state import TOOL, WORLD, PoseView, step_of
 from armlab.kin.arm import Arm
 from armlab.ui.factors import FACTORS, elementary, product_latex
-from armlab.ui.format import MINUS, mathml
+from armlab.ui.format import mathml, number
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.units import Units
 
@@ -78,4 +78,4 @@ def link_symbols(arm: Arm, i: int, units: Units) -> Markup:
 
 def cosine(value: float, angle: float, units: Units) -> str:
     """Return the cosine of an angle as text, ``cos 57.3° = 0.540``."""
-    return f"cos {units.angle(angle)} = {value:.3f}".replace("-", MINUS)
+    return f"cos {units.angle(angle)} = {number(value, 3)}"

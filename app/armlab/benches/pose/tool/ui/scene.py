@@ -6,12 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.pose.tool.state import MATRIX, Pair, PoseView, pair_at
+from armlab.benches.pose.tool.ui.notation import cosine
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.selection import Selection
 from armlab.session.state import State
 from armlab.ui.colours import AXES, PURPLE, Rgb
 from armlab.ui.drawing import LayerCanvas
-from armlab.ui.format import MINUS
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.scene._marks import Marks, Segment, Sketch, Triad, Vector, across, arc
 from armlab.ui.units import Units, units_of
@@ -97,11 +97,10 @@ def _cosine(pair: Pair, i: int, j: int, size: float, units: Units) -> Marks:
     length = float(np.linalg.norm(normal))
     normal = normal / length if length > LEAST else across(fixed)
     between = fixed * np.cos(0.5 * angle) + np.cross(normal, fixed) * np.sin(0.5 * angle)
-    value = f"{float(pair.transform[i, j]):.3f}".replace("-", MINUS)
     return Marks(
         [(at, at + LENGTH * size * fixed, COLOURS[i]), (at, at + LENGTH * size * moved, COLOURS[j])],
         arc(at, ARC * size * fixed, normal, angle, PURPLE),
-        f"cos {units.angle(angle)} = {value}",
+        cosine(float(pair.transform[i, j]), angle, units),
         at + 1.25 * ARC * size * between,
     )
 
