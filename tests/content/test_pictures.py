@@ -82,6 +82,8 @@ def test_what_is_no_drawing(text, says):
         ("x.png", PNG + b"\0" * MOST_BYTES, "expected at most 300 kB, got 301 kB"),
         ("x.gif", b"GIF89a", "not a kind of picture"),
         ("my pic.png", PNG, "expected a name of letters"),
+        ("IMG_1234.JPG", PNG, "expected an ending in small letters, .jpg, got .JPG; rename the picture"),
+        ("fig.PDF", b"%PDF", "not a kind of picture"),
         ("x.svg", b"\xff\xfe", "expected a drawing in UTF-8"),
     ],
 )

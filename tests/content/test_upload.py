@@ -82,9 +82,10 @@ def test_a_lesson_with_pictures_comes_as_an_archive(folder):
     [
         (f"a.zip\n{ZIP}%%%", "a.zip: this is no archive in the format zip"),
         (f"a.zip\n{ZIP}aGVsbG8=", "a.zip: this archive cannot be unpacked"),
-        (zipped([("a.md", LESSON)]), "arm.zip: expected one folder with lesson.md and its pictures, got 1 files"),
+        (zipped([("a.md", LESSON)]), "arm.zip: expected one folder with lesson.md and its pictures, got 1 file"),
         (zipped([("a/lesson.md", LESSON), ("b/lesson.md", LESSON)]), "expected one folder with lesson.md"),
         (zipped([("lesson.md", LESSON), ("../../x.svg", SVG)]), "expected one folder with lesson.md"),
+        (zipped([("lesson.md", LESSON), ("IMG_1.JPG", b"x")]), "IMG_1.JPG: expected an ending in small letters, .jpg"),
         (zipped([("lesson.md", LESSON), ("a b.svg", SVG)]), "arm.zip: a b.svg: expected a name of letters"),
         (zipped([("lesson.md", LESSON), ("a.svg", b"<svg onload='x'/>")]), "arm.zip: a.svg: the drawing has a handler"),
         (zipped([("lesson.md", LESSON), ("a.png", b"GIF")]), "arm.zip: a.png: expected a picture of the kind"),
@@ -98,12 +99,13 @@ def test_a_lesson_with_pictures_comes_as_an_archive(folder):
             f"expected at most {MOST_TEXT} characters, got {MOST_TEXT + 1}",
         ),
     ],
-    ids=range(14),
+    ids=range(15),
 )
 def test_an_archive_that_is_none_is_one_sentence(said, says):
     with pytest.raises(ArmlabError) as told:
         read_upload(said)
     assert says in str(told.value)
+    assert " 1 files" not in str(told.value)
 
 
 def test_an_archive_of_more_bytes_is_not_opened():

@@ -50,11 +50,16 @@ def picture(file: str, name: str, data: bytes) -> str:
     ContentError
         Its name, size or content cannot be used.
     """
+    ending = name.rpartition(".")[2]
+    if ending.lower() not in TYPES:
+        raise ContentError(file, "", f"not a kind of picture{suggestion(ending, TYPES)}")
+    if ending not in TYPES:
+        raise ContentError(
+            file, "", f"expected an ending in small letters, .{ending.lower()}, got .{ending}; rename the picture"
+        )
     if not NAME.match(name):
         raise ContentError(file, "", "expected a name of letters, digits, underscores and hyphens; rename the picture")
-    kind = TYPES.get(name.rpartition(".")[2])
-    if kind is None:
-        raise ContentError(file, "", f"not a kind of picture{suggestion(name.rpartition('.')[2], TYPES)}")
+    kind = TYPES[ending]
     if len(data) > MOST_BYTES:
         raise ContentError(file, "", f"expected at most {MOST_BYTES // 1000} kB, got {-(-len(data) // 1000)} kB")
     if kind == "image/svg+xml":

@@ -168,7 +168,8 @@ def _of_archive(file: str, archive: zipfile.ZipFile) -> Upload:
         folders.add(folder)
         inside[name] = entry
     if LESSON not in inside or len(folders) != 1:
-        raise InputError(f"{file}: expected one folder with {LESSON} and its pictures, got {len(inside)} files")
+        got = f"{len(inside)} file{'' if len(inside) == 1 else 's'}"
+        raise InputError(f"{file}: expected one folder with {LESSON} and its pictures, got {got}")
     shown = {name: entry for name, entry in inside.items() if name.rpartition(".")[2].lower() in TYPES}
     if len(shown) > MOST_PICTURES:
         raise InputError(f"{file}: expected at most {MOST_PICTURES} pictures, got {len(shown)}")
