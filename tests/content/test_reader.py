@@ -48,6 +48,12 @@ def changed(*pairs):
     return text
 
 
+def viewed_from(distance):
+    """What has to be replaced, and by what, so that the file has a camera."""
+    before = 'source = "Made'
+    return before, f"camera = {{ azimuth_deg = 0, elevation_deg = 20, distance = {distance} }}\n{before}"
+
+
 def test_a_good_file_is_read():
     robot = parse_robot("two", GOOD)
     assert robot.arm.n == 2
@@ -95,6 +101,9 @@ def test_a_byte_order_mark_is_no_part_of_a_file():
         ([('"planar"', '"flat"')], r"family: unknown value 'flat'"),
         ([('"standard"', '"craig"')], r"convention: unknown value 'craig'.*Available: modified, standard"),
         ([('source = "Made', 'task = "pos"\nsource = "Made')], r"task: unknown value 'pos'; did you mean 'pose'"),
+        ([viewed_from("0")], r"camera\.distance: expected a positive number up to 100, got 0"),
+        ([viewed_from("-1")], r"camera\.distance: expected a positive number up to 100, got -1"),
+        ([viewed_from("1e308")], r"camera\.distance: expected a positive number up to 100, got 1e\+308"),
         ([('name = "Two links"', "")], r"name: missing; the file has family, summary,"),
         ([('name = "Two links"', 'name = ""')], r"name: expected a text, got ''"),
         ([('name = "Two links"', 'name = "Two links')], r"two\.toml: not valid TOML: .*line 2"),

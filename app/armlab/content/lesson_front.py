@@ -14,7 +14,7 @@ from armlab.content.lesson_arm import read_arm
 from armlab.content.lesson_fields import Fields, example_name
 from armlab.content.lesson_head import Head, read_head
 from armlab.content.reader import Table
-from armlab.content.robots import Camera, Catalogue, Robot, read_pose
+from armlab.content.robots import Camera, Catalogue, Robot, read_camera, read_pose
 from armlab.content.rows import known, unknown
 
 
@@ -103,8 +103,4 @@ def _target(table: Table | None) -> NDArray[np.float64] | None:
 def _camera(table: Table | None) -> Camera | None:
     if table is None:
         return None
-    camera = Camera(table.number("azimuth_deg"), table.number("elevation_deg"), table.number("distance", 1.0))
-    if camera.distance <= 0:
-        raise table.fail("distance", f"expected a positive number, got {camera.distance:g}")
-    table.done()
-    return camera
+    return read_camera(table)

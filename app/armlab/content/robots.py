@@ -31,6 +31,9 @@ TAKEN = ("random",)
 LOOSEST = 1e-3
 """Largest tolerance of an expected pose: a millimetre. With a larger one a wrong table could pass."""
 
+FARTHEST_CAMERA = 100.0
+"""Largest factor of the distance of a camera; from there an arm is a dot."""
+
 FAMILIES = ("planar", "spatial 3R to 5R", "with sliding joints", "six joints", "seven joints and more")
 
 
@@ -136,7 +139,7 @@ def parse_robot(key: str, text: str, file: str | None = None, *, proven: bool = 
     joints = top.tables("joints")
     if not 1 <= len(joints) <= MAX_JOINTS:
         raise top.fail("joints", f"expected 1 to {MAX_JOINTS} tables [[joints]], got {len(joints)}")
-    base, tool = read_pose(top.table("base")), read_pose(top.table("tool"))
+    base, tool, camera = read_pose(top.table("base")), read_pose(top.table("tool")), top.table("camera")
     rows, limits, speeds, accelerations = zip(*map(_joint, joints), strict=True)
     try:
         arm = Arm.from_dh(rows, convention, base, tool, limits, speeds, accelerations, task, name)
@@ -152,7 +155,7 @@ def parse_robot(key: str, text: str, file: str | None = None, *, proven: bool = 
         arm=arm,
         poses=dict(_named_poses(top, arm, kinds, required=proven)) or {"home": _rest(arm)},
         expected=tuple(_expected(table, kinds) for table in top.tables("expected")),
-        camera=_camera(top.table("camera"), arm),
+        camera=DEFAULT_CAMERA if camera is None else read_camera(camera),
         words=top.texts("words"),
     )
     if proven and len(robot.expected) < 2:
@@ -263,10 +266,11 @@ def _expected(table: Table, kinds: str) -> Expected:
     return expected
 
 
-def _camera(table: Table | None, arm: Arm) -> Camera:
-    if table is None:
-        return DEFAULT_CAMERA
+def read_camera(table: Table) -> Camera:
+    """Read ``azimuth_deg``, ``elevation_deg`` and ``distance``, in robot files and lessons."""
     camera = Camera(table.number("azimuth_deg"), table.number("elevation_deg"), table.number("distance", 1.0))
+    if not 0.0 < camera.distance <= FARTHEST_CAMERA:
+        raise table.fail("distance", f"expected a positive number up to {FARTHEST_CAMERA:g}, got {camera.distance:g}")
     table.done()
     return camera
 
