@@ -65,6 +65,10 @@ def test_the_years_are_those_of_the_notes_corrected_where_they_are_wrong(key, ye
     assert EVENTS[key].year == year
 
 
+def test_the_first_year_is_told_to_those_who_hear_the_page():
+    assert f"Timeline of {len(EVENTS)} entries from 1920 on" in shown(timeline_markup, opened())
+
+
 def test_the_events_are_in_order_and_every_group_has_some():
     years = [event.year for event in EVENTS.values()]
     assert years == sorted(years)

@@ -14,7 +14,7 @@ from armlab.ui.adapter import gui_id
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.factors import turns
 from armlab.ui.form import Form
-from armlab.ui.format import mathml, matrix, number, pairs, subscript
+from armlab.ui.format import capitalised, mathml, matrix, number, pairs, subscript
 from armlab.ui.html import Inside, Markup, styles, tag
 from armlab.ui.jog import show_jog
 from armlab.ui.markup import row
@@ -41,7 +41,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         if not locks.shows(joints.locked):
             locks.show(row("Hold", [_lock(locks, joints, i, units) for i in range(joints.arm.n)]))
         if not poses.shows():
-            taken = [poses.chip(name, name.capitalize(), TakePose(name)) for name in names]
+            taken = [poses.chip(name, capitalised(name), TakePose(name)) for name in names]
             poses.show(row("Pose", (taken, poses.chip("random", "Random", RandomPose()))))
         show_jog(jog, state)
         readout.show(_readout(joints, units))

@@ -88,7 +88,8 @@ def _picture(form: Form, part: History) -> Markup:
         shapes.append(svg.text("tick", _x(year), height + LINE - 1.0, str(year), "middle"))
     shapes += [svg.text("hi-name", 0.0, y + 4.0, LANES[lane]) for lane, y in names.items()]
     shapes += [_point(spot, spot.event.key == part.event) for spot in places]
-    said = f"Timeline of {len(places)} entries from {places[0].event.year} on; the list below has the same."
+    first = min(spot.event.year for spot in places)
+    said = f"Timeline of {len(places)} entries from {first} on; the list below has the same."
     where = form.place("spot", lambda x, y, _: LookAt(nearest(x, y)))
     return svg.drawing("chart.hi-time", WIDE, height + LINE, said, *shapes, **where)
 
