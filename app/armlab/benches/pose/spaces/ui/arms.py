@@ -40,9 +40,7 @@ def arms_markup(form: Form, state: State) -> Inside:
     """Return r, the arms that have it, and what r says; or arms that can be described so."""
     why, part = misfit(state), state[Spaces]
     if why == NO_ANGLE:
-        said = (
-            "φ is the angle of the tool's x axis about z of frame 0, but this axis is along z: take joint 3 and q₃."
-        )
+        said = "φ is the angle of the tool's x axis about z of frame 0, but this axis is along z: take joint 3 and q₃."
         return _described(form, part), verdict_box("todo", "No angle φ", tag("p", said))
     if why:
         hint = "Put this arm on the table; undo brings the present one back"
