@@ -12,7 +12,7 @@ from armlab.kin.ik.solve_all import solve_all
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.half_plane import HalfPlane
 from armlab.kin.workspace.planar import lengths_of, planar_workspace, pose_solutions
-from armlab.kin.workspace.planar_pose import Place, configurations, place_of, stretched
+from armlab.kin.workspace.planar_pose import Place, along_ray, configurations, place_of, stretched
 from armlab.kin.workspace.sheet_maps import approach_maps, count_maps, sheet_of
 from armlab.kin.workspace.whole_plane import WholePlane
 from support.arms import random_pose, random_q
@@ -153,6 +153,25 @@ def test_stretched_arms_are_singular_and_where_their_signs_say():
                 assert math.remainder(place.theta - 0.4, math.tau) == pytest.approx(0.0, abs=1e-6)
                 J = arm.jacobian(q)[:3]
                 assert np.linalg.svd(J, compute_uv=False)[1] < 1e-9
+
+
+@pytest.mark.parametrize("held", [(), (0,), (1,), (2,), (0, 1), (0, 2), (1, 2), (0, 1, 2)])
+def test_with_joints_held_the_tool_goes_all_along_a_ray(held):
+    """Over random arms: each configuration found is on the ray, and one is found near each that is known."""
+    rng, stays = np.random.default_rng(7), np.isin(np.arange(3), held)
+    for _ in range(10):
+        arm = somewhere(rng)
+        known = random_q(arm, rng)
+        place = place_of(arm, known)
+        q, r = along_ray(arm, place.theta, np.where(stays, known, np.nan))
+        assert np.abs(r - place.r).min() < 0.02 * arm.reach
+        for row, distance in list(zip(q, r, strict=True))[:: len(q) // 20 + 1]:
+            found = place_of(arm, row)
+            assert arm.within_limits(row)
+            assert found.r == pytest.approx(distance, abs=1e-9)
+            assert abs(found.r * math.sin(found.theta - place.theta)) < 1e-9
+            assert found.r * math.cos(found.theta - place.theta) >= 0.0
+            np.testing.assert_array_equal(row[stays], known[stays])
 
 
 def test_limits_may_forbid_to_stand_so():

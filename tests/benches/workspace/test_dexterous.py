@@ -39,7 +39,7 @@ from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.planar import lengths_of, orientations, planar_workspace
 from armlab.kin.workspace.planar_pose import Place, configurations, place_of
 from armlab.kin.workspace.planar_regions import regions
-from armlab.session.edits import SetCell, SetKind
+from armlab.session.edits import SetCell, SetKind, SetLimits
 from armlab.session.field_words import SetFields
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose
@@ -267,6 +267,40 @@ def test_held_joints_are_not_moved_into_a_region_without_a_word():
         apply(held, GoToRegion(outside))
     with pytest.raises(InputError, match="joint 2 is held"):
         apply(held, StandStretched(outside, 0))
+
+
+def test_every_region_that_the_limits_allow_on_the_line_of_the_tool_is_entered():
+    state = apply(state_of("planar_3r"), SetLimits(2, -math.pi / 2, math.pi / 2))
+    found = regions(lengths_of(state[Joints].arm))
+    for q in ([0.2, 0.1, -0.1], [0.861, -1.446, -1.442], [-1.9, 2.9, 1.4]):
+        state = state.replace(state[Joints].moved_to(q))
+        for index, region in enumerate(found):
+            assert tool_standing(apply(state, GoToRegion(index))).region is region
+
+
+@pytest.mark.parametrize("held", [(0,), (1,), (2,), (0, 1), (0, 2), (1, 2)])
+def test_a_region_is_entered_with_held_joints_where_they_allow_it(held):
+    state = apply(state_of("planar_3r_unequal"), MoveJoint(1, 2.0))
+    place = place_of(state[Joints].arm, state[Joints].q)
+    for joint in held:
+        state = apply(state, LockJoint(joint, True))
+    entered = 0
+    for index, region in enumerate(regions(lengths_of(state[Joints].arm))):
+        try:
+            now = apply(state, GoToRegion(index))
+        except InputError:
+            continue
+        entered += 1
+        assert tool_standing(now).region is region
+        assert tool_standing(now).place.theta == pytest.approx(place.theta, abs=1e-6)
+        np.testing.assert_array_equal(now[Joints].q[list(held)], state[Joints].q[list(held)])
+    assert entered
+
+
+def test_the_limits_are_told_where_they_keep_the_tool_out():
+    state = apply(apply(state_of("planar_3r"), SetLimits(1, -0.2, 0.2)), SetLimits(2, -0.2, 0.2))
+    with pytest.raises(InputError, match="joint limits"):
+        apply(state, GoToRegion(0))
 
 
 def test_the_tool_stays_on_its_line_when_it_changes_region():

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.ik.rest import AT
 from armlab.kin.ik.screws import screws_of
 from armlab.kin.ik.solutions import wrapped_rows
 from armlab.kin.workspace.first_joint import first_joint
@@ -19,6 +20,9 @@ Floats = NDArray[np.float64]
 
 STRAIGHT = 1e-9
 """Excess over one of the cosine of an elbow that is rounding."""
+
+FEW, MANY = 91, 2001
+"""Values of a joint that are tried to find the tool on a line: when two joints take values, and when one does."""
 
 
 class Place(NamedTuple):
@@ -94,6 +98,59 @@ def stretched(arm: Arm, signs: Signs, theta: float) -> Floats:
     if not arm.within_limits(q):
         raise InputError("the joint limits do not let the arm stand so")
     return q
+
+
+def along_ray(arm: Arm, theta: float, held: ArrayLike) -> tuple[Floats, Floats]:
+    """Return configurations inside the limits with the tool on a ray from the first axis, and its distances there.
+
+    One joint brings the tool onto the ray, exactly; the others take values all over their ranges.
+
+    Parameters
+    ----------
+    arm : Arm
+    theta : float
+        Angle of the ray, rad.
+    held : array_like, shape (n,)
+        Values of the joints that stay, rad; nan of the others.
+
+    Returns
+    -------
+    q : ndarray, shape (k, n)
+    r : ndarray, shape (k,)
+        Metres.
+
+    Raises
+    ------
+    InputError
+        The arm is not planar with two or three turning joints.
+    """
+    links, fixed = _links(arm), np.asarray(held, dtype=np.float64)
+    free = np.flatnonzero(np.isnan(fixed))
+    if not free.size:
+        return fixed[None], np.array([place_of(arm, fixed).r])
+    q, joint = _tried(arm, fixed, free), int(free[0])
+    tips = np.abs(links) * np.exp(1j * (np.cumsum(_senses(arm) * q, axis=1) + np.angle(links) - theta))
+    still, carried = tips[:, :joint].sum(axis=1), tips[:, joint:].sum(axis=1)
+    # With the ray as real axis: still + carried exp(i turn) is real.
+    length = np.maximum(np.abs(carried), np.finfo(float).tiny)
+    sine = np.clip(-still.imag / length, -1.0, 1.0)
+    turns = np.stack([np.arcsin(sine), np.pi - np.arcsin(sine)])
+    r = still.real + length * np.cos(turns)
+    q = np.stack([q, q])
+    q[..., joint] = _senses(arm)[joint] * (turns - np.angle(carried))
+    rows = np.where(np.isnan(fixed), wrapped_rows(arm, q.reshape(-1, arm.n)), q.reshape(-1, arm.n))
+    low, high = arm.limits.T
+    met = np.tile(np.abs(still.imag) <= length, 2) & (r.ravel() >= 0.0)
+    kept = met & np.all((rows >= low - AT) & (rows <= high + AT), axis=1)
+    return rows[kept], r.ravel()[kept]
+
+
+def _tried(arm: Arm, fixed: Floats, free: NDArray[np.intp]) -> Floats:
+    """Return joint values (k, n): zero of the first free joint, all over their ranges of the other free ones."""
+    count = FEW if len(free) > 2 else MANY
+    low, high = arm.limits.T
+    values = [np.linspace(low[i], high[i], count) if i in free[1:] else np.nan_to_num(fixed[[i]]) for i in range(arm.n)]
+    return np.stack(np.meshgrid(*values, indexing="ij"), axis=-1).reshape(-1, arm.n)
 
 
 def _joints(arm: Arm, absolute: Floats) -> Floats:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -12,7 +13,7 @@ from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.planar import lengths_of, tool_angles
-from armlab.kin.workspace.planar_pose import Place, configurations, place_of, stretched
+from armlab.kin.workspace.planar_pose import Place, along_ray, configurations, place_of, stretched
 from armlab.kin.workspace.planar_regions import Region, region_at, regions
 from armlab.kin.workspace.sheet_maps import sheet_of
 from armlab.session.parts.joints import Joints
@@ -86,23 +87,20 @@ class GoToRegion(Command):
     label: ClassVar[str] = "move into a region"
 
     def apply(self, state: State) -> State:
-        """Return the state with the tool there; `InputError` if the joint limits forbid it."""
-        arm, lengths = state[Joints].arm, _lengths(state)
-        found = regions(lengths)
+        """Return the state with the tool there; `InputError` if joint limits or held joints forbid it."""
+        arm, found = state[Joints].arm, regions(_lengths(state))
         if not 0 <= self.index < len(found):
             raise InputError(f"region: expected 1 to {len(found)}, got {self.index + 1}")
-        region, now = found[self.index], place_of(arm, state[Joints].q)
-        if region.ways:
-            return StandStretched(self.index, 0).apply(state)
-        r = 0.5 * (region.low + region.high)
-        psi = _nearest_angle(lengths, r, now.psi) if len(lengths) == 3 else now.psi
-        inside = [q for q in configurations(arm, Place(r, now.theta, psi)) if arm.within_limits(q)]
-        if not inside:
-            raise InputError("the joint limits keep the tool from that region along this line")
-        inside = [q for q in inside if not _held_off(state, q)]
-        if not inside:
+        region = found[self.index]
+        inside = _on_circle(state, region) if region.ways else _in_the_middle(state, region)
+        free = [q for q in inside if not _held_off(state, q)]
+        if not free and not region.ways:
+            free = _within(state, region, state[Joints].locked)
+        if free:
+            return state.replace(state[Joints].moved_to(free[0]))
+        if inside or (not region.ways and _within(state, region, (False,) * arm.n)):
             raise InputError("the held joints keep the tool from that region along this line: release them first")
-        return state.replace(state[Joints].moved_to(min(inside, key=lambda q: _way(arm, q, state[Joints].q))))
+        raise InputError("the joint limits keep the tool from that region along this line")
 
 
 @dataclass(frozen=True)
@@ -152,6 +150,40 @@ def possible_joints(arm: Arm, lengths: tuple[float, ...], place: Place) -> list[
     return [np.array([back + low, back + high]), np.array([back - high, back - low])]
 
 
+def _on_circle(state: State, region: Region) -> list[NDArray[np.float64]]:
+    """Return the singular configurations of a circle that the limits allow, along the present ray."""
+    arm = state[Joints].arm
+    theta = place_of(arm, state[Joints].q).theta
+    found = []
+    for signs in region.ways:
+        with suppress(InputError):
+            found.append(stretched(arm, signs, theta))
+    return found
+
+
+def _in_the_middle(state: State, region: Region) -> list[NDArray[np.float64]]:
+    """Return the configurations in the middle of a ring that the limits allow, the nearest first.
+
+    The last link of a 3R is turned as little as possible.
+    """
+    arm, q, lengths = state[Joints].arm, state[Joints].q, _lengths(state)
+    now, r = place_of(arm, q), 0.5 * (region.low + region.high)
+    psi = _nearest_angle(lengths, r, now.psi) if len(lengths) == 3 else now.psi
+    inside = [each for each in configurations(arm, Place(r, now.theta, psi)) if arm.within_limits(each)]
+    return sorted(inside, key=lambda each: _way(each, q))
+
+
+def _within(state: State, region: Region, held: tuple[bool, ...]) -> list[NDArray[np.float64]]:
+    """Return the configuration with which the tool comes nearest to the middle of a ring, if any leads into it."""
+    arm, q = state[Joints].arm, state[Joints].q
+    rows, r = along_ray(arm, place_of(arm, q).theta, np.where(held, q, np.nan))
+    off = np.abs(r - 0.5 * (region.low + region.high))
+    edge = ON * sum(_lengths(state))
+    if not off.size or off.min() >= 0.5 * (region.high - region.low) - edge:
+        return []
+    return [rows[int(np.argmin(off))]]
+
+
 def _held_off(state: State, q: NDArray[np.float64]) -> list[int]:
     """Return the held joints, 1-based, that a configuration would move."""
     joints = state[Joints]
@@ -173,5 +205,5 @@ def _nearest_angle(lengths: tuple[float, ...], r: float, psi: float) -> float:
     return float(np.copysign(np.clip(abs(psi), low, high), psi))
 
 
-def _way(arm: Arm, q: NDArray[np.float64], now: NDArray[np.float64]) -> float:
+def _way(q: NDArray[np.float64], now: NDArray[np.float64]) -> float:
     return float(np.abs(q - now).sum())
