@@ -75,6 +75,22 @@ def test_every_configuration_of_a_map_is_inside_the_limits_and_its_tool_in_its_c
     assert found.done == 1.0
 
 
+@pytest.mark.parametrize(
+    "rows",
+    [
+        [("P", 0, math.pi / 2, 0, 0), ("P", 0, 0, 0, 0), ("R", 0, 0, 0.1, 0)],
+        [("P", 0, math.pi / 2, 0, 0), ("P", 0, -math.pi / 2, 0, 0), ("R", 0, 0, 0.1, 0)],
+        [("P", 0, math.pi / 2, 0, 0), ("P", 0, math.pi / 2, 0, math.pi / 2), ("R", 0, 0, 0, 0)],
+        [("P", 0, 0, 0, 0), ("R", 0, 0, 0.1, 0)],
+        [("R", 0, 0, 0, 0), ("P", 0, 0, 0.1, 0)],
+    ],
+    ids=["gantry", "gantry the other way", "across the gantry", "slide and spin", "spin and slide"],
+)
+def test_a_tool_that_turns_in_place_has_all_orientations(rows):
+    *_, found = approach_maps(sheet_of(Arm.from_dh(rows), 0.0), 60_000, 12)
+    assert np.nanmax(found.values) == 1.0
+
+
 def test_a_map_grows_and_keeps_what_it_has():
     sheet = sheet_of(arm_of("ur5e"), 0.0)
     maps = list(approach_maps(sheet, 60_000, 20))

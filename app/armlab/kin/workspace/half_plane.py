@@ -13,10 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.kin.workspace.first_joint import FULL_TURN
 from armlab.kin.workspace.sheet import Met, Sheet, Singles, within
 
 Floats = NDArray[np.float64]
+
+ON_AXIS = 1e-6
+"""Distance from axis 1, relative to the reach, below which joint 1 does not move the tool point."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,18 +31,20 @@ class HalfPlane(Sheet):
 
     def met(self, q: Singles) -> Met:
         """Return positions and directions of the tool of configurations when joint 1 turns it into the half plane."""
-        joint = self.joint
+        joint, drawn = self.joint, q[:, 0].astype(np.float64)
         q[:, 0] = 0.0
         T = np.asarray(self.arm.fk(q), dtype=np.float64)
         coordinates = joint.split(T[:, :3, 3])
         q1 = self.s - coordinates[:, 2]
         if joint.revolute:
             q1 = joint.low + np.mod(q1 - joint.low, math.tau)
+            # On the axis the point is in every half plane, however joint 1 turns the tool.
+            q1 = np.where(coordinates[:, 0] <= ON_AXIS * self.arm.reach, drawn, q1)
         # With all of a turn every value fits, but for rounding at its end.
         kept = np.ones(len(q), dtype=bool) if joint.full else (q1 >= joint.low) & (q1 <= joint.high)
         low, high = within(self.arm)
         q[:, 0] = np.clip(q1, low[0], high[0])
-        axis = T[:, :3, 0 if self.bins.circle else 2] @ self._frame(T)
+        axis = T[:, :3, 0 if self.bins.circle else 2] @ self.counted_axes(T, joint.axes)
         if joint.revolute:
             # Joint 1 turns the tool by q1, and the half plane stands at s: what is left is the turn from s at q1 = 0.
             turned = (axis[:, 0] + 1j * axis[:, 1]) * np.exp(1j * (q1 - self.s))
@@ -59,13 +63,3 @@ class HalfPlane(Sheet):
     def lowest(self, low: Floats) -> Floats:
         """Return the corner of a picture, which does not begin before the axis."""
         return np.array([max(low[0], 0.0), low[1]]) if self.joint.revolute else low
-
-    def _frame(self, T: Floats) -> Floats:
-        """Return the axes of directions, as columns: those of joint 1, or about the tool's fixed z."""
-        axes, z = self.joint.axes, T[0, :3, 2]
-        if not self.bins.circle or (self.joint.revolute and abs(z @ axes[:, 2]) > 1.0 - FULL_TURN):
-            return axes
-        near = axes[:, int(np.argmin(np.abs(z @ axes)))]
-        x = near - z * (z @ near)
-        x /= np.linalg.norm(x)
-        return np.column_stack([x, np.cross(z, x), z])

@@ -28,6 +28,9 @@ EXTENT, MARGIN = 32_768, 0.03
 FLAT = 1e-5
 """Width, relative to the wider side, below which a picture is one cell wide."""
 
+ALONG = 1e-6
+"""What the cosine of an angle may lack of one where axes are parallel, in single precision."""
+
 
 class Met(NamedTuple):
     """Configurations with the tool point on a surface.
@@ -70,6 +73,24 @@ class Sheet(ABC):
     def bins(self) -> Directions:
         """The bins in which orientations are counted."""
         return directions(MOST, keeps_upright(self.arm))
+
+    def counted_axes(self, T: Floats, axes: Floats) -> Floats:
+        """Return the axes in which directions are counted, as columns (3, 3).
+
+        Parameters
+        ----------
+        T : ndarray, shape (k, 4, 4)
+            Poses of the tool.
+        axes : ndarray, shape (3, 3)
+            Those of the surface. They serve, unless the tool turns only about a line that is not the third of them.
+        """
+        z = T[0, :3, 2]
+        if not self.bins.circle or abs(z @ axes[:, 2]) > 1.0 - ALONG:
+            return axes
+        near = axes[:, int(np.argmin(np.abs(z @ axes)))]
+        x = near - z * (z @ near)
+        x /= np.linalg.norm(x)
+        return np.column_stack([x, np.cross(z, x), z])
 
     def samples(self, count: int, seed: int = 0) -> Iterator[Met]:
         """Yield positions and directions of ``count`` random configurations inside the limits, in chunks.

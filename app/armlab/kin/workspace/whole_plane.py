@@ -28,7 +28,8 @@ class WholePlane(Sheet):
     def met(self, q: Singles) -> Met:
         """Return positions and directions of the tool in the plane, at configurations."""
         T = np.asarray(self.arm.fk(q), dtype=np.float64)
-        return Met(q, self.places(T[:, :3, 3]), T[:, :3, 0 if self.bins.circle else 2] @ self.across)
+        axes = self.counted_axes(T, self.across)
+        return Met(q, self.places(T[:, :3, 3]), T[:, :3, 0 if self.bins.circle else 2] @ axes)
 
     def places(self, points: ArrayLike) -> Floats:
         """Return the coordinates (..., 2) of points (..., 3) in the world, metres."""
