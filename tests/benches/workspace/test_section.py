@@ -12,6 +12,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from armlab.benches.workspace.section import found as found_module
+from armlab.benches.workspace.section.facts import FACTS
 from armlab.benches.workspace.section.found import Found, Question, finding, once_each
 from armlab.benches.workspace.section.job import JOB, delivered, found_section
 from armlab.benches.workspace.section.marks import silhouette, target_measured, tool_measured
@@ -27,6 +28,7 @@ from armlab.benches.workspace.section.state import (
 )
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, InputError
+from armlab.kin.workspace.planar import lengths_of
 from armlab.kin.workspace.section_size import Size
 from armlab.kin.workspace.sections import section
 from armlab.session.fields import Set
@@ -47,6 +49,16 @@ def whole(key):
 
 def tool(state):
     return np.asarray(state[Joints].tool_pose[:3, 3])
+
+
+def test_distances_from_the_axis_of_joint_1_are_facts_where_it_turns_only():
+    names = ("inner", "outer", "lowest", "highest", "farthest")
+    keys = ("planar_2r_unequal", "cartesian_3p")
+    turns, slides = ({name: FACTS.facts[name].now(whole(key)).value for name in names} for key in keys)
+    l1, l2 = lengths_of(catalogue()["planar_2r_unequal"].arm)
+    assert turns["inner"] == pytest.approx(l1 - l2, abs=1e-6)
+    assert turns["outer"] == turns["farthest"] == pytest.approx(l1 + l2, abs=1e-6)
+    assert slides == dict.fromkeys(names)
 
 
 def test_it_is_found_while_its_page_is_seen_and_only_once():

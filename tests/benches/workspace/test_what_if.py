@@ -11,6 +11,7 @@ import pytest
 import armlab
 from armlab.benches.workspace.what_if import found as what_if_found
 from armlab.benches.workspace.what_if.arm import LIMITS, TOOL, Change, altered, fields_of, span_of, turns, value_of
+from armlab.benches.workspace.what_if.facts import FACTS
 from armlab.benches.workspace.what_if.found import Question, comparing
 from armlab.benches.workspace.what_if.job import JOB, PAGE, compared, delivered, wanted
 from armlab.benches.workspace.what_if.state import ChooseQuantity, ForgetChanges, Suppose, TakeOver, WhatIf, is_present
@@ -197,6 +198,14 @@ def test_a_longer_link_of_a_full_2r_gives_the_area_of_its_disc():
     assert np.all((r < lengths[0] - 0.5 + 0.03) | (r > lengths[0] + 0.5 - 0.03))
     inside = np.hypot(*found.old.points[~found.lost][:, :2].T)
     assert np.all((inside > lengths[0] - 0.5 - 0.03) & (inside < lengths[0] + 0.5 + 0.03))
+
+
+def test_the_outer_reach_is_a_fact_where_joint_1_turns_only():
+    turns, slides = (compared(opened(key, Suppose(1, "high", 0.5))) for key in ("planar_2r", "cartesian_3p"))
+    for name in ("outer_before", "outer_after"):
+        assert FACTS.facts[name].now(turns).value == pytest.approx(2.0, abs=0.1)
+        assert FACTS.facts[name].now(slides).value is None
+    assert FACTS.facts["size_after"].now(slides).value is not None
 
 
 def test_a_narrower_limit_of_a_box_takes_away_its_part():

@@ -21,12 +21,16 @@ def _size(unit: str) -> Callable[[State], float | None]:
     return found
 
 
-def _of_reach(value: Callable[[Reach], float]) -> Callable[[State], float | None]:
+def _reach(title: str, value: Callable[[Reach], float]) -> Fact:
+    """Return a fact of the reach: from the axis of a joint 1 that turns; the page has coordinates where it slides."""
+
     def found(state: State) -> float | None:
         seen = _finished(state)
-        return None if seen is None or seen.reach is None else value(seen.reach)
+        if seen is None or seen.reach is None or not seen.section.joint.revolute:
+            return None
+        return value(seen.reach)
 
-    return found
+    return Fact(title, found, "m", only="where joint 1 turns")
 
 
 def _finished(state: State) -> Found | None:
@@ -40,11 +44,11 @@ FACTS = Facts(
     {
         "area": Fact("the area of the workspace of a planar arm", _size("m²"), "m²"),
         "volume": Fact("the volume of the workspace of an arm in space", _size("m³"), "m³"),
-        "inner": Fact("the least distance from the axis of joint 1", _of_reach(lambda reach: reach.inner), "m"),
-        "outer": Fact("the largest distance from the axis of joint 1", _of_reach(lambda reach: reach.outer), "m"),
-        "lowest": Fact("the least height along the axis of joint 1", _of_reach(lambda reach: reach.low), "m"),
-        "highest": Fact("the largest height along the axis of joint 1", _of_reach(lambda reach: reach.high), "m"),
-        "farthest": Fact("the largest distance that is reached", _of_reach(lambda reach: reach.farthest), "m"),
+        "inner": _reach("the least distance from the axis of joint 1", lambda reach: reach.inner),
+        "outer": _reach("the largest distance from the axis of joint 1", lambda reach: reach.outer),
+        "lowest": _reach("the least height along the axis of joint 1", lambda reach: reach.low),
+        "highest": _reach("the largest height along the axis of joint 1", lambda reach: reach.high),
+        "farthest": _reach("the largest distance that is reached", lambda reach: reach.farthest),
     },
     JOB,
 )

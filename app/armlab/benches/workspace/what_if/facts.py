@@ -27,6 +27,12 @@ def _size(figures: Figures) -> float | None:
     return None if figures.size is None else figures.size.value
 
 
+def _outer(which: int) -> Callable[[State], float | None]:
+    """Return the outer reach before (0) or after (1); across a joint 1 that slides there is none."""
+    known = _figures(which, lambda figures: figures.reach.outer)
+    return lambda state: known(state) if state[WhatIf].arm.revolute[0] else None
+
+
 FACTS = Facts(
     __name__,
     (WhatIf,),
@@ -34,8 +40,8 @@ FACTS = Facts(
         "changes": Fact("the number of changes", lambda s: len(s[WhatIf].changes), kind="count"),
         "size_before": Fact("the size of the workspace before, in m² or m³", _figures(0, _size)),
         "size_after": Fact("the size of the workspace after, in m² or m³", _figures(1, _size)),
-        "outer_before": Fact("the outer reach before", _figures(0, lambda figures: figures.reach.outer), "m"),
-        "outer_after": Fact("the outer reach after", _figures(1, lambda figures: figures.reach.outer), "m"),
+        "outer_before": Fact("the outer reach before", _outer(0), "m", only="where joint 1 turns"),
+        "outer_after": Fact("the outer reach after", _outer(1), "m", only="where joint 1 turns"),
     },
     JOB,
 )
