@@ -238,6 +238,15 @@ def test_the_wrist_is_shown_as_a_slice_or_as_a_body_cut_open():
     assert here.value == pytest.approx(float(wrist.at(state[Joints].tool_pose[:3, 3])), abs=0.05)
 
 
+@pytest.mark.parametrize("q1", [(-180, 180), (-90, -10)])
+def test_a_body_is_cut_open_where_enough_of_it_lies_behind_the_arm_and_else_drawn_whole(q1):
+    state = apply(state_of("irb140", draw="body", share=0.5), SetLimits(0, *np.radians(q1)))
+    state = studied(apply(state, SetLimits(1, 0.0, math.pi / 2)))
+    drawn, body = body_shown(state), study_of(state).wrist.fraction > 0.5
+    assert drawn.sum() >= 0.4 * body.sum() > 0
+    assert np.array_equal(drawn, body) == (q1[1] < 90)
+
+
 # -- planar arms -----------------------------------------------------------------------------------------------------
 
 

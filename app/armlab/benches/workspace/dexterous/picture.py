@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.workspace.cloud.cuts import FRONT
+from armlab.benches.workspace.cloud.cuts import BEHIND, FRONT
 from armlab.benches.workspace.dexterous.state import SHARES, Dexterous, slice_of, study_of
 from armlab.benches.workspace.dexterous.study import Study
 from armlab.kin.ik.solve_all import solve_all
@@ -97,7 +97,7 @@ def _on(sheet: Sheet, low: Floats, step: float, values: Floats) -> Slice:
 def body_shown(state: State) -> NDArray[np.bool_] | None:
     """Return the voxels of a spherical wrist's coverage with at least the chosen share of directions, (N, N, N).
 
-    The half in front of the arm is cut away, so that arm and inside are seen.
+    The half in front of the arm is cut away, so that arm and inside are seen, unless too little of it lies behind.
     """
     part, found = state[Dexterous], state.derived(study_of)
     if found is None or found.wrist is None or part.draw != "body":
@@ -107,7 +107,9 @@ def body_shown(state: State) -> NDArray[np.bool_] | None:
     along = wrist.low + (np.arange(wrist.fraction.shape[0])[:, None] + 0.5) * wrist.step - base[:3, 3]
     x, y, z = (along * ahead).T
     behind = x[:, None, None] + y[None, :, None] + z[None, None, :] <= 0.0
-    return np.asarray(behind & (wrist.fraction > _threshold(part.share)))
+    body = np.asarray(wrist.fraction > _threshold(part.share))
+    half = body & behind
+    return half if half.sum() >= BEHIND * body.sum() else body
 
 
 def largest_share(found: Coverage) -> float | None:
