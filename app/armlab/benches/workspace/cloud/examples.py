@@ -56,7 +56,8 @@ EXAMPLES: Registry[Example] = Registry(
             "manipulability",
             "cloud",
             "none",
-            "The points crowd in the middle and at the rim: equal steps of q₂ are small steps of the radius there.",
+            "The points crowd at the rim, where equal steps of q₂ are small steps of the radius, and in the middle, "
+            "where a ring of equal width is small.",
         ),
         Example(
             "ball_3r",
