@@ -167,6 +167,16 @@ def test_held_joints_stay_when_the_arm_goes_to_a_sample():
     assert there[Joints].q[0] == state[Joints].q[0]
 
 
+def test_the_target_is_put_at_a_sample_also_where_a_held_joint_keeps_the_arm_away():
+    state = apply(whole("elbow_3r"), LockJoint(1, True))
+    for index in range(3):
+        aimed = apply(state, AimAtSample(index))
+        point = state[Workspace].found.shown.points[index]
+        np.testing.assert_allclose(aimed[Target].pose[:3, 3], point, atol=1e-5)
+        assert aimed[Joints].q[1] == state[Joints].q[1]
+        assert np.linalg.norm(aimed[Joints].tool_pose[:3, 3] - point) > 1e-3
+
+
 @pytest.mark.parametrize(
     ("settings", "said"),
     [

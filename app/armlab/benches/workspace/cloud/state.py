@@ -202,8 +202,8 @@ class AimAtSample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the target there; `InputError` if there is no such sample."""
-        reached = GoToSample(self.index).apply(state)
-        return PlaceTarget(np.array(reached[Joints].tool_pose, dtype=np.float64)).apply(reached)
+        pose = state[Joints].arm.fk(_configuration(state, self.index))
+        return PlaceTarget(np.array(pose, dtype=np.float64)).apply(GoToSample(self.index).apply(state))
 
 
 def _configuration(state: State, index: int) -> np.ndarray[tuple[int], np.dtype[np.float64]]:

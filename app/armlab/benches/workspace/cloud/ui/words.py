@@ -19,6 +19,7 @@ from armlab.ui.form import Form
 from armlab.ui.format import capitalised, pairs
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import verdict_box
+from armlab.ui.plugin import Points
 from armlab.ui.units import Units
 
 
@@ -67,13 +68,19 @@ def chosen(form: Form, state: State, units: Units, ways: Callable[[int], Command
     place = ", ".join(units.text(float(value), False) for value in point)
     value = with_unit(found, float(found.shown.values[index]))
     there = _is_there(state, found, index)
-    here = "The arm is there." if there else "The arm has moved since."
+    here = "The arm is there." if there else _elsewhere(state, point)
     title = measure_named(found.question.measure).title
     go = form.chip("again", "Go there", GoToSample(index), "Move the arm to this configuration", off=there)
     target = "Move the target there and open the page Solutions"
     all_ways = form.chip("ways", "All solutions here", partial(ways, index), target)
     said = f"{capitalised(title)} {value}. {here}"
     return verdict_box("ok", f"({place}) {units.length_unit}", said, sign="◉"), tag("div.bar", go, all_ways)
+
+
+def _elsewhere(state: State, point: Points) -> str:
+    """Return where the arm is that does not have the joint values of a sample, as where a joint is held."""
+    met = np.allclose(state[Joints].tool_pose[:3, 3], point, atol=1e-4)
+    return "The tool point is there, with other joint values." if met else "The arm is not there."
 
 
 def _is_there(state: State, found: Sampled, index: int) -> bool:
