@@ -255,6 +255,8 @@ def test_what_cannot_be_run_is_refused_in_words():
         LineReference(np.eye(4), [0.0, 0.0, 0.0], 1e4)
     with pytest.raises(InputError, match="circle: expected a start away"):
         CircleReference(np.eye(4), [0.0, 0.0, 0.0], [0.0, 0.0, 1.0], 1.0, 1.0)
+    with pytest.raises(InputError, match="q: expected joint values, got 'abc'"):
+        FixedJoints("abc", 1.0)
     for arguments, words in (
         ({"sampling": -1.0}, "sampling time"),
         ({"wrong_by": 0.9}, "at most 50 %"),

@@ -293,6 +293,19 @@ def test_each_joint_by_itself_bends_the_direction_and_all_alike_keep_it():
     assert (scaled.tolist(), changed) == ([2.0, -0.5, 0.25], True)
     for key in ("clip", "scale"):
         inside = np.array([1.0, 1.0, 7.0])
-        assert saturate(key, inside, limits).qdot is inside
+        assert np.array_equal(saturate(key, inside, limits).qdot, inside)
         assert not saturate(key, inside, limits).changed
-    assert saturate("none", qdot, limits).qdot is qdot
+    assert np.array_equal(saturate("none", qdot, limits).qdot, qdot)
+
+
+@pytest.mark.parametrize("key", ["none", "clip", "scale"])
+def test_joint_speeds_are_limited_in_a_known_way_and_may_be_lists(key):
+    speeds = {"none": [2.0, 1.0], "clip": [1.0, 1.0], "scale": [1.0, 0.5]}
+    assert saturate(key, [2.0, 1.0], [1.0, 1.0]).qdot.tolist() == speeds[key]
+    for arguments, words in (
+        (("soft", [2.0, 1.0], [1.0, 1.0]), "saturation: unknown name"),
+        ((key, "fast", [1.0, 1.0]), "qdot: expected joint speeds"),
+        ((key, [2.0, 1.0], [1.0] * 3), "qdot, limits: expected as many of each"),
+    ):
+        with pytest.raises(InputError, match=words):
+            saturate(*arguments)

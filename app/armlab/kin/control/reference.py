@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.checks import finite_floats
+from armlab.kin.checks import as_floats, finite_floats
 from armlab.kin.field import positive
 from armlab.kin.motion import Law, Motion, ToolPath
 from armlab.kin.transforms import as_pose
@@ -207,12 +207,17 @@ class FixedJoints(Reference):
         rad or m.
     duration : float
         Seconds the arm is given.
+
+    Raises
+    ------
+    InputError
+        Not numbers, or no duration of at most `LONGEST`.
     """
 
     still = True
 
     def __init__(self, q: ArrayLike, duration: float) -> None:
-        self.q = np.array(q, dtype=float)
+        self.q = as_floats(q, "q", "joint values")
         self.duration = checked_duration(duration)
 
     def joints(self, arm: Arm, t: Floats) -> JointAims:

@@ -28,7 +28,7 @@ from armlab.kin.control.plant import IDEAL, Plant, Push, believed
 from armlab.kin.control.rate_inverse import pseudo_inverse_speeds, rate_inverse
 from armlab.kin.control.record import Run
 from armlab.kin.control.reference import JointAims, Reference, ToolAims
-from armlab.kin.control.saturation import saturate
+from armlab.kin.control.saturation import limited
 from armlab.kin.control.scaled_task import ScaledTask
 from armlab.kin.field import positive
 from armlab.registry import known_name
@@ -265,7 +265,7 @@ class _Loop:
         if not all(abs(speed) <= FASTEST for speed in told.qdot.tolist()):
             self._stopped = f"joint {_fastest(told.qdot)} would have to be faster than a million rad/s or m/s"
             return None
-        actual, changed = saturate(self._plant.saturation, told.qdot, self._limits)
+        actual, changed = limited(self._plant.saturation, told.qdot, self._limits)
         if not all(abs(speed) <= most for speed, most in zip(actual.tolist(), self._bounds, strict=True)):
             self._stopped = self._jumps(actual)
             return None

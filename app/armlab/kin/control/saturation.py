@@ -10,8 +10,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from armlab.kin.checks import as_floats, together
 from armlab.registry import known_name
 
 Floats = NDArray[np.float64]
@@ -37,7 +38,7 @@ def checked_saturation(key: str) -> str:
     return known_name("saturation", key, SATURATIONS)
 
 
-def saturate(key: str, qdot: Floats, limits: Floats) -> Saturated:
+def saturate(key: str, qdot: ArrayLike, limits: ArrayLike) -> Saturated:
     """Return joint speeds (n,) within limits (n,), positive or infinite.
 
     Parameters
@@ -45,11 +46,25 @@ def saturate(key: str, qdot: Floats, limits: Floats) -> Saturated:
     key : str
         ``"clip"``: each component by itself; ``"scale"``: all by the same factor, so that the direction of motion is
         kept; ``"none"``: they are left alone.
-    qdot : ndarray, shape (n,)
+    qdot : array_like, shape (n,)
         rad/s or m/s.
-    limits : ndarray, shape (n,)
+    limits : array_like, shape (n,)
         Largest magnitudes, in the same units.
+
+    Raises
+    ------
+    UnknownName
+        There is no such way.
+    InputError
+        Not numbers, or shapes that do not fit.
     """
+    speeds, most = as_floats(qdot, "qdot", "joint speeds"), as_floats(limits, "limits", "largest joint speeds")
+    together(qdot=speeds.shape, limits=most.shape)
+    return limited(checked_saturation(key), speeds, most)
+
+
+def limited(key: str, qdot: Floats, limits: Floats) -> Saturated:
+    """Return the same as `saturate` of arguments that have been checked, as in each step of a simulation."""
     if key == "none":
         return Saturated(qdot, False)
     share = float(np.max(np.abs(qdot) / limits, initial=0.0))
