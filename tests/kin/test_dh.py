@@ -5,7 +5,7 @@ import pytest
 
 from armlab.errors import InputError, UnknownName
 from armlab.kin.dh import Row, link_transform, row_of
-from armlab.kin.rotations import rotation_about
+from armlab.kin.rotations import rotation_about, rotation_from_axis_angle
 from armlab.kin.transforms import as_pose, inverse, transform
 from support.arms import random_pose
 
@@ -37,6 +37,19 @@ def test_link_transforms_broadcast(rng):
     A = link_transform(0.3, 0.2, 0.1, theta)
     assert A.shape == (4, 5, 4, 4)
     np.testing.assert_array_equal(A[2, 3], link_transform(0.3, 0.2, 0.1, theta[2, 3]))
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: link_transform([1.0, 2.0], [0.0] * 3, 0.0, 0.0), r"a, alpha, d, theta: .*\(2,\), \(3,\), \(\), \(\)"),
+        (lambda: transform(np.ones((2, 3, 3)), np.ones((3, 3))), "rotation, position: expected as many of each"),
+        (lambda: rotation_from_axis_angle(np.ones((2, 3)), np.ones(3)), "axis, angle: expected as many of each"),
+    ],
+)
+def test_shapes_that_do_not_fit_are_told(call, words):
+    with pytest.raises(InputError, match=words):
+        call()
 
 
 def test_a_row_can_be_written_in_three_ways():

@@ -252,3 +252,10 @@ def test_bad_input_says_where():
         jacobian_rate(arm, [0, 0], [1, 2, 3])
     with pytest.raises(InputError, match="qddot: expected shape"):
         tool_motion(arm, [0, 0], [0, 0], [1])
+    for call in (jacobian_rate, tool_motion, partial(jacobian_acceleration, qddot=[0, 0])):
+        with pytest.raises(InputError, match=r"q, qdot.*: expected as many of each, or one, got .*\(2,\), \(3,\)"):
+            call(arm, np.zeros((2, 2)), np.zeros((3, 2)))
+    with pytest.raises(InputError, match="q, qdot, qddot, qdddot: expected as many of each"):
+        tool_motion(arm, [0, 0], [0, 0], np.zeros((2, 2)), np.zeros((3, 2)))
+    one = tool_motion(arm, np.zeros((4, 2)), [1, 1], [1, 0])
+    assert one.twist.shape == one.acceleration.shape == one.jerk.shape == (4, 6)

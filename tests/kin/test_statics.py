@@ -146,6 +146,11 @@ def test_a_jacobian_of_zeros_has_no_rank():
         (lambda: duality(np.ones((4, 2))), "one to three rows of one unit, or of six"),
         (lambda: duality(np.ones((3, 2)), speeds=[1.0, 0.0]), "speeds"),
         (lambda: duality([[np.nan, 0.0]]), "J: expected a finite matrix"),
+        (lambda: duality(np.ones((6, 2)), length="a"), "length: expected metres"),
+        (lambda: duality(np.ones((6, 2)), length=[1.0]), "length: expected metres"),
+        (lambda: joint_torques(np.ones((2, 6, 3)), np.ones((4, 6))), r"J, wrench: .*\(2,\), \(4,\)"),
+        (lambda: wrench_at(np.ones((2, 6)), np.ones((3, 3))), "wrench, r: expected as many of each"),
+        (lambda: virtual_work(np.ones((2, 6, 3)), np.ones(6), np.ones((4, 3))), "J, wrench, displacement"),
     ],
 )
 def test_bad_input_is_refused_with_words(call, words):

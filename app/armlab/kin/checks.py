@@ -70,6 +70,21 @@ def whole_between(value: object, where: str, least: int, most: int) -> int:
     return int(value)
 
 
+def together(**shapes: tuple[int, ...]) -> tuple[int, ...]:
+    """Return the shape of all batches together, from the shape of each by the name of its argument.
+
+    Raises
+    ------
+    InputError
+        They do not broadcast.
+    """
+    try:
+        return np.broadcast_shapes(*shapes.values())
+    except ValueError:
+        got = ", ".join(str(shape) for shape in shapes.values())
+        raise InputError(f"{', '.join(shapes)}: expected as many of each, or one, got batches of shape {got}") from None
+
+
 def wrong(where: str, expected: str, got: object) -> InputError:
     """Return the error for a wrong argument; a long value is shortened.
 

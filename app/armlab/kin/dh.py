@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError, UnknownName
-from armlab.kin.checks import as_floats, finite_floats, wrong
+from armlab.kin.checks import as_floats, finite_floats, together, wrong
 from armlab.registry import known_name
 
 Convention = Literal["standard", "modified"]
@@ -127,12 +127,21 @@ def link_transform(
     -------
     ndarray, shape (..., 4, 4)
 
+    Raises
+    ------
+    InputError
+        Not numbers, or shapes that do not fit.
+    UnknownName
+        There is no such convention.
+
     References
     ----------
     Notes 4.13-4.14 (standard); Craig, *Introduction to Robotics*, 3.6 (modified).
     """
     entries = zip(FIELDS[1:], (a, alpha, d, theta), strict=True)
-    a_, alpha_, d_, theta_ = np.broadcast_arrays(*(as_floats(value, name, "numbers") for name, value in entries))
+    given = {name: as_floats(value, name, "numbers") for name, value in entries}
+    together(**{name: values.shape for name, values in given.items()})
+    a_, alpha_, d_, theta_ = np.broadcast_arrays(*given.values())
     ct, st, ca, sa = np.cos(theta_), np.sin(theta_), np.cos(alpha_), np.sin(alpha_)
     zero, one = np.zeros_like(ct), np.ones_like(ct)
     if convention == "standard":

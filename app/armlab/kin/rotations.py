@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
-from armlab.kin.checks import as_floats
+from armlab.kin.checks import as_floats, together
 from armlab.kin.nearest import nearest_rotation
 
 Array = NDArray[np.floating]
@@ -102,6 +102,11 @@ def rotation_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
     angle : array_like, shape (...)
         Radians.
 
+    Raises
+    ------
+    InputError
+        No axis, or shapes that do not fit.
+
     References
     ----------
     Notes 3.46-3.56.
@@ -114,6 +119,7 @@ def rotation_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
         raise InputError(f"axis: expected a finite vector that is not zero, got {axis!r}")
     r = r / length
     theta: Array = as_floats(angle, "angle", "numbers")[..., None, None]
+    together(axis=r.shape[:-1], angle=theta.shape[:-2])
     outer: Array = r[..., :, None] * r[..., None, :]
     return outer + (np.eye(3) - outer) * np.cos(theta) + skew(r) * np.sin(theta)
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
-from armlab.kin.checks import as_floats, wrong
+from armlab.kin.checks import as_floats, finite_floats, together, wrong
 from armlab.kin.velocity.subspaces import subspaces
 
 Array = NDArray[np.float64]
@@ -53,6 +53,7 @@ def joint_torques(J: ArrayLike, wrench: ArrayLike) -> Array:
     rows, F = _matrix(J), as_floats(wrench, "wrench", "numbers of shape (..., m)")
     if F.shape[-1:] != rows.shape[-2:-1]:
         raise InputError(f"wrench: expected {rows.shape[-2]} numbers, one for each row of J, got shape {F.shape}")
+    together(J=rows.shape[:-2], wrench=F.shape[:-1])
     return np.asarray((np.swapaxes(rows, -1, -2) @ F[..., None])[..., 0])
 
 
@@ -84,6 +85,7 @@ def wrench_at(wrench: ArrayLike, r: ArrayLike) -> Array:
     F, arm = as_floats(wrench, "wrench", "numbers of shape (..., 6)"), as_floats(r, "r", "numbers of shape (..., 3)")
     if F.shape[-1:] != (6,) or arm.shape[-1:] != (3,):
         raise InputError(f"wrench and r: expected shapes (..., 6) and (..., 3), got {F.shape} and {arm.shape}")
+    together(wrench=F.shape[:-1], r=arm.shape[:-1])
     force = F[..., :3]
     moment = F[..., 3:] - np.cross(arm, force)
     force = np.broadcast_to(force, moment.shape)
@@ -129,8 +131,9 @@ def virtual_work(J: ArrayLike, wrench: ArrayLike, displacement: ArrayLike) -> Vi
     if dq.shape[-1:] != rows.shape[-1:]:
         raise InputError(f"displacement: expected {rows.shape[-1]} numbers, one a joint, got shape {dq.shape}")
     tau = joint_torques(rows, wrench)
-    moved = (rows @ dq[..., None])[..., 0]
     F = np.asarray(wrench, dtype=float)
+    together(J=rows.shape[:-2], wrench=F.shape[:-1], displacement=dq.shape[:-1])
+    moved = (rows @ dq[..., None])[..., 0]
     return VirtualWork(np.sum(F * moved, axis=-1), np.sum(tau * dq, axis=-1))
 
 
@@ -218,8 +221,9 @@ def torque_free(J: ArrayLike, length: float | None = None, speeds: ArrayLike | N
 def _refuse_length(m: int, length: float | None) -> None:
     if m != 6 and length is not None:
         raise InputError(f"length: only all six rows have two units, got {m} rows")
-    if m == 6 and (length is None or not np.isfinite(length) or length <= 0.0):
-        raise wrong("length", "metres that count as much as a radian, for rows of two units", length)
+    metres = "metres that count as much as a radian, for rows of two units"
+    if m == 6 and finite_floats(length, "length", (), metres) <= 0.0:
+        raise wrong("length", metres, length)
 
 
 def _matrix(J: ArrayLike) -> Array:

@@ -6,12 +6,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
-from armlab.kin.checks import as_floats
+from armlab.kin.checks import as_floats, together
 from armlab.kin.rotations import Array, as_rotation
 
 
 def transform(rotation: ArrayLike | None = None, position: ArrayLike | None = None) -> Array:
     """Return the 4 x 4 transform of a rotation (..., 3, 3) and a position (..., 3) in metres.
+
+    Raises
+    ------
+    InputError
+        The shapes do not fit.
 
     Examples
     --------
@@ -24,7 +29,7 @@ def transform(rotation: ArrayLike | None = None, position: ArrayLike | None = No
         raise InputError(
             f"transform: expected a rotation (..., 3, 3) and a position (..., 3), got {R.shape}, {p.shape}"
         )
-    batch = np.broadcast_shapes(R.shape[:-2], p.shape[:-1])
+    batch = together(rotation=R.shape[:-2], position=p.shape[:-1])
     T = np.zeros((*batch, 4, 4))
     T[..., :3, :3], T[..., :3, 3], T[..., 3, 3] = R, p, 1.0
     return T

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.checks import as_floats, finite_floats, whole_number
+from armlab.kin.checks import as_floats, finite_floats, together, whole_number
 from armlab.kin.euler import euler_angles
 from armlab.kin.velocity.rates import angle_rates
 from armlab.registry import known_name
@@ -202,11 +202,16 @@ def jacobian_rate(arm: Arm, q: ArrayLike, qdot: ArrayLike) -> Floats:
     q, qdot : array_like, shape (..., n)
         Radians and metres; rad/s and m/s.
 
+    Raises
+    ------
+    InputError
+        Shapes that do not fit.
+
     References
     ----------
     Notes 5.71, where the dot of J is missing.
     """
-    J, speeds = _given(arm, q, qdot)
+    J, speeds = _given(arm, q, qdot=qdot)
     return _rate(J, speeds).rate
 
 
@@ -217,9 +222,14 @@ def jacobian_acceleration(arm: Arm, q: ArrayLike, qdot: ArrayLike, qddot: ArrayL
     ----------
     arm : Arm
     q, qdot, qddot : array_like, shape (..., n)
+
+    Raises
+    ------
+    InputError
+        Shapes that do not fit.
     """
-    J, speeds = _given(arm, q, qdot)
-    return _second(J, _rate(J, speeds), speeds, _speeds(qddot, arm, "qddot"))
+    J, speeds, second = _given(arm, q, qdot=qdot, qddot=qddot)
+    return _second(J, _rate(J, speeds), speeds, second)
 
 
 def tool_motion(
@@ -245,9 +255,9 @@ def tool_motion(
     ----------
     Notes 5.67-5.70; the jerk is printed as ``J qddot + 2 Jdot qdot + Jddot q`` (5.69), one derivative short each.
     """
-    J, speeds = _given(arm, q, qdot)
-    second = np.zeros_like(speeds) if qddot is None else _speeds(qddot, arm, "qddot")
-    third = np.zeros_like(speeds) if qdddot is None else _speeds(qdddot, arm, "qdddot")
+    none = np.zeros(arm.n)
+    higher = {"qddot": none if qddot is None else qddot, "qdddot": none if qdddot is None else qdddot}
+    J, speeds, second, third = _given(arm, q, qdot=qdot, **higher)
     found = _rate(J, speeds)
     Jdd = _second(J, found, speeds, second)
     acceleration = _times(J, second) + _times(found.rate, speeds)
@@ -320,8 +330,12 @@ def _times(J: Floats, speeds: Floats) -> Floats:
     return np.asarray((J @ speeds[..., None])[..., 0])
 
 
-def _given(arm: Arm, q: ArrayLike, qdot: ArrayLike) -> tuple[Floats, Floats]:
-    return np.asarray(arm.jacobian(q), dtype=np.float64), _speeds(qdot, arm, "qdot")
+def _given(arm: Arm, q: ArrayLike, **rates: ArrayLike) -> list[Floats]:
+    """Return the Jacobian and the joint rates by name, each (..., n), in batches that fit."""
+    J = np.asarray(arm.jacobian(q), dtype=np.float64)
+    found = {name: _speeds(values, arm, name) for name, values in rates.items()}
+    together(q=J.shape[:-2], **{name: values.shape[:-1] for name, values in found.items()})
+    return [J, *found.values()]
 
 
 def _speeds(values: ArrayLike, arm: Arm, where: str) -> Floats:
