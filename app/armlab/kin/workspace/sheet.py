@@ -29,7 +29,7 @@ FLAT = 1e-5
 """Width, relative to the wider side, below which a picture is one cell wide."""
 
 ALONG = 1e-6
-"""What the cosine of an angle may lack of one where axes are parallel, in single precision."""
+"""Lack of one, of the cosine between axes that are parallel in single precision."""
 
 
 class Met(NamedTuple):
