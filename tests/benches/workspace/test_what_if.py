@@ -19,6 +19,7 @@ from armlab.benches.workspace.what_if.view import parts_of, thought_pose
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.workspace.first_joint import first_joint
+from armlab.kin.workspace.sections import _kept
 from armlab.session.edits import SetCell
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.robot import ChooseRobot, RobotPart
@@ -224,7 +225,8 @@ def test_a_narrower_limit_of_a_box_takes_away_its_part():
 def longer_puma():
     """Return a Puma with a longer link, what comes of it piece by piece, and the same once it is remembered."""
     state = opened("puma560", Suppose(1, "a", 0.6))
-    what_if_found._known.cache_clear()
+    for remembered in (what_if_found._known, _kept):
+        remembered.cache_clear()
     question = Question(state[WhatIf].arm, state[WhatIf].other)
     first, again = ([each for each in comparing(question) if each is not None] for _ in range(2))
     return state, first, again
