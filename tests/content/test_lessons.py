@@ -14,10 +14,11 @@ from armlab.content.lesson_folder import sources_of
 from armlab.content.lessons import lesson as variant_of
 from armlab.content.lessons import lessons, parse_lesson
 from armlab.content.observation import Observation
+from armlab.content.quantities import read_quantity
 from armlab.content.questions.matrix import MatrixQuestion
 from armlab.content.questions.number import NumberQuestion
 from armlab.content.robots import catalogue
-from armlab.errors import ContentError
+from armlab.errors import ContentError, InputError
 from armlab.teaching.plain_text import plain
 
 FRONT = """+++
@@ -260,3 +261,31 @@ def test_a_length_in_a_sentence_about_metres_is_in_metres():
     lines = [f"{source.file}: {line}" for source in sources for line in source.read()[0].splitlines()]
     assert len(lines) > 1000
     assert [line for line in lines if LENGTH.search(line) and METRES.search(line)] == []
+
+
+IN_A_FILE = re.compile(r"^```question\n(.*?)^```", re.MULTILINE | re.DOTALL)
+NAMED = re.compile(r"(?<!lengths )\bin (metres per radian|m/s per rad/s|N m|N s/m|[^\s,;:?)]+)")
+IN_WORDS = {"metres per radian": "m/rad", "metres": "m", "m/s per rad/s": "m/rad", "radians": "rad", "percent": "%"}
+
+
+def units_named(text):
+    """Return the units after the word in: of "$\\alpha$, in rad/s²" one."""
+    for found in NAMED.finditer(re.sub(r"\$|\\text|\\,|[{}]", "", text)):
+        word = found[1]
+        try:
+            yield read_quantity(f"1 {IN_WORDS.get(word, word)}")[1]
+        except InputError:
+            continue
+
+
+def test_a_question_that_names_a_unit_takes_it():
+    """A student who types the unit that the text names must not be told that it cannot be read."""
+    sources, _ = sources_of(resources.folder("lessons"))
+    whole = [(source.file, source.read()[0]) for source in sources]
+    asked = [(file, tomllib.loads(found[1])) for file, text in whole for found in IN_A_FILE.finditer(text)]
+    numbers = [(file, each) for file, each in asked if each["kind"] in ("number", "matrix")]
+    named = [(file, each, set(units_named(each["text"]))) for file, each in numbers]
+    # A matrix with entries of two kinds has no unit of its own.
+    alone = [(file, each["text"], each.get("unit"), units.pop()) for file, each, units in named if len(units) == 1]
+    assert len(alone) > 25
+    assert [each for each in alone if each[2] != each[3]] == []

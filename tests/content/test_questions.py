@@ -5,11 +5,13 @@ from html import escape
 
 import pytest
 
-from armlab.content.quantities import read_quantity
+from armlab.content.quantities import UNITS, read_quantity
 from armlab.content.question import Choices, Field, Verdict, question_types, read_question
+from armlab.content.questions._matrix_text import read_matrix
 from armlab.content.questions.number import NumberQuestion, WrongNumber
 from armlab.content.reader import Table
 from armlab.errors import ContentError, InputError
+from armlab.ui.asking import UNIT_SIGNS
 
 LENGTH = NumberQuestion("", 0.5, "m", 0.001, (WrongNumber(0.7, "Told."),))
 ANGLE = NumberQuestion("", math.pi / 2, "rad", 0.01)
@@ -114,6 +116,20 @@ def test_small_formulas_are_answers(text):
         ("12*2 W", 24.0, "W"),
         ("−1.5A", -1.5, "A"),
         ("24 V", 24.0, "V"),
+        ("-0.5 rad/s^2", -0.5, "rad/s^2"),
+        ("7.39 rad/s²", 7.39, "rad/s^2"),
+        ("90 °/s²", 90.0, "deg/s^2"),
+        ("3 m/s/s", 3.0, "m/s^2"),
+        ("3 m s⁻²", 3.0, "m/s^2"),
+        ("0.5 1/s", 0.5, "1/s"),
+        ("pi/2 1/s²", math.pi / 2.0, "1/s^2"),
+        ("0.5/s", 0.5, "1/s"),
+        ("1/s", 1.0, "1/s"),
+        ("0,4 s⁻¹", 0.4, "1/s"),
+        ("0.59 m⁻²", 0.59, "1/m^2"),
+        ("1/2 m/rad", 0.5, "m/rad"),
+        ("-1.2 m²/s", -1.2, "m^2/s"),
+        ("10 N s/m", 10.0, "Ns/m"),
         ("7 N", 7.0, "N"),
         ("0,5 %", 0.5, "%"),
         ("atan2(1,1)*4/pi rad", 1.0, "rad"),
@@ -122,6 +138,24 @@ def test_small_formulas_are_answers(text):
 def test_quantities(text, value, unit):
     got, found = read_quantity(text)
     assert (got, found) == (pytest.approx(value, rel=1e-15), unit)
+
+
+@pytest.mark.parametrize("unit", [unit for unit in UNITS if unit])
+def test_a_unit_is_read_by_its_name_and_by_its_sign(unit):
+    for written in (unit, UNIT_SIGNS.get(unit, unit)):
+        assert read_quantity(f"2 {written}") == (2.0, unit)
+        assert read_matrix(f"2 {written}, -3 {written}", (1, 2), unit).tolist() == [[2.0, -3.0]]
+
+
+def test_units_of_a_row_without_commas():
+    assert read_matrix("2 m/s² -3 m/s^2", (1, 2), "m/s^2").tolist() == [[2.0, -3.0]]
+
+
+def test_an_acceleration_is_no_other_quantity():
+    question = NumberQuestion("", 0.5, "rad/s^2", 0.001)
+    assert question.judge("0.5").right
+    assert question.judge("0.5 rad/s²").right
+    assert question.judge("0.5 m").says == "This is a length; the question asks for an angular acceleration in rad/s^2."
 
 
 def test_a_quantity_that_cannot_be_read():

@@ -75,7 +75,10 @@ ASKED: tuple[tuple[str, tuple[str, ...]], ...] = (
     (NUMBER.format(answer=0.5, unit="m", tolerance=0.001), ("500", "50", "0.5 rad", "90°", "1")),
     *(
         (NUMBER.format(answer=3, unit=unit, tolerance=0.1), ("3 m" if unit != "m" else "3 s",))
-        for unit in (*("s", "m/s", "deg/s", "m^2", "N", "Nm", "V", "mA", "kW", "rpm", "rad/s"),)
+        for unit in (
+            *("s", "m/s", "deg/s", "m^2", "N", "Nm", "V", "mA", "kW", "rpm", "rad/s", "m/s^2", "rad/s^2", "1/s"),
+            *("1/s^2", "m/rad", "1/m", "1/m^2", "m^2/s", "Ns/m"),
+        )
     ),
     (CHOICE.format(answer=2), ("9", "1,2", "1", "2")),
     (CHOICE.format(answer="[2, 4]"), ("2", "1,2,4", "1,2", "x")),

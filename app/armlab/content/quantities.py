@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections import Counter
 
 from armlab.content.expressions import Expression, parse
 from armlab.content.symbols import plain_symbols
@@ -30,6 +31,16 @@ UNITS: dict[str, tuple[str, float]] = {
     "Nm": ("a torque", 1.0),
     "mNm": ("a torque", 1e-3),
     "rpm": ("an angular speed", 2.0 * math.pi / 60.0),
+    "m/s^2": ("an acceleration", 1.0),
+    "rad/s^2": ("an angular acceleration", 1.0),
+    "deg/s^2": ("an angular acceleration", math.pi / 180.0),
+    "1/s": ("a rate", 1.0),
+    "1/s^2": ("a rate per second", 1.0),
+    "m/rad": ("a length per angle", 1.0),
+    "1/m": ("a curvature", 1.0),
+    "1/m^2": ("one over an area", 1.0),
+    "m^2/s": ("an area per second", 1.0),
+    "Ns/m": ("a damping", 1.0),
     "V": ("a voltage", 1.0),
     "A": ("a current", 1.0),
     "mA": ("a current", 1e-3),
@@ -43,11 +54,27 @@ UNITS: dict[str, tuple[str, float]] = {
 ROUNDING = 1e-9
 """Relative widening of a tolerance, so that a number exactly on its edge is right."""
 
-_SPELLINGS = {"°": "deg", "degree": "deg", "degrees": "deg", "radian": "rad", "radians": "rad", "percent": "%"}
+_SPELLINGS = {
+    "°": "deg",
+    "degree": "deg",
+    "degrees": "deg",
+    "radian": "rad",
+    "radians": "rad",
+    "percent": "%",
+    "Nm": "N m",
+    "mNm": "mN m",
+    "Ns": "N s",
+}
+_NAME = "degrees?|deg|°|radians?|rad|rpm|cm|mm|ms|mNm|mN|mA|mW|kW|m|s|Nm|Ns|N|V|A|W|%|percent"
+_FACTOR = rf"(?:{_NAME})(?:\s*\^\s*\(?[+-]?[1-3]\)?|\s*[23])?"
+"""A unit with its power: m, s^2, s^(-1), m2."""
+
 _UNIT = re.compile(
-    r"(?<![a-zA-Z^/])(degrees?|deg|°|radians?|rad|rpm|cm|mm|ms|mN[ *]?m|mA|mW|kW|m|s|N[ *]?m|N|V|A|W|%|percent)"
-    r"(?:(?P<square>\s*\^?2|\s*\^\(2\))|(?P<second>\s*/\s*s|[ *]*s\^\(?-1\)?))?$"
+    rf"(?:(?<![a-zA-Z^/]){_FACTOR}|(?:(?<=[\w.)])\s+1\s*)?/\s*{_FACTOR})(?:\s*[/*]\s*{_FACTOR}|\s+{_FACTOR})*$"
 )
+"""A product of powers of units at the end of a quantity: m/s^2, rad s^-2, N*m, 1/s."""
+
+_PART = re.compile(rf"(?P<over>/)?[\s*]*(?P<name>{_NAME})(?:\s*\^?\s*\(?(?P<power>[+-]?[1-3]))?")
 
 
 def read_quantity(text: str) -> tuple[float, str | None]:
@@ -98,11 +125,28 @@ def _without_unit(source: str) -> tuple[str, str | None]:
     found = _UNIT.search(source)
     if found is None:
         return source, None
-    name = re.sub("[ *]", "", found[1])
-    unit = _SPELLINGS.get(name, name) + ("^2" if found["square"] else "/s" if found["second"] else "")
-    if unit not in UNITS:
-        raise InputError(f"The unit {unit} is not known; there are {', '.join(filter(None, UNITS))}.")
-    return source[: found.start()].strip(), unit
+    unit = _BY_POWERS.get(_powers(found[0]))
+    if unit is None:
+        written = re.sub(r"[\s()]", "", found[0])
+        raise InputError(f"The unit {written} is not known; there are {', '.join(filter(None, UNITS))}.")
+    return source[: found.start()].strip() or "1" * found[0].startswith("/"), unit
+
+
+def _powers(written: str) -> frozenset[tuple[str, int]]:
+    """Return the units of a product with their powers, so that m/s^2, m s^-2 and m/s/s are the same.
+
+    >>> sorted(_powers("rad/s^2"))
+    [('rad', 1), ('s', -2)]
+    """
+    powers: Counter[str] = Counter()
+    for part in _PART.finditer(written):
+        power = int(part["power"] or 1) * (-1 if part["over"] else 1)
+        for name in _SPELLINGS.get(part["name"], part["name"]).split():
+            powers[name] += power
+    return frozenset((name, power) for name, power in powers.items() if power)
+
+
+_BY_POWERS = {_powers(unit): unit for unit in UNITS if unit}
 
 
 def _unreadable(text: str) -> InputError:

@@ -14,7 +14,22 @@ from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import verdict_box
 
-UNIT_SIGNS = {"deg": "°", "m^2": "m²", "cm^2": "cm²", "mm^2": "mm²", "Nm": "N m", "mNm": "mN m"}
+UNIT_SIGNS = {
+    "deg": "°",
+    "deg/s": "°/s",
+    "m^2": "m²",
+    "cm^2": "cm²",
+    "mm^2": "mm²",
+    "m/s^2": "m/s²",
+    "rad/s^2": "rad/s²",
+    "deg/s^2": "°/s²",
+    "1/s^2": "1/s²",
+    "1/m^2": "1/m²",
+    "m^2/s": "m²/s",
+    "Nm": "N m",
+    "mNm": "mN m",
+    "Ns/m": "N s/m",
+}
 """Signs of units that differ from their names in lesson files."""
 
 ANSWER, CHECK, CHOICE, ENTRY = "lesson-answer", "lesson-check", "lesson-choice-", "lesson-entry-"
@@ -26,8 +41,8 @@ MISSING = "?"
 _NEEDLESS = re.compile(r"\s+(?![\w.])|(?<![\w.)])\s+")
 """Spaces that do not separate two words."""
 
-_UNIT = re.compile(r"(?<=[\d.)])\s+(?=[a-zA-Z°][\w/^°]*$)")
-"""Spaces between a number and its unit."""
+_UNIT = re.compile(r"(?<=[\d.)])\s+([a-zA-Z°][\w/^°]*)(?:\s+([a-zA-Z][\w/^]*))?$")
+"""Spaces between a number and its unit, of one word or two: N m."""
 
 _DECIMAL = re.compile(r"(?<=\d),(?=\d)")
 _SEVERAL_VALUES = re.compile(r"(atan2|min|max)\s*\(", re.IGNORECASE)
@@ -97,10 +112,10 @@ class Draft:
 def _entry(text: str) -> str:
     """Return an entry of a matrix in a form that cannot be read as several entries.
 
-    >>> _entry(" 1 / 2 "), _entry("sqrt(0,5)"), _entry("atan2(1, 2)"), _entry("1 0; 0 1"), _entry("50 cm")
-    ('1/2', 'sqrt(0.5)', 'atan2(1,2)', '(1,0,0,1)', '50cm')
+    >>> _entry(" 1 / 2 "), _entry("sqrt(0,5)"), _entry("atan2(1, 2)"), _entry("1 0; 0 1"), _entry("2 N m")
+    ('1/2', 'sqrt(0.5)', 'atan2(1,2)', '(1,0,0,1)', '2N*m')
     """
-    text = _UNIT.sub("", _NEEDLESS.sub("", text.strip()))
+    text = _UNIT.sub(lambda unit: "*".join(filter(None, unit.groups())), _NEEDLESS.sub("", text.strip()))
     if not _SEVERAL_VALUES.search(text):
         text = _DECIMAL.sub(".", text)
     if _PARTING.search(_IN_BRACKETS.sub("", text)):

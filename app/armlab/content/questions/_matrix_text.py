@@ -15,7 +15,10 @@ from armlab.errors import InputError
 LONGEST = 2000
 """Longest matrix, in characters."""
 
-_SIGNS = str.maketrans({**dict.fromkeys(MINUS_SIGNS, "-"), **dict.fromkeys("\u00a0\u2007\u2009\u202f\u200a\t", " ")})
+_SIGNS = str.maketrans(
+    {**dict.fromkeys(MINUS_SIGNS, "-"), **dict.fromkeys("\u00a0\u2007\u2009\u202f\u200a\t", " "), "²": "^2"}
+)
+_UNIT = "|".join(map(re.escape, [*filter(None, UNITS), "°", "°/s", "°/s^2"]))
 _MADE_BY = re.compile(r"\b(?:np\.|numpy\.|sp\.|sympy\.)?(?:array|matrix|Matrix)\s*\(")
 
 
@@ -93,7 +96,7 @@ def _at_spaces(line: str) -> list[str]:
     line = re.sub(r"\s*([*/^·×])\s*", r"\1", line)
     line = re.sub(r"(?<=[\w)])\s+([-+])\s+(?=\S)", r"\1", line)
     line = re.sub(r"([a-z])\s+\(", r"\1(", line)
-    line = re.sub(r"(?<=[\d.)])\s+(?=(?:deg|°|rad|mm|cm|m|%)(?:\s|$))", "", line)
+    line = re.sub(rf"(?<=[\d.)])\s+(?=(?:{_UNIT})(?:\s|$))", "", line)
     return [word for word in _outside(line, " ") if word]
 
 
