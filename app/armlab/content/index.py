@@ -44,6 +44,9 @@ typed, and for one with a slip."""
 WHOLE_TITLE, WHOLE_NAME = 40.0, 35.0
 """Additional points when the whole query is a title, or one of the other names."""
 
+WHOLE_PHRASE = 60.0
+"""Additional points when it is another name, of several words, of a file: who types "hand in" looks for no hand."""
+
 WORTH: Mapping[Kind, float] = {
     "setting": 0.65,
     "lesson": 0.6,
@@ -293,7 +296,9 @@ def _said(item: Item, text: str, language: str) -> tuple[str, ...]:
 def _whole(item: Item, language: str) -> dict[str, float]:
     """Return the whole queries that find an item, and the points for each."""
     worth = WORTH.get(item.entry.kind, 1.0)
-    names = {plain(name): worth * WHOLE_NAME for word in item.words for name in _said(item, word, language)}
+    others = [plain(name) for word in item.words for name in _said(item, word, language)]
+    file = item.entry.kind == "export"
+    names = {name: WHOLE_PHRASE if file and " " in name else worth * WHOLE_NAME for name in others}
     if item.entry.kind == "function":
         return names
     within, *titles = (_said(item, text, language) for text in (item.entry.within, item.entry.title, *item.names))
