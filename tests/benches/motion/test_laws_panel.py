@@ -122,7 +122,7 @@ def test_a_limit_far_above_the_curves_does_not_press_them_flat():
 def test_the_saved_table_holds_the_laws_there_are():
     plot, _ = drawn(opened(Stretch(2.0))[Laws], 1)
     head, first, *_ = csv.reader(io.StringIO(plot.csv()))
-    assert head == ["t, s", "ds of law 1, 1/s", "ds of law 2, 1/s", "ds of law 1, ×k, 1/s"]
+    assert head == ["t, s", "ds of law 1, 1/s", "ds of law 2, 1/s", "ds of law 1 (×k), 1/s"]
     assert [float(cell) for cell in first] == [0.0] * 4
 
 

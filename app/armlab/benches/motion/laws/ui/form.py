@@ -40,7 +40,7 @@ TIMINGS = {"time": "Duration T", "fast": "As fast as allowed"}
 def names(part: Laws) -> list[tuple[str, Rgb]]:
     """Return number and colour of each law, the stretched one last."""
     found = [(str(i + 1), LAW_COLOURS[entry.colour]) for i, entry in enumerate(part.entries)]
-    return found if part.stretched is None else [*found, (f"{part.scaled + 1}, ×k", STRETCHED)]
+    return found if part.stretched is None else [*found, (f"{part.scaled + 1} (×k)", STRETCHED)]
 
 
 def marked(name: str, colour: Rgb) -> Markup:

@@ -96,7 +96,7 @@ def large(part: Incremental) -> Picture:
     end = part.motion.duration
     drawn = [
         Drawn(
-            Curve(f"{name}, from {FOOT[name]:g} to {FOOT[name] + HIGH:g}", COLOURS[name]),
+            Curve(f"{name} (from {FOOT[name]:g} to {FOOT[name] + HIGH:g})", COLOURS[name]),
             times,
             FOOT[name] + HIGH * levels,
         )
