@@ -8,9 +8,11 @@ from html import unescape
 import numpy as np
 import pytest
 
+from armlab.benches.motion.laws.ui.plots import TITLES
 from armlab.ui.colours import BLUE
+from armlab.ui.html import tag
 from armlab.ui.plot import Curve
-from armlab.ui.tray import MOST_POINTS, _by_key
+from armlab.ui.tray import MOST_POINTS, _by_key, _plain
 from armlab.ui.tray_picture import Drawn, Level, Picture, thinned
 from support.student import run, student
 
@@ -51,6 +53,10 @@ def test_a_picture_is_described_with_its_points_apart():
     assert looks["curves"] == [{"name": "v, m/s", "colour": list(BLUE), "width": 1.6, "dash": [3, 2], "count": 3}]
     assert [level["name"] for level in looks["levels"]] == ["limit"]
     np.testing.assert_array_equal(np.frombuffer(base64.b64decode(code), "<f4"), np.float32([*x, *y]))
+
+
+def test_a_chip_has_its_dots_over_the_letter():
+    assert [_plain(tag("span", title, ", 1/s")) for title, *_ in TITLES[1:3]] == ["s\u0307, 1/s", "s\u0308, 1/s"]
 
 
 def test_two_plots_with_one_file_have_two_keys():

@@ -225,6 +225,10 @@ def _by_key(plots: Sequence[Enlarged]) -> dict[str, Enlarged]:
     return found
 
 
+_OVER = {ord("˙"): "\u0307", ord("¨"): "\u0308"}
+"""Dots as formulas have them, apart from the letter, and as they combine with it."""
+
+
 def _plain(title: Inside) -> str:
-    """Return a title without its elements."""
-    return joined(title).striptags()
+    """Return a title without its elements; a dot that a formula has over a letter combines with it."""
+    return joined(title).striptags().translate(_OVER)

@@ -25,6 +25,9 @@
     });
   };
 
+  // The dots of a formula stand behind their letter in its text; as combining signs they stand over it.
+  const combined = text => text.replaceAll('\u02d9', '\u0307').replaceAll('\u00a8', '\u0308');
+
   const reach = (lists, room) => {
     let low = Infinity, high = -Infinity;
     for (const list of lists) for (const value of list) {
@@ -113,7 +116,7 @@
       this.picture = picture;
       this.curves = numbersOf(code, picture);
       this.box.querySelector('h3').innerHTML = picture.title;
-      this.title = this.box.querySelector('h3').textContent;
+      this.title = combined(this.box.querySelector('h3').textContent);
       for (const act of ['png', 'svg', 'csv']) {
         this.box.querySelector(`[data-act=${act}]`).ariaLabel = `Save ${this.title} as ${act.toUpperCase()}`;
       }
