@@ -69,3 +69,27 @@ def test_a_stretched_arm_says_why_it_has_no_answer_and_is_moved_in_the_square(vi
         })"""
     )
     assert inside
+
+
+SQUARE_TOP = """() => {
+  let top = 0;
+  for (let each = document.querySelector('.so-square'); each; each = each.offsetParent) top += each.offsetTop;
+  return top;
+}"""
+
+
+@pytest.mark.parametrize("size", [(1400, 850), (1024, 700)])
+def test_the_square_stays_in_place_where_the_lines_become_parallel(visit, size):
+    """Otherwise it would move under the hand that drags in it, and the arm with it."""
+    lab = opened(visit, "solve")
+    lab.resize(size)
+    tops = set()
+    for example in ("one", "stretched_30", "stretched_90"):
+        lab.press("solve")
+        lab.page.locator("select[data-cell=example]").select_option(example)
+        lab.rest()
+        lab.press("pictures")
+        lab.page.wait_for_selector(".so-square")
+        lab.rest()
+        tops.add(lab.page.evaluate(SQUARE_TOP))
+    assert len(tops) == 1

@@ -124,14 +124,14 @@ def lines_words(state: State, found: Flat, units: Units) -> Markup:
         zero = names[int(np.argmin(sizes))]
         said = "The row of ", zero, " is zero: it is no line, and holds for ", zero, " = 0 alone. "
     elif answer.verdict == "one":
-        return joined(equations, tag("p", f"The lines meet in one point: q̇ = ({qdot})."))
+        return joined(equations, tag("p.so-said", f"The lines meet in one point: q̇ = ({qdot})."))
     else:
         said = "The lines are parallel: det J = 0. "
     if answer.verdict == "many":
         shortest = f"Every point of the one line is an answer; the shortest is nearest to the origin: ({qdot})."
     else:
         shortest = f"No point is on both; of those that come nearest the shortest is ({qdot})."
-    return joined(equations, tag("p", said, shortest))
+    return joined(equations, tag("p.so-said", said, shortest))
 
 
 def _equation(row: Array, value: float, name: Markup, pair: tuple[int, int], arm: Arm, units: Units) -> Inside:
