@@ -19,7 +19,7 @@ MOST = 3
 """Largest number of mistakes of a lesson that are printed; the others are folded and seen on a screen only."""
 
 LOOK = """
-header ol { columns: 2; margin: .8em 0 0; padding-left: 1.6em; font-size: .92em; }
+header ol { columns: 2 14em; column-gap: 2.6em; margin: .8em 0 0; padding-left: 1.8em; font-size: .92em; }
 section { margin-top: 2.4em; }
 section + section { break-before: page; }
 section > div:first-child { display: flex; justify-content: space-between; gap: 1em; align-items: baseline; }
