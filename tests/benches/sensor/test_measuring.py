@@ -172,13 +172,21 @@ def test_the_page_of_calibration_says_what_is_left():
     assert "Mostly drift: 1.800 %" in page.text
 
 
+def test_only_errors_that_the_sensor_has_are_said_to_be_left():
+    page = Filled("calibration")
+    page.fill("example", "play")
+    assert "Hysteresis is left" in page.text
+    page.fill("noise", "0.1")
+    assert "Hysteresis and noise are left" in page.text
+
+
 def test_too_high_a_degree_is_neither_resolution_nor_noise_that_is_not_there():
     page = Filled("calibration")
     for resolution in ("1", "5"):  # 21 points, 5 % apart, lie on steps of both
         page.fill("example", "straight")
         page.fill("resolution", resolution)
         assert f"{float(resolution) / 2.0:.3f} % left of" in page.text
-        assert "no function of the output takes them away" in page.text
+        assert "The resolution is left: no function of the output takes it away" in page.text
     page.fill("example", "bent")
     for name, text in (("noise", "0"), ("points", "4")):
         page.fill(name, text)

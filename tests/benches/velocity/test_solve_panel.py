@@ -117,6 +117,13 @@ def test_the_sentence_names_elbow_and_boundary():
     assert "Poorly conditioned" in singular_card(found(near))
 
 
+def test_a_wrist_that_never_moves_its_centre_is_not_called_poorly_conditioned():
+    state = State.initial(own_robot(wrist_alone(np.eye(4)), "wrist"))
+    said = singular_card(found(state))
+    assert "Rank 0 everywhere" in said
+    assert "onditioned" not in said
+
+
 def test_determinants_and_minors_have_values_and_units():
     one = measures_markup(found(example("one")))
     assert f"{math.sin(math.radians(55.0)):.4f} m²" in one

@@ -39,6 +39,17 @@ OVERFITTED_NOISE = (
 )
 """Sentences on a polynomial that follows its points too closely, without noise and with it."""
 
+REMAINS = {
+    (True, False, False): "Hysteresis is left: no function of the output takes it away.",
+    (False, True, False): "The resolution is left: no function of the output takes it away.",
+    (False, False, True): "Noise is left: no function of the output takes it away.",
+    (True, True, False): "Hysteresis and resolution are left: no function of the output takes them away.",
+    (True, False, True): "Hysteresis and noise are left: no function of the output takes them away.",
+    (False, True, True): "Resolution and noise are left: no function of the output takes them away.",
+    (True, True, True): "Hysteresis, resolution and noise are left: no function of the output takes them away.",
+}
+"""Sentences on what a calibration leaves, by whether there is hysteresis, resolution and noise."""
+
 HEIGHT, LOW = 130, 110
 """Heights of the plots of the errors and of the outputs, pixels."""
 
@@ -193,9 +204,7 @@ def _verdict(part: Curve) -> Markup:
         )
     if floor < 1e-9:
         return verdict_box("ok", head, "The polynomial is the curve.")
-    return verdict_box(
-        "ok", head, "Hysteresis, resolution and noise are left: no function of the output takes them away."
-    )
+    return verdict_box("ok", head, REMAINS[sensor.hysteresis > 0.0, sensor.resolution > 0.0, sensor.noise > 0.0])
 
 
 def _polynomial(part: Curve) -> Inside:

@@ -181,10 +181,12 @@ def reached_markup(found: Found, units: Units) -> Markup:
 def singular_card(found: Found) -> Markup:
     """Return whether J is singular here, and why."""
     sigma, usual = found.spaces.sigma, found.usual
-    ratio = float(sigma[usual - 1] / sigma[0]) if usual else 0.0
+    if not usual:
+        return verdict_box("warn", "Rank 0 everywhere", "No joint moves what is asked, in any configuration: J = 0.")
     if found.singular:
         head = f"Singular: rank {found.spaces.rank}, usually {usual}"
         return verdict_box("no", head, [tag("p", each.says) for each in found.reasons])
+    ratio = float(sigma[usual - 1] / sigma[0])
     verdict = conditioning(ratio, singular=False)
     written = scientific(ratio) if ratio < 1e-3 else number(ratio, 4 if verdict == "poor" else 3)
     said = f"Rank {usual}, not singular. ", with_indices("σ_min/σ_max"), f" = {written} for what is asked."
