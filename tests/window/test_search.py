@@ -101,11 +101,6 @@ def test_the_right_thing_comes_first_in_another_language_and_not_for_who_reads_e
         assert places(words(query), start, "it"), query
 
 
-def test_who_wants_to_hand_in_is_led_to_the_work_and_not_to_the_hand(start):
-    for query in ("hand in", "submit"):
-        assert places(query, start)[0] == "export:lessons.lesson-save"
-
-
 def test_every_page_arm_command_setting_file_and_lesson_is_found_by_its_own_title(start):
     for (kind, key), offer in offers().items():
         title = f"{offer.thing.within} {offer.thing.title}"
