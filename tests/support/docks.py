@@ -125,7 +125,7 @@ class BareDock:
             self.do(GoToStep(i), *[UnlockHint()] * len(step.hints), MoveJoint(0, 0.3))
             if step.question is not None:
                 wrong = (predicts,) if step.question.hide else tuple(each.typed for each in step.question.wrong)
-                self.do(*(Answer(text) for text in ("foo", *wrong, step.question.right_answer, "77")))
+                self.do(*(Answer(text) for text in ("foo", "1/0", *wrong, step.question.right_answer, "77")))
             for action in step.solution:
                 if isinstance(action, Move):
                     self.do(*(MoveJoint(j, float(value)) for j, value in enumerate(action.q)))

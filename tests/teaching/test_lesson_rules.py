@@ -132,11 +132,18 @@ def test_a_prediction_counts_once_right_or_not(fresh, own):
     assert set(right[LessonPart].progress.right) == {"Predict"}
 
 
-@pytest.mark.parametrize("text", ["", "fifteen or so", "1/0"])
-def test_what_cannot_be_read_is_no_prediction(fresh, own, text):
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("", "I cannot read '': write a number such as 0.5, 50 cm, pi/2 or 90 deg."),
+        ("1/0", "'1/0': division by zero."),
+    ],
+)
+def test_what_cannot_be_read_is_no_prediction_and_says_why(fresh, own, text, why):
     state = done(fresh, OpenLesson("v", variant=0), GoToStep(1))
-    with pytest.raises(InputError, match="still open"):
+    with pytest.raises(InputError) as refused:
         done(state, Answer(text))
+    assert str(refused.value) == f"{why} Your prediction is still open."
 
 
 def test_a_prediction_survives_a_reload(fresh, own):

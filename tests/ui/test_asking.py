@@ -283,8 +283,12 @@ def test_a_prediction_hides_arm_and_values_until_the_first_answer(url):
         await browser.open("ellipsoid")
         assert COVERED in browser.html()
         await browser.press("lesson-answer", "two")  # cannot be read: the prediction is still open
-        await browser.until(lambda: "still open" in browser.html())
+        await browser.until(lambda: "write a number such as 0.5" in piece(browser, "still open"))
         assert 'value="two"' in piece(browser, "lesson-answer")
+        await to_step(browser, 4)  # whose field has the same name
+        assert "still open" not in browser.html()
+        assert 'value="two"' not in browser.html()
+        await to_step(browser, 5)
         assert not seen.things()
         assert "Both links in a line" not in browser.html()
         await browser.press("lesson-answer", "1")

@@ -23,6 +23,7 @@ from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.own_lessons import OwnLessons
 from armlab.teaching.parts.preview import Preview
 from armlab.teaching.parts.shelf import at_home
+from armlab.teaching.plain_text import plain
 from armlab.teaching.signature import signed
 
 MOST_VARIANT = 9999
@@ -244,7 +245,7 @@ class Answer(Command):
             raise InputError("Your prediction is noted; only the first one counts.")
         verdict = step.question.judge(typed)
         if step.question.hide and verdict.name == "unreadable":
-            raise InputError("This cannot be read as an answer; your prediction is still open.")
+            raise InputError(_still_open(plain(verdict.says)))
         answers = {other: text for other, text in progress.answers.items() if other != name}
         # In an exam what stands last counts: with no verdict in sight one could else try all options.
         right = {other: each for other, each in progress.right.items() if other != name or not part.silent}
@@ -254,6 +255,11 @@ class Answer(Command):
                 right.setdefault(name, RightAnswer(typed))
         kept = replace(progress, right=MappingProxyType(right), answers=MappingProxyType(answers))
         return state.replace(part.with_progress(kept))
+
+
+def _still_open(why: str) -> str:
+    """Return what is said of a prediction that cannot be read: why, and that nothing is lost."""
+    return f"{why}{'' if why.endswith(('.', '?', '!')) else '.'} Your prediction is still open."
 
 
 def _lesson(state: State) -> Lesson:

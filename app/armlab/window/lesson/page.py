@@ -57,6 +57,7 @@ class LessonPage:
             str, tuple[str, Answered, Draft]
         ] = {}  # by step of the open lesson: answer, kind, what is typed
         self._drafts_of = ""
+        self._asked_at = "", ""  # open lesson and step whose question was shown last
         self._clock, self._timer = gui.html(), assigned.Clock()
         self._head = gui.form(post)
         self._text, self._task, self._question, self._foot = (gui.form(post) for _ in range(4))
@@ -114,6 +115,9 @@ class LessonPage:
 
     def _show_question(self, part: LessonPart, lesson: Lesson) -> None:
         question = lesson.steps[part.index].question
+        if self._asked_at != (part.where, part.name):
+            self._asked_at = part.where, part.name
+            self._question.forgive()  # what was refused there answered another question
         if question is None:
             self._question.show()
             return
@@ -147,6 +151,7 @@ class LessonPage:
 
         def begin() -> None:
             self._drafts.clear()
+            self._question.forgive()
             self._post(again)
 
         self._gui.confirm(
