@@ -124,8 +124,8 @@ class BareDock:
         for i, step in enumerate(found.steps):
             self.do(GoToStep(i), *[UnlockHint()] * len(step.hints), MoveJoint(0, 0.3))
             if step.question is not None:
-                wrong = (predicts,) if step.question.hide else tuple(each.typed for each in step.question.wrong)
-                self.do(*(Answer(text) for text in ("foo", "1/0", *wrong, step.question.right_answer, "77")))
+                wrong = ("1/0", predicts) if step.question.hide else tuple(each.typed for each in step.question.wrong)
+                self.do(*(Answer(text) for text in ("foo", *wrong, step.question.right_answer, "77")))
             for action in step.solution:
                 if isinstance(action, Move):
                     self.do(*(MoveJoint(j, float(value)) for j, value in enumerate(action.q)))
@@ -168,7 +168,7 @@ def of_the_course(listener: Listener, key: str) -> None:
     """Listen to the dock of a lesson of the course, with another arm, and when it fails."""
     dock = BareDock(listener)
     dock.do(OpenLesson(key))
-    dock.solve()
+    dock.solve(predicts="1")
     dock.do(ChooseRobot("scara"), TakeLessonArm(), MoveJoint(0, 0.1), SignAs("Ada"))
     dock.page.fail()
     listener.hear_markup(dock.shown)

@@ -107,10 +107,15 @@ ASKED: tuple[tuple[str, tuple[str, ...]], ...] = (
 """Questions, each with answers."""
 
 
+def asked_for(text: str) -> Question:
+    """Return the question that a text asks for, with its Markdown as it is."""
+    return read_question(Table.parse("test.md", text), lambda markdown, key: markdown)
+
+
 def questions() -> Iterator[tuple[Question, tuple[str, ...]]]:
     """Yield a question of each kind, with answers."""
     for text, answers in ASKED:
-        yield read_question(Table.parse("test.md", text), lambda markdown, key: markdown), answers
+        yield asked_for(text), answers
 
 
 def verdicts() -> Iterator[str]:

@@ -83,6 +83,7 @@ def test_the_check_the_question_and_the_way_through(url):
         await browser.until(lambda: "lesson-choice-2" in browser.html())
         await browser.press("lesson-choice-2")
         await browser.until(lambda: "keep its direction" in browser.html())
+        assert "◐ Not there yet" in browser.html()  # who has answered has begun
         await browser.set_value(browser.slider(1), 90.0)
         await browser.until(lambda: "✓ Lesson done" in browser.html())
         assert browser.html().count('class="strip done"') == 4

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from armlab.content.question import Choices, Field, Grid, Question, Verdict
+from armlab.content.question import NOT_YET, Choices, Field, Grid, Question, Verdict
 from armlab.content.question import Form as Answered
 from armlab.session.state import Command
 from armlab.teaching.lesson_commands import Answer
@@ -184,8 +184,10 @@ def _choices(
 def _grid(form: Form, kind: Grid, draft: Draft, settled: bool, check: Markup | None) -> Inside:
     def entry(i: int, j: int) -> Markup:
         label, value = f"Row {i + 1}, column {j + 1}", draft.entries.get((i, j), "")
+        after = divmod(i * kind.columns + j + 1, kind.columns)
+        below = f"{ENTRY}{after[0]}-{after[1]}" if after[0] < kind.rows else CHECK
         return form.field(
-            f"{ENTRY}{i}-{j}", value, label, lambda text: draft.enter(i, j, text), off=settled, inputmode=""
+            f"{ENTRY}{i}-{j}", value, label, lambda text: draft.enter(i, j, text), below, settled, inputmode=""
         )
 
     rows = [tag("div", [entry(i, j) for j in range(kind.columns)]) for i in range(kind.rows)]
@@ -193,7 +195,9 @@ def _grid(form: Form, kind: Grid, draft: Draft, settled: bool, check: Markup | N
     return tag("div.entries", rows), tag("div.answer", unit, check)
 
 
-def said(verdict: Verdict | None, settled: bool = False, stays: str = "") -> Markup | None:
+def said(
+    verdict: Verdict | None, settled: bool = False, stays: str = "", done: bool = True, right: Inside = None
+) -> Markup | None:
     """Return the verdict on the last answer, or nothing before there is one.
 
     Parameters
@@ -202,12 +206,27 @@ def said(verdict: Verdict | None, settled: bool = False, stays: str = "") -> Mar
     settled : bool
         Whether the answer counts and cannot be changed.
     stays : str
-        An earlier answer that was right: with it the step stays done.
+        An earlier answer that was right, and counts.
+    done : bool
+        Whether all of the step is done.
+    right : optional
+        The right answer, to be told when the step is done to one who cannot correct the own; None to tell it never.
     """
     if verdict is None:
         return None
     if verdict.right:
         return verdict_box("ok", Markup(verdict.says), role="status")
-    head = "Not as predicted" if settled else "Not right" if stays else "Not yet"
-    kept = tag("p.dim", f"Your earlier answer {stays} was right and counts: the step remains done.") if stays else None
+    if settled:
+        return _missed(verdict, done, right)
+    head = "Not right" if stays else "Not yet"
+    remains = ": the step remains done." if done else "."
+    kept = tag("p.dim", f"Your earlier answer {stays} was right and counts{remains}") if stays else None
     return verdict_box("no", head, without_links(verdict.says), kept, role="status")
+
+
+def _missed(verdict: Verdict, done: bool, right: Inside) -> Markup:
+    """Return the verdict on a wrong prediction: nothing of it asks for another one."""
+    says = None if verdict.says == NOT_YET else without_links(verdict.says)
+    if right is not None and not done:
+        right = tag("p.dim", "The right answer is shown here when the step is done.")
+    return verdict_box("no", "Not as predicted", says, right, role="status")

@@ -129,7 +129,7 @@ class ExpressionQuestion:
         missing = self.answer.names - formula.names
         if missing:
             listed = ", ".join(sorted(missing))
-            yield Verdict(False, f"This is not the answer yet: it has to depend on {listed} as well.", "missing")
+            yield Verdict(False, f"The answer has to depend on {listed} as well.", "missing")
 
 
 def read_formula(text: str, variables: tuple[str, ...]) -> Expression:

@@ -100,13 +100,15 @@
   }, true);
   document.addEventListener('keydown', event => {
     if (event.key !== 'Enter' || !event.target.matches?.('input[data-chan]:not([data-live])')) return;
-    // In a table Enter goes down the column, as in a spreadsheet; elsewhere it leaves the field.
+    // In a table Enter goes down the column, as in a spreadsheet; in a matrix it goes on, and at its end presses the
+    // button that hands it in; elsewhere it leaves the field.
     const below = event.target.dataset.below;
     const { chan } = event.target.dataset;
     const next = below && document.querySelector(`[data-chan="${chan}"][data-cell="${CSS.escape(below)}"]`);
     event.target.blur();
     last = null;
-    if (next) {
+    if (next?.matches('button')) next.click();
+    else if (next) {
       next.focus();
       next.select();
     }

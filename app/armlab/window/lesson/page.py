@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 
 from armlab.content.lessons import Lesson, lessons_read
-from armlab.content.question import Choices
+from armlab.content.question import Choices, Question
 from armlab.content.question import Form as Answered
 from armlab.errors import InputError
 from armlab.session.clock import now
@@ -29,6 +29,7 @@ from armlab.ui.form import Form, Wish
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.load_work import load_work
 from armlab.ui.markup import verdict_box
+from armlab.ui.right_answer import right_answer
 from armlab.ui.widgets import Gui
 from armlab.window.lesson import assigned
 from armlab.window.lesson.assigned import Sheet
@@ -132,7 +133,8 @@ class LessonPage:
         if part.silent and (verdict is None or verdict.name != "unreadable"):
             self._question.show(fields, assigned.noted(typed, settled))
             return
-        self._question.show(fields, said(verdict, settled, right.typed if right else ""))
+        done, told = part.index in part.progress.passed(lesson), _told(part, question) if settled else None
+        self._question.show(fields, said(verdict, settled, right.typed if right else "", done, told))
 
     def _draft_of(self, part: LessonPart, kind: Answered, typed: str) -> Draft:
         """Return what is typed in the shown step, which stays while others are looked at; new where its answer is."""
@@ -174,6 +176,11 @@ class LessonPage:
     def _save(self, state: State) -> Wish:
         self._gui.save(hand_in_name(state), hand_in(state))
         return ()
+
+
+def _told(part: LessonPart, question: Question) -> Markup | None:
+    """Return the right answer, unless it is one to an exam: who sits it may do so again, in another browser too."""
+    return None if part.assigned is not None and part.assigned.exam else right_answer(question)
 
 
 def _variant(part: LessonPart, text: str) -> OpenLesson:
@@ -233,7 +240,8 @@ def _task(form: Form, state: State, lesson: Lesson) -> Markup | None:
     met, says = check_line(state, words_of(state))
     if met:
         return verdict_box("ok", "Done", role="status")
-    if not state[LessonPart].progress.tried:  # nobody has moved anything, so nothing is wrong yet
+    # Before anybody has moved or answered anything nothing is wrong yet.
+    if not (state[LessonPart].progress.tried or state[LessonPart].name in state[LessonPart].progress.answers):
         return verdict_box("todo", "To do", "As soon as you begin, this card says what is still missing.")
     return verdict_box("todo", "Not there yet", with_values(state, without_links(says)))
 
