@@ -62,6 +62,8 @@ class Draft:
         The answer that was given last; empty for none.
     answer : callable
         Makes the command that hands in a whole answer: that of the open lesson when left out.
+    at_once : bool
+        Whether parts are handed in as soon as they are a whole answer, and taken back when they are none any more.
 
     Attributes
     ----------
@@ -71,8 +73,10 @@ class Draft:
         The whole answer, as it was handed in last.
     """
 
-    def __init__(self, form: Answered, typed: str, answer: Callable[[str], Command] = Answer) -> None:
-        self._form, self.answer = form, answer
+    def __init__(
+        self, form: Answered, typed: str, answer: Callable[[str], Command] = Answer, at_once: bool = False
+    ) -> None:
+        self._form, self._answer, self._at_once = form, answer, at_once
         self.whole = typed
         self.chosen = {int(word) for word in typed.replace(",", " ").split() if word.isdecimal()}
         rows = [row.split() for row in typed.split(";")]
@@ -81,24 +85,39 @@ class Draft:
             entries = {(i, j): entry for i, row in enumerate(rows) for j, entry in enumerate(row)}
             self.entries = {place: entry for place, entry in entries.items() if entry != MISSING}
 
-    def choose(self, option: int) -> Command | None:
-        """Choose an option, or cancel its choice; return the answer if one option is enough."""
-        if isinstance(self._form, Choices) and not self._form.several:
-            return self.answer(str(option))
-        self.chosen ^= {option}
-        return None
+    def send(self, text: str) -> Command:
+        """Hand in the text of a single field."""
+        self.whole = text
+        return self._answer(text)
 
-    def enter(self, i: int, j: int, text: str) -> None:
-        """Fill in an entry of a grid."""
+    def choose(self, option: int) -> Command | None:
+        """Choose an option, or cancel its choice; return the answer if that is one."""
+        if isinstance(self._form, Choices) and not self._form.several:
+            return self._answer(str(option))
+        self.chosen ^= {option}
+        return self._sent()
+
+    def enter(self, i: int, j: int, text: str) -> Command | None:
+        """Fill in an entry of a grid; return the answer if that is one."""
         self.entries[i, j] = text
+        return self._sent()
 
     def hand_in(self) -> Command | tuple[()]:
         """Return the whole answer, or none for a single field, which has sent its own."""
         whole = self._whole()
-        if whole is None:
-            return ()
-        self.whole = whole
-        return self.answer(whole)
+        return () if whole is None else self.send(whole)
+
+    def _sent(self) -> Command | None:
+        """Return the command that keeps up with the parts, if there is to be one and anything has changed by them."""
+        whole = self._whole() if self._is_whole() else ""
+        return None if not self._at_once or whole is None or whole == self.whole else self.send(whole)
+
+    def _is_whole(self) -> bool:
+        """Return whether an option is chosen, or nothing in a grid is empty."""
+        if not isinstance(self._form, Grid):
+            return bool(self.chosen)
+        rows, columns = range(self._form.rows), range(self._form.columns)
+        return all(_entry(self.entries.get((i, j), "")) for i in rows for j in columns)
 
     def _whole(self) -> str | None:
         if isinstance(self._form, Choices):
@@ -162,7 +181,7 @@ def _form(
         unit = UNIT_SIGNS.get(kind.unit, kind.unit)
         label = f"Your answer in {unit}" if unit else "Your answer"
         line = form.field(
-            ANSWER, typed, label, draft.answer, off=settled, inputmode="", spellcheck="false", placeholder="your answer"
+            ANSWER, typed, label, draft.send, off=settled, inputmode="", spellcheck="false", placeholder="your answer"
         )
         return tag("div.answer", line, tag("i", unit), check)
     if isinstance(kind, Choices):

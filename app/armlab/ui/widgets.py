@@ -258,8 +258,8 @@ class Gui:
         segments.show(value)
         return segments
 
-    def confirm(self, title: str, text: Inside, yes: str, on_yes: Callable[[], None]) -> None:
-        """Ask for confirmation of an action that cannot be undone."""
+    def confirm(self, title: str, text: Inside, yes: str, on_yes: Callable[[], None], more: Inside = None) -> None:
+        """Ask for confirmation of an action that cannot be undone; below a paragraph there may be more."""
         modal = self._gui.add_modal(title)
 
         def agreed() -> None:
@@ -270,7 +270,7 @@ class Gui:
             asked = Form(lambda on_input: Fields(self._gui, on_input), lambda command: None, lambda: None)
             # The way back is the one that stands out, has the focus, and is the Escape key.
             back = asked.button("confirm-no", "No, go back", modal.close, "main", data_escape="1", data_autofocus="1")
-            asked.show(tag("p", text), tag("div.bar", back, asked.chip("confirm-yes", yes, agreed)))
+            asked.show(tag("p", text), more, tag("div.bar", back, asked.chip("confirm-yes", yes, agreed)))
 
     def button(self, label: str, on_click: Callable[[], None], hint: str, icon: viser.IconName | None = None) -> Any:
         """Add a button; returns the handle, whose ``visible`` and ``label`` may be set."""

@@ -48,19 +48,20 @@ class Sheet:
     @property
     def task(self) -> int | None:
         """The open task, from 0; None where its file has changed, and the open lesson is none of its tasks any more."""
-        places = (place_of(task.lesson, task.number(self.work.number)) for task in self.of.tasks)
-        return next((i for i, place in enumerate(places) if place == self.part.open), None)
+        return next((i for i in range(len(self.of.tasks)) if self.place(i) == self.part.open), None)
+
+    def place(self, i: int) -> str:
+        """Return the place of the lesson of a task in the variant of the student."""
+        task = self.of.tasks[i]
+        return place_of(task.lesson, task.number(self.work.number))
 
     def lesson(self, i: int) -> Lesson:
         """Return the lesson of a task in the variant of the student."""
-        task = self.of.tasks[i]
-        return kept_at(place_of(task.lesson, task.number(self.work.number)))
+        return kept_at(self.place(i))
 
     def progress(self, i: int) -> Progress:
         """Return the progress in a task."""
-        task = self.of.tasks[i]
-        place = place_of(task.lesson, task.number(self.work.number))
-        return self.part.progress_of.get(where_in(self.of.key, place), Progress())
+        return self.part.progress_of.get(where_in(self.of.key, self.place(i)), Progress())
 
     def answered(self, lesson: Lesson) -> frozenset[int]:
         """Return the steps of the open lesson, from 0, that have an answer; of arms nothing is told."""

@@ -34,6 +34,7 @@ from armlab.ui.widgets import Gui
 from armlab.window.lesson import assigned
 from armlab.window.lesson.assigned import Sheet
 from armlab.window.lesson.end import with_end
+from armlab.window.lesson.missing import without_answer
 from armlab.window.lesson.text import step_text, with_values, words_of
 
 STEP = "lesson-step-"
@@ -103,7 +104,7 @@ class LessonPage:
         """Show how the assignment is handed in; the file is saved when it has been, by this page's button."""
         name = _name(self._more, sheet.part)
         save = lambda: self._save(state)  # noqa: E731
-        self._more.show(assigned.hand_in_form(self._more, sheet, name, self._hand_in, save, now()))
+        self._more.show(assigned.hand_in_form(self._more, sheet, name, lambda: self._hand_in(sheet), save, now()))
         if sheet.part.rests and now() < self._saves:
             self._saves = 0.0
             self._save(state)
@@ -123,7 +124,7 @@ class LessonPage:
             self._question.show()
             return
         typed, settled = part.progress.answers.get(part.name, ""), part.progress.committed(lesson, part.index)
-        draft = self._draft_of(part, question.form, typed)
+        draft = self._draft_of(part, question, typed)
         choices = question.form if isinstance(question.form, Choices) else None
         order = choices.order(lesson.variant, part.name) if choices else ()
         word, fixed = "Keep" if part.silent else "Check", settled or part.rests
@@ -136,14 +137,18 @@ class LessonPage:
         done, told = part.index in part.progress.passed(lesson), _told(part, question) if settled else None
         self._question.show(fields, said(verdict, settled, right.typed if right else "", done, told))
 
-    def _draft_of(self, part: LessonPart, kind: Answered, typed: str) -> Draft:
-        """Return what is typed in the shown step, which stays while others are looked at; new where its answer is."""
+    def _draft_of(self, part: LessonPart, question: Question, typed: str) -> Draft:
+        """Return what is typed in the shown step, which stays while others are looked at; new where its answer is.
+
+        Where no verdict follows it is kept without a button, except for a prediction, of which the first one counts.
+        """
+        kind = question.form
         if self._drafts_of != part.where:
             self._drafts_of, self._drafts = part.where, {}
         before, of, draft = self._drafts.get(part.name, ("", None, None))
         # When its own answer has come back the fields stay as they were typed.
         if draft is None or of != kind or (before != typed and draft.whole != typed):
-            draft = Draft(kind, typed)
+            draft = Draft(kind, typed, at_once=part.silent and not question.hide)
         self._drafts[part.name] = typed, kind, draft
         return draft
 
@@ -164,13 +169,15 @@ class LessonPage:
         )
         return ()
 
-    def _hand_in(self) -> Wish:
+    def _hand_in(self, sheet: Sheet) -> Wish:
         def hand_in_now() -> None:
             self._saves = now() + SOON
             self._post(HandIn())
 
         says = "Your work can then not be changed any more in this attempt, and a file is saved for your teacher."
-        self._gui.confirm("Hand in?", says, "Hand in", hand_in_now)
+        # An answer that was sent just now may not be in the state yet that was shown last.
+        sent = {name: draft.whole for name, (_, _, draft) in self._drafts.items() if draft.whole}
+        self._gui.confirm("Hand in?", says, "Hand in", hand_in_now, without_answer(sheet, self._drafts_of, sent))
         return ()
 
     def _save(self, state: State) -> Wish:
