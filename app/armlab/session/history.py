@@ -88,6 +88,16 @@ class History:
         return all(step.label == label for step in self.past)
 
     @property
+    def undone(self) -> State | None:
+        """The state that an undo would bring, or None."""
+        return next((step.state for step in self.past[-1:]), None)
+
+    @property
+    def redone(self) -> State | None:
+        """The state that a redo would bring, or None."""
+        return next((step.state for step in self.future[-1:]), None)
+
+    @property
     def undo_label(self) -> str | None:
         """The label of the step that an undo would take back."""
         return self.past[-1].label if self.past else None

@@ -197,10 +197,7 @@ class Session:
     def _stepped(self, step: Callable[[State], State], back: Callable[[State], State], at: float) -> State:
         """Return the state after undo or redo; a refused one stays in the history."""
         found = step(self.state)
-        restored = found
-        for part in self.state.with_own("for_undo"):
-            restored = part.for_undo(restored)
-        restored = _with_kept(restored, self.state)
+        restored = _with_kept(self._let_go(found), self.state)
         if restored is self.state:
             return restored
         try:
@@ -212,6 +209,26 @@ class Session:
             raise
         changed = [new for part, new in adapted if new is not part]
         return restored.replace(*changed) if changed else restored
+
+    def _let_go(self, found: State) -> State:
+        """Return a state of the history without what held in it by a part, and does not hold any more."""
+        for part in self.state.with_own("for_undo"):
+            found = part.for_undo(found)
+        return found
+
+    def refusal(self, found: State | None) -> str:
+        """Return why a state of the history cannot be restored now; empty where it can, or there is none.
+
+        Pages ask whenever they are shown: what undo does not change is not made to fit another arm for that.
+        """
+        if found is None:
+            return ""
+        kept = [part for part in self.state if part.kept_by_undo]
+        try:
+            guard(self.state, self._let_go(found).replace(*kept))
+        except ArmlabError as refusal:
+            return str(refusal)
+        return ""
 
     def tell(self, text: str) -> None:
         """Show a notice to the student."""

@@ -98,6 +98,7 @@ class Overlay:
         self._on_tabs, self._on_screen, self._language = on_tabs, on_screen, language
         self._arms: ArmsDialog | None = None
         self._tab, self._asked, self._begun = "", "", False
+        self._refused: tuple[tuple[State, State | None, State | None], tuple[str, str]] | None = None
 
     def open_tab(self, title: str) -> None:
         """Let the page's script bring a tab to the front at the next `show`."""
@@ -157,7 +158,7 @@ class Overlay:
                 state[Welcome],
                 offered_lessons(state),
             ),
-            (history.undo_label, history.redo_label),
+            (history.undo_label, history.redo_label, *self._refusals()),
             (name_of(robot), robot.own, robot.robot.key, state[LessonPart].open, hidden_tabs(state)),
             state[LessonPart].lesson,  # its file may be loaded again
             (self._tab, self._asked),
@@ -225,15 +226,26 @@ class Overlay:
             return
         self._on_screen(screen)
 
+    def _refusals(self) -> tuple[str, str]:
+        """Return why an undo and a redo would be refused, as where a lesson keeps its arm."""
+        state, history = self._session.state, self._session.history
+        of = state, history.undone, history.redone
+        if self._refused is None or any(now is not was for now, was in zip(of, self._refused[0], strict=True)):
+            self._refused = of, (self._session.refusal(of[1]), self._session.refusal(of[2]))
+        return self._refused[1]
+
     def _steps(self, session: Session) -> Markup:
+        no_undo, no_redo = self._refusals()
         labels = {
-            "undo": ("↶", Undo(), "Undo", session.history.undo_label, "Ctrl+Z"),
-            "redo": ("↷", Redo(), "Redo", session.history.redo_label, "Ctrl+Shift+Z"),
+            "undo": ("↶", Undo(), "Undo", session.history.undo_label, no_undo, "Ctrl+Z"),
+            "redo": ("↷", Redo(), "Redo", session.history.redo_label, no_redo, "Ctrl+Shift+Z"),
         }
         buttons = []
-        for cell, (sign, command, word, what, key) in labels.items():
-            title = f"{word}: {what} ({key})" if what else f"Nothing to {word.lower()}"
-            buttons.append(self._form.button(cell, sign, command, hint=title, label=word, off=not what))
+        for cell, (sign, command, word, what, refused, key) in labels.items():
+            title = refused or (f"{word}: {what} ({key})" if what else f"Nothing to {word.lower()}")
+            buttons.append(
+                self._form.button(cell, sign, command, hint=title, label=word, off=not what or bool(refused))
+            )
         return tag("div.al-over.al-steps", buttons)
 
     def _notes(self, session: Session, handle: bool, coming: bool) -> Markup:
