@@ -6,6 +6,7 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.errors import UnknownName
+from armlab.session.example_links import LookAt
 from armlab.session.pages import FIRST, pages, tab_of, tabs
 from armlab.session.panel_commands import (
     CloseWindow,
@@ -23,6 +24,7 @@ from armlab.session.session import Redo, Session, StartFresh, Undo
 from armlab.session.share import from_short, short
 from armlab.session.state import State, apply
 from armlab.session.store import Store
+from armlab.teaching.errata_links import LookUp
 from armlab.teaching.lesson_commands import CloseLesson, GoToStep, OpenLesson
 from armlab.teaching.parts.lesson import LessonPart, observed
 from armlab.teaching.parts.shelf import BackFromShared, BackToLesson, OpenShared, ToSandbox
@@ -108,6 +110,17 @@ def test_without_a_window_a_panel_opens_in_all_of_them():
     state = apply(windows("joints", "film"), OpenPanel("table"))
     assert [each.page_of("robot") for each in state[Panels].windows.values()] == ["table", "table"]
     assert [each.wanted for each in state[Panels].windows.values()] == ["robot", "robot"]
+
+
+def test_what_is_asked_for_in_a_window_opens_in_it_alone():
+    session = Session.fresh("token", PUMA)
+    for number in (1, 2):
+        session.apply(OpenWindow(number, Window.on("joints")), 0.0)
+    for command, panel in ((OpenPanel("film"), "film"), (LookAt("laws/triangle"), "laws"), (LookUp("5.58"), "errata")):
+        session.apply(command, 0.0, 2)
+        assert session.state[Panels].windows[2].wanted == tab_of(panel)
+        assert shown(session.state, 1) == ("joints",)
+        assert session.state[Panels].windows[1].wanted == "joints"
 
 
 def test_which_tabs_are_seen_is_what_the_browser_tells():

@@ -8,8 +8,8 @@ import pytest
 from armlab.session.pages import pages, tab_of
 from support.fake_browser import cookie_of
 from support.lab import running_lab
-from support.own_lessons import in_lesson, lesson, notes, piece, write
-from support.student import run, student
+from support.own_lessons import ARM, in_lesson, lesson, load, notes, piece, write
+from support.student import run, settled, student
 
 NO_PANEL = 'robot = "planar_2r"\nq_deg = [30, 60]\n'
 LOOK = '\n## Look\n\nText.\n\n```check\nkind = "looked_at"\npanel = "{}"\n```\n'
@@ -19,7 +19,9 @@ LOOK = '\n## Look\n\nText.\n\n```check\nkind = "looked_at"\npanel = "{}"\n```\n'
 def url(tmp_path_factory):
     look = {key: lesson(LOOK.format(key), NO_PANEL) for key in ("joints", "film")}
     stay = lesson(front=NO_PANEL, title="Stay")
-    with running_lab(lessons=write(tmp_path_factory.mktemp("lessons"), stay=stay, **look)) as address:
+    at_bench = lesson("\n## One\n\nSee [5.58](/erratum/5.58).\n", ARM, title="Bench")
+    folder = write(tmp_path_factory.mktemp("lessons"), stay=stay, at_bench=at_bench, **look)
+    with running_lab(lessons=folder) as address:
         yield address
 
 
@@ -101,5 +103,39 @@ def test_a_reload_stays_where_the_student_was_and_undo_turns_no_page(url):
         again = await student(url, cookie)
         await again.until(lambda: "table" in turned(again))
         await again.close()
+
+    run(main())
+
+
+@pytest.mark.parametrize(
+    ("link", "panel"), [("page/laws", "laws"), ("example/laws/triangle", "laws"), ("erratum/5.58", "errata")]
+)
+def test_a_link_opens_its_page_in_a_window_of_its_own_also_beside_a_lesson_with_a_bench(url, link, panel):
+    async def main():
+        one = await in_lesson(url, "at_bench")
+        await one.open("film")
+        load(url, one.cookie, link)
+        other = await student(url, one.cookie)
+        await settled(other)
+        assert notes(other)["tab"] == pages()[tab_of(panel)].title
+        await other.until(lambda: panel in turned(other))
+        assert notes(one)["tab"] == pages()[tab_of("film")].title
+        for each in (one, other):
+            await each.close()
+
+    run(main())
+
+
+def test_what_is_pressed_in_a_window_turns_no_other(url):
+    async def main():
+        one = await in_lesson(url, "at_bench")
+        other = await student(url, one.cookie)
+        await other.open("film")
+        await one.press("erratum 5.58")
+        await one.until(lambda: "errata" in turned(one))
+        await settled(other)
+        assert notes(other)["tab"] == pages()[tab_of("film")].title
+        for each in (one, other):
+            await each.close()
 
     run(main())

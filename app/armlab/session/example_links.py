@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from armlab.errors import InputError
@@ -19,10 +19,17 @@ class LookAt(Command):
     ----------
     name : str
         Its name in lessons, such as ``laws/triangle``.
+    window : int, optional
+        In which the page opens; in all of them when left out.
     """
 
     name: str
+    window: int | None = None
     label: ClassVar[str] = "example"
+
+    def asked_in(self, window: int) -> LookAt:
+        """Return the command for this window."""
+        return replace(self, window=window)
 
     def apply(self, state: State) -> State:
         """Return the state with the example; `UnknownName` when there is none such.
@@ -35,4 +42,4 @@ class LookAt(Command):
         page = page_of(self.name)
         if page in hidden_panels(state):
             raise InputError("The page of this example is closed while this lesson is open.")
-        return OpenPanel(page).apply(PutInPlace(self.name).apply(state))
+        return OpenPanel(page, self.window).apply(PutInPlace(self.name).apply(state))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from armlab.registry import known_name
@@ -22,12 +22,12 @@ def hidden_tabs(state: State) -> tuple[str, ...]:
     return tuple(pages[0].title for pages in tabs().values() if all(page.key in hidden for page in pages))
 
 
-def first_window(state: State) -> Window:
-    """Return a window as it opens: at the panel that a part, such as the lesson, brings to the front, or where the
-    student was last.
+def first_window(state: State, panel: str = "") -> Window:
+    """Return a window as it opens: at a panel that a link names, at the one that a part, such as the lesson, brings to
+    the front, or where the student was last.
     """
     there = [key for key in pages() if key not in hidden_panels(state)]
-    wanted = (*(part.bench for part in state.with_own("bench")), state[Panels].last or FIRST)
+    wanted = (panel, *(part.bench for part in state.with_own("bench")), state[Panels].last or FIRST)
     return Window.on(next((key for key in (*wanted, *there) if key in there), FIRST))
 
 
@@ -39,12 +39,17 @@ class OpenPanel(Command):
     ----------
     panel : str
     window : int, optional
-        In which it is to be opened; in all of them when left out.
+        In which it is to be opened; when left out in the one in which it is asked for, or in all of them if it is the
+        lab that asks.
     """
 
     panel: str
     window: int | None = None
     undoable: ClassVar[bool] = False
+
+    def asked_in(self, window: int) -> OpenPanel:
+        """Return the command for this window, unless it names one."""
+        return replace(self, window=window) if self.window is None else self
 
     def apply(self, state: State) -> State:
         """Return the state with the panel open; the same state when it is hidden."""

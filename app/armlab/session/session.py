@@ -169,6 +169,8 @@ class Session:
     def _take(self, commands: tuple[Command, ...], at: float, window: int | None) -> None:
         """Apply all commands in order, or none."""
         states = [self.state]
+        if window is not None:
+            commands = tuple(command.asked_in(window) for command in commands)
         for command in commands:
             states.append(apply(states[-1], command, at))
         for command, after in zip(commands, states[1:], strict=True):

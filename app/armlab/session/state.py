@@ -307,6 +307,10 @@ class Command:
         """Return the new state. Pure: no clock but `State.at`, no randomness, no I/O. Raise `ArmlabError` to refuse."""
         raise NotImplementedError
 
+    def asked_in(self, window: int) -> Command:
+        """Return what it is when a person has asked for it in a window; what turns pages turns those of this one."""
+        return self
+
     def ends_history(self, before: State, after: State) -> bool:
         """Return whether steps before it cannot be taken back any more: it has put something in place for good."""
         return False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from armlab.content.errata import erratum
@@ -27,10 +27,17 @@ class LookUp(Command):
     ----------
     key : str
         Its id, such as ``5.58``.
+    window : int, optional
+        In which the page opens; in all of them when left out.
     """
 
     key: str
+    window: int | None = None
     undoable: ClassVar[bool] = False
+
+    def asked_in(self, window: int) -> LookUp:
+        """Return the command for this window."""
+        return replace(self, window=window)
 
     def apply(self, state: State) -> State:
         """Return the state with the page open.
@@ -46,4 +53,4 @@ class LookUp(Command):
             what = "assignment" if state[LessonPart].assignment else "lesson"
             raise InputError(f"The page Errata is closed while this {what} is open.")
         chosen = word(CHOOSE).make(key=erratum(self.key).id).apply(state)
-        return OpenPanel(PAGE).apply(chosen)
+        return OpenPanel(PAGE, self.window).apply(chosen)

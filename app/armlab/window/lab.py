@@ -39,7 +39,7 @@ from armlab.ui.plugin import layers
 from armlab.window.player import Player
 from armlab.window.tongue import Tongue
 from armlab.window.view import View
-from armlab.window.wished import wished
+from armlab.window.wished import panel_of, wished
 
 log = logging.getLogger(__name__)
 
@@ -164,7 +164,7 @@ class Lab:
         async with self._turn_to_build(token):
             if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
                 tongue = Tongue(client, session, found.get(adapter.LANGUAGE_HEADER.lower(), ""))
-                await self._open(client, session, tongue)
+                await self._open(client, session, tongue, panel_of(wish))
 
     @asynccontextmanager
     async def _turn_to_build(self, token: str) -> AsyncIterator[None]:
@@ -184,8 +184,8 @@ class Lab:
         for folder in self._own_lessons:
             add_folder(folder)
 
-    async def _open(self, client: viser.ClientHandle, session: Session, tongue: Tongue) -> None:
-        """Build the page of a browser in small pieces, with time for other work after each."""
+    async def _open(self, client: viser.ClientHandle, session: Session, tongue: Tongue, panel: str) -> None:
+        """Build the page of a browser, open at this panel, in small pieces with time for other work after each."""
         view = View(
             client,
             session,
@@ -194,7 +194,7 @@ class Lab:
             self.pace,
             tongue.language,
         )
-        pieces, went_on = view.build(), time.perf_counter()
+        pieces, went_on = view.build(panel), time.perf_counter()
         for more in chain((True for _ in pieces), (False,)):
             if adapter.request_headers(self.server, client) is None:  # gone in the meantime
                 pieces.close()

@@ -97,11 +97,11 @@ class View:
         self._refreshed = 0.0
         self._turning = Turning(pace, self.show, session.token)
         self._closed, self._anew = False, False  # the latter once what is shown is to be shown again
-        self._first = first_window(session.state)
         self._asked = 0
 
-    def build(self) -> Generator[None, None, None]:
-        """Build the page in pieces of a millisecond or two; the browser gets it when it is complete."""
+    def build(self, panel: str = "") -> Generator[None, None, None]:
+        """Build the page, open at a panel that a link names, in short pieces; the browser gets it when it is whole."""
+        self._first = first_window(self.session.state, panel)
         self.post(OpenWindow(self.client.client_id, self._first))
         with self.client.atomic():
             self._theme(self.session.state)

@@ -9,15 +9,17 @@ that was shared.
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 
-from armlab.errors import InputError
+from armlab.errors import InputError, UnknownName
+from armlab.session.bench import page_of
 from armlab.session.example_links import LookAt
 from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.share import short
 from armlab.session.state import Command, State
 from armlab.teaching.assignment_commands import OpenAssignment
-from armlab.teaching.errata_links import LookUp
+from armlab.teaching.errata_links import PAGE, LookUp
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.shelf import BackToLesson, OpenShared, Shelf
@@ -27,6 +29,15 @@ def wished(state: State, wish: str) -> Command | None:
     """Return the command for a request, or None if it is met already, so that a reload resets nothing."""
     kind, _, what = wish.partition("/")
     return KINDS[kind](state, what) if kind in KINDS else None
+
+
+def panel_of(wish: str) -> str:
+    """Return the key of the panel at which the window of a request opens; empty if it names none."""
+    kind, _, what = wish.partition("/")
+    if kind == "example":
+        with suppress(UnknownName):
+            return page_of(what)
+    return {"page": what, "erratum": PAGE}.get(kind, "")
 
 
 def _robot(state: State, what: str) -> Command | None:
