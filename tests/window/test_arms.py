@@ -272,6 +272,17 @@ def test_units_can_be_said_and_the_rows_to_begin_with_stay_the_same_arm():
     assert draft.command().rows[0].a == pytest.approx(0.002), "typed numbers are then in millimetres"
 
 
+def test_what_is_wrong_in_a_row_is_said_anew_in_another_unit():
+    draft = Draft(Notation())
+    draft.set_unit("angle", "rad")
+    draft.write(0, "alpha", "90")
+    assert draft.rows[0].wrong == "link twist: expected at most 360° either way, got 5156.62°"
+    draft.set_unit("angle", "deg")
+    assert (draft.rows[0].wrong, draft.rows[0].where) == ("", "")
+    draft.set_unit("angle", "rad")
+    assert draft.rows[0].where == "alpha"
+
+
 def test_an_empty_cell_is_zero_and_the_last_row_stays():
     draft = Draft(Notation())
     draft.remove(0)

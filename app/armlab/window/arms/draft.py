@@ -82,6 +82,8 @@ class Draft:
         self.units = Units(replace(self.units.notation, **cast(Any, {name: unit})))
         if untouched:
             self.rows = self._typed(EXAMPLE)
+        for i in range(len(self.rows)):
+            self._read(i)
 
     def add(self) -> None:
         """Add a row at the end, if there is room for one."""
