@@ -54,6 +54,13 @@ def test_a_time_that_is_typed_is_gone_to_and_nonsense_is_said():
             press(START, "time", text)
 
 
+def test_the_end_is_gone_to_as_the_page_writes_it():
+    end = 0.8 * 5.0**0.5
+    page = lambda form: clock(form, START, "loop", end)  # noqa: E731
+    assert "of 1.789 s" in page(BareForm())
+    assert asked(page, "time", "1.789") == (OpenClip("loop"), Seek(end))
+
+
 def test_the_space_bar_presses_what_the_page_plays_and_its_hint_says_so():
     for state in (START, done(START, OpenClip("loop", play=True))):
         button = str(play_button(BareForm(), state, "loop", "it", hint="Round and round"))

@@ -67,6 +67,8 @@ def clock(form: Form, state: State, clip: str, end: float, closed: float = 0.0) 
 
 def _to_time(text: str, clip: str, end: float, on: bool) -> tuple[Command, ...]:
     time = plain_number(text, "t", "seconds")
+    if amount(time) == amount(end):  # the end as the page writes it, rounded
+        time = end
     if not 0.0 <= time <= end:
         raise InputError(f"t: expected 0 to {amount(end, 's')}, got {amount(time)}")
     return (Seek(time),) if on else (OpenClip(clip), Seek(time))
