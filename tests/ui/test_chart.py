@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from armlab.ui.chart import Chart, value_text
+from armlab.ui.ticks import ticks
 
 CHART = Chart("made-up", (-1.0, 3.0), (0.0, 50.0), 320, 200, 30, 16)
 
@@ -119,3 +120,9 @@ def test_lines_are_cut_at_the_rectangle_of_their_own_chart():
 )
 def test_values_are_as_exact_as_their_range_needs(value, span, text):
     assert value_text(value, span) == text
+
+
+@pytest.mark.parametrize("y", [(-2.2e5, 2.6e5), (0.0, 6e-5), (9.7e5, 1.1e6), (-3e300, 1e300), (0.0, 1e-300)])
+def test_values_with_a_power_of_ten_read_back_as_what_they_are(y):
+    said = [value_text(value, y) for value in ticks(*y)]
+    assert [float(text.replace("−", "-")) for text in said] == pytest.approx(ticks(*y), rel=1e-12)

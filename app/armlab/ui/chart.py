@@ -25,6 +25,9 @@ EDGE = 16.0
 NAME = 18.0
 """Height at the top in which the name of the ordinate takes the place of numbers."""
 
+DECIMALS = 3
+"""Largest number of decimals before a power of ten, for which there is room beside a picture."""
+
 LETTER, DIGIT = 5.5, 5.6
 """Usual width of a letter of a name and of a digit of a number."""
 
@@ -151,8 +154,18 @@ def value_text(value: float, span: Range) -> str:
 
     >>> value_text(0.5, (0.0, 1.0)), value_text(-2e6, (-3e6, 0.0)), value_text(0.0, (0.0, 1e-6))
     ('0.5', '−2e6', '0')
+    >>> value_text(-1.5e5, (-2e5, 0.0))
+    '−1.5e5'
     """
     wide = span[1] - span[0]
     if abs(value) >= LARGE or wide < SMALL:
-        return f"{value:.0e}".replace("e+0", "e").replace("e-0", "e-").replace("-", "−") if value else "0"
+        return _with_power(value, wide) if value else "0"
     return trimmed(value, max(0, 2 - math.floor(math.log10(wide / 2.0))))
+
+
+def _with_power(value: float, wide: float) -> str:
+    """Return a value with a power of ten, and the decimals that tell the round values of a range apart."""
+    finest = math.floor(math.log10(wide / 5.0)) - 1  # of `ticks`, whose steps have two digits
+    decimals = min(max(0, math.floor(math.log10(abs(value))) - finest), DECIMALS)
+    mantissa, power = f"{value:.{decimals}e}".split("e")
+    return f"{trimmed(float(mantissa), decimals)}e{int(power)}".replace("-", "−")
