@@ -224,3 +224,23 @@ def test_what_was_refused_goes_when_the_field_is_to_show_something_else(url):
         await browser.close()
 
     run(main())
+
+
+def test_what_was_refused_goes_after_an_input_in_another_form_of_the_page_and_with_its_field(url):
+    async def main():
+        browser = await student(url)
+        await browser.open("laws")
+        await browser.press("t-duration", "abc")
+        await browser.until(lambda: 'value="abc"' in browser.html())
+        await asyncio.sleep(SEEN)
+        await browser.press("example", "same_time")  # in which T is what it was
+        await browser.until(lambda: 'value="abc"' not in browser.html())
+        assert 'class="no" role="alert"' not in browser.html()
+        await browser.press("t-duration", "xyz")
+        await browser.until(lambda: 'value="xyz"' in browser.html())
+        await browser.press("example", "triangle")  # at once; it has no field for T
+        await browser.until(lambda: 'data-cell="t-duration"' not in browser.html())
+        assert 'class="no" role="alert"' not in browser.html()
+        await browser.close()
+
+    run(main())

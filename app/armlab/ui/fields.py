@@ -98,6 +98,7 @@ class Fields:
         self._revision = self._shown_revision = self._heard = 0
         self._content = Markup()
         self._mistake: _Mistake | None = None
+        self._made = set[str]()  # the fields made since the last `show`
         self._lock = threading.Lock()
         adapter.on_event(self.channel, "on_update", lambda _: self._receive())
 
@@ -134,7 +135,8 @@ class Fields:
         """Show the typed text as refused, with the reason below the fields.
 
         It stays until the next input, except one that follows at once elsewhere. The sentence of a field is removed
-        when the field has another value; one of any other element when the markup changes and there was time to read.
+        when the field has another value or is gone; one of any other element when the markup changes and there was time
+        to read.
         """
         self._mistake = _Mistake(cell, text[:LONGEST_TYPED], why)
 
@@ -159,6 +161,13 @@ class Fields:
         """Show the fields with their valid values at the next `show`."""
         self._mistake = None
 
+    def forgive_seen(self) -> None:
+        """Do what an input of one's own does after one elsewhere on the page: forgive, unless it follows at once."""
+        with self._lock:
+            if self._mistake is not None and self._mistake.stood(SEEN):
+                self._mistake = None
+                self._revision += 1  # so that the next `show` is not left out
+
     def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "", **more: str) -> Markup:
         """Return the markup of one input field; Enter goes on to the field ``below``; ``more`` attributes."""
         value, wrong = self._refused(cell, value)
@@ -172,6 +181,7 @@ class Fields:
 
     def _refused(self, cell: str, value: str) -> tuple[str, dict[str, str]]:
         """Return the content of a field, and the attributes that mark it as refused."""
+        self._made.add(cell)
         mistake = self._mistake
         if mistake is None or mistake.cell != cell:
             return value, {}
@@ -191,9 +201,12 @@ class Fields:
         """Show content that holds the fields."""
         content = joined(*inside)
         self._shown_revision, self._content = self._revision, content
+        made, self._made = self._made, set()
         mistake = self._mistake
-        if mistake is not None and mistake.instead is None and mistake.is_over(content):
-            mistake = self._mistake = None
+        if mistake is not None:
+            in_field = mistake.instead is not None
+            over = mistake.cell not in made if in_field else mistake.is_over(content)
+            mistake = self._mistake = None if over else mistake
         if mistake is not None:
             content += tag("p.no", f"✕ {mistake.why}", role="alert")
         # The page numbers what it sends: fields whose text is not in here yet keep it.

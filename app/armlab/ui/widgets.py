@@ -191,6 +191,7 @@ class Gui:
         self.page, self.plots, self.tray = "", list[Enlarged](), cast(Tray | None, None)
         self._made: list[Any] = []
         self._channels: list[Any] = []
+        self._fields: list[Fields] = []
         self._drawing: set[asyncio.Task[None]] = set()
 
     @property
@@ -213,7 +214,7 @@ class Gui:
             asyncio.get_running_loop().call_later(LINGER, _remove, self._channels)
         else:
             _remove(self._channels)
-        self._made, self._channels, self.plots = [], [], []
+        self._made, self._channels, self._fields, self.plots = [], [], [], []
 
     def _keep(self, handle: Any) -> Any:
         self._made.append(handle)
@@ -290,7 +291,16 @@ class Gui:
 
     def fields(self, on_input: Callable[[str, str], None], longest: int | None = None) -> Fields:
         """Add markup with input fields; ``on_input`` gets the cell and the text; see `Fields`."""
-        fields = Fields(self._gui, on_input, longest, self.scope, self.has_notes)
+
+        def heard(cell: str, text: str) -> None:
+            if self.page:  # on a bench all forms are about the same values
+                for each in self._fields:
+                    if each is not fields:
+                        each.forgive_seen()
+            on_input(cell, text)
+
+        fields = Fields(self._gui, heard, longest, self.scope, self.has_notes)
+        self._fields.append(fields)
         self._channels.append(fields.channel)
         self._keep(fields.html)
         return fields
