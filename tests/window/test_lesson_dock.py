@@ -1,6 +1,7 @@
 """Lessons over the wire: the dock with text, formulas and checks; links; progress; what a lesson holds back."""
 
 import json
+import re
 
 import pytest
 
@@ -18,6 +19,8 @@ from support.own_lessons import (
     write,
 )
 from support.student import run, student
+
+CHOSEN = re.compile(r'<button[^>]*data-cell="lesson-choice-2"[^>]*aria-pressed="true"')
 
 
 @pytest.fixture(scope="module")
@@ -143,6 +146,31 @@ def test_a_reload_resets_nothing_and_an_own_answer_is_kept(url):
         await to_step(again, 1)
         assert "<b>Hint 1 of 2</b>" in again.html()
         await again.close()
+
+    run(main())
+
+
+def test_what_is_half_filled_in_is_kept_for_a_page_that_opens_later_and_stays_out_of_others(url):
+    entry = lambda browser: piece(browser, 'data-cell="lesson-entry-0-0"')  # noqa: E731
+
+    async def main():
+        browser = await in_lesson(url, "questions")
+        other = await student(url, browser.cookie)
+        await to_step(browser, 2)
+        await browser.press("lesson-choice-2")
+        await browser.until(lambda: CHOSEN.search(browser.html()))
+        await to_step(browser, 3)
+        await browser.press("lesson-entry-0-0", "0.25")
+        await browser.until(lambda: 'value="0.25"' in entry(browser))
+        await other.until(lambda: "lesson-entry-0-0" in other.html())
+        assert 'value="0.25"' not in entry(other)
+        await browser.close()
+        again = await student(url, browser.cookie)
+        assert 'value="0.25"' in entry(again)
+        await to_step(again, 2)
+        assert CHOSEN.search(again.html())
+        for each in (other, again):
+            await each.close()
 
     run(main())
 

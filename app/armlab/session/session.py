@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -97,6 +97,9 @@ class Session:
         was taken back before anybody was shown it. Pages then show again what holds.
     switched_by : int or None
         The window that has last changed what is open by some part (`Part.opened`), None for the lab itself.
+    drafts : dict
+        What was chosen or typed last in answers that are not handed in, by place: with it a page begins that opens
+        later, as after a lost connection. Pages alone know what it is; it is not saved.
     """
 
     token: str
@@ -108,6 +111,7 @@ class Session:
     notice_seen: int = 0
     untaken: int = 0
     switched_by: int | None = None
+    drafts: dict[str, Any] = field(default_factory=dict)
     _elsewhere: dict[str, History] = field(default_factory=dict)
 
     @classmethod
@@ -146,6 +150,7 @@ class Session:
                 self._become(fresh.replace(self.state[Panels]), window)
                 self.history = History()
                 self._elsewhere.clear()
+                self.drafts.clear()
             else:
                 self._take(asked, at, window)
         except ArmlabError as refusal:

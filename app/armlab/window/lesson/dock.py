@@ -19,7 +19,7 @@ from armlab.session.state import Post, State
 from armlab.teaching.assignment_commands import LookAtClock
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.widgets import Gui
-from armlab.window.lesson.page import LessonPage
+from armlab.window.lesson.page import Drafts, LessonPage
 
 log = logging.getLogger(__name__)
 
@@ -42,10 +42,14 @@ class LessonDock:
     make_gui : callable
         Returns a new maker of controls.
     post : callable
+    drafts : dict
+        Of the session; see `LessonPage`.
     """
 
-    def __init__(self, client: viser.ClientHandle, make_gui: Callable[[], Gui], post: Post) -> None:
-        self._client, self._make_gui, self._post = client, make_gui, post
+    def __init__(
+        self, client: viser.ClientHandle, make_gui: Callable[[], Gui], post: Post, drafts: dict[str, Drafts]
+    ) -> None:
+        self._client, self._make_gui, self._post, self._drafts = client, make_gui, post, drafts
         self._panel: Any = None
         self._page: LessonPage | None = None
         self._open = ""
@@ -106,6 +110,6 @@ class LessonDock:
         self._shown = None
         self._panel = self._client.gui.add_panel()
         with self._panel.add_tab("Lesson", viser.Icon.BOOK):
-            self._page = LessonPage(self._make_gui(), self._post)
+            self._page = LessonPage(self._make_gui(), self._post, self._drafts)
         self._panel.dock_left()
         self._panel.set_width(WIDTH)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from copy import deepcopy
 
 from armlab.content.lessons import Lesson, lessons_read
 from armlab.content.question import Choices, Question
@@ -41,6 +42,9 @@ STEP = "lesson-step-"
 SOON = 5.0
 """Time within which a press has its work handed in, seconds; without a name, for one, it has not."""
 
+Drafts = dict[str, tuple[str, Answered, Draft]]
+"""Drafts of the steps of a lesson, each with the answer given before and the kind of the question."""
+
 _WHOLE = re.compile(r"[0-9]{1,9}")
 
 
@@ -51,13 +55,13 @@ class LessonPage:
     ----------
     gui : Gui
     post : callable
+    kept : dict, optional
+        What was last chosen or typed on any page of the session, by place: this one begins with it.
     """
 
-    def __init__(self, gui: Gui, post: Post) -> None:
-        self._gui, self._post = gui, post
-        self._drafts: dict[
-            str, tuple[str, Answered, Draft]
-        ] = {}  # by step of the open lesson: answer, kind, what is typed
+    def __init__(self, gui: Gui, post: Post, kept: dict[str, Drafts] | None = None) -> None:
+        self._gui, self._post, self._kept = gui, post, {} if kept is None else kept
+        self._drafts: Drafts = {}
         self._drafts_of = ""
         self._asked_at = "", ""  # open lesson and step whose question was shown last
         self._clock, self._timer = gui.html(), assigned.Clock()
@@ -144,12 +148,15 @@ class LessonPage:
         """
         kind = question.form
         if self._drafts_of != part.where:
-            self._drafts_of, self._drafts = part.where, {}
+            self._drafts_of, self._drafts = part.where, deepcopy(self._kept.get(part.where, {}))
         before, of, draft = self._drafts.get(part.name, ("", None, None))
         # When its own answer has come back the fields stay as they were typed.
         if draft is None or of != kind or (before != typed and draft.whole != typed):
             draft = Draft(kind, typed, at_once=part.silent and not question.hide)
         self._drafts[part.name] = typed, kind, draft
+        if self._question.stale:  # a copy: two pages that are open at once do not fill in each other's fields
+            self._kept.clear()
+            self._kept[part.where] = deepcopy(self._drafts)
         return draft
 
     def _begin_again(self, part: LessonPart) -> Wish:
@@ -159,6 +166,7 @@ class LessonPage:
         def begin() -> None:
             self._drafts.clear()
             self._question.forgive()
+            self._kept.clear()
             self._post(again)
 
         self._gui.confirm(
