@@ -51,6 +51,15 @@ def test_search_and_projector_by_keyboard(visit):
     letters_count_where_a_keyboard_has_them(lab)
 
 
+def test_a_file_is_chosen_with_space_and_with_enter(visit):
+    lab = visit()
+    lab.open_tab("Lessons")
+    for key in ("Space", "Enter"):
+        lab.page.locator("input[type=file][data-cell=lesson-load]:visible").first.focus()
+        with lab.page.expect_file_chooser():
+            lab.page.keyboard.press(key)
+
+
 def letters_count_where_a_keyboard_has_them(lab):
     """On German keys Z and Y have changed places, and the slash is Shift and 7."""
     lab.open_tab("Joints")

@@ -99,7 +99,7 @@
     button.click();
   }, true);
   document.addEventListener('keydown', event => {
-    if (event.key !== 'Enter' || !event.target.matches?.('input[data-chan]:not([data-live])')) return;
+    if (event.key !== 'Enter' || !event.target.matches?.('input[data-chan]:not([data-live]):not([type=file])')) return;
     // In a table Enter goes down the column, as in a spreadsheet; in a matrix it goes on, and at its end presses the
     // button that hands it in; elsewhere it leaves the field.
     const below = event.target.dataset.below;
