@@ -4,8 +4,10 @@ import random
 
 import pytest
 
+from support.chromium import new_page
 from support.lab import running_lab
 from support.own_lessons import lesson, write
+from support.page import LabPage
 from support.slow_net import slowed
 
 pytestmark = pytest.mark.browser
@@ -45,11 +47,32 @@ def question(k, entries):
     )
 
 
+TWO_NUMBERS = """
+## One
+
+```question
+kind = "number"
+text = "One?"
+answer = 1
+tolerance = 0.01
+```
+
+## Two
+
+```question
+kind = "number"
+text = "Two?"
+answer = 2
+tolerance = 0.01
+```
+"""
+
+
 @pytest.fixture(scope="module")
 def url(tmp_path_factory):
     """A lab behind a slow network."""
     text = "\nIntroduction.\n" + "".join(question(k, entries) for k, entries in enumerate(drawn()))
-    folder = write(tmp_path_factory.mktemp("lessons"), copied=lesson(text))
+    folder = write(tmp_path_factory.mktemp("lessons"), copied=lesson(text), numbers=lesson(TWO_NUMBERS))
     with running_lab(lessons=folder) as address, slowed(address, *LATE) as late:
         yield late
 
@@ -111,6 +134,22 @@ def _does_not_make_the_page_anew_without_end_with_a_blank(lab):
         }"""
     )
     assert changes == 0
+
+
+def test_what_is_typed_for_one_step_is_no_answer_to_another_to_which_another_window_went(visit):
+    lab = visit("lesson/numbers", size=(1400, 850))
+    answer = '.ask input[data-cell="lesson-answer"]'
+    lab.page.locator(answer).click()
+    lab.page.keyboard.type("2.0")
+    other = LabPage(new_page(lab.page.context, painted=False), lab.url)
+    other.press("lesson-next")
+    other.leave()
+    lab.waits_for("Two?")
+    lab.rest()
+    lab.page.keyboard.press("Enter")
+    lab.rest()
+    assert lab.page.locator(answer).input_value() == ""
+    assert lab.page.locator(".ask ~ .verdict").count() == 0
 
 
 def _stands_where_the_cursor_is(lab):

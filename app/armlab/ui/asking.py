@@ -151,6 +151,7 @@ def asked(
     settled: bool,
     order: Sequence[int] = (),
     word: str = "Check",
+    of: str = "",
 ) -> Markup:
     """Return the question with its controls for an answer.
 
@@ -167,11 +168,15 @@ def asked(
         In which options are shown, from 1.
     word : str
         On the button that hands the answer in.
+    of : str
+        Names the question: what is typed for one is not taken for an answer to another, whose fields are called the
+        same.
     """
     note = "Your prediction is noted." if settled else "Predict: your first answer counts."
     check = None if settled else form.button(CHECK, word, draft.hand_in, "chip")
     fields = _form(form, question.form, typed, draft, settled, check, order)
-    return tag("div.ask", without_links(question.html), tag("p.dim", note) if question.hide else None, fields)
+    prediction = tag("p.dim", note) if question.hide else None
+    return tag("div.ask", without_links(question.html), prediction, fields, data_of=of or None)
 
 
 def _form(

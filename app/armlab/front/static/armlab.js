@@ -29,6 +29,9 @@
     });
   };
   window.armlabSend = send;
+  // Of two fields or buttons of one name, in markup of two moments: whether both are of the same question.
+  const questionOf = element => element.closest('[data-of]')?.dataset.of;
+  window.armlabSame = (one, other) => questionOf(one) === questionOf(other);
   const typed = 'input[data-chan]:not([data-live]):not([type=file]), select[data-chan], textarea[data-chan]';
   document.addEventListener('change', event => {
     if (event.target.matches?.(typed)) send(event.target, event.target.value);
@@ -129,7 +132,8 @@
   document.addEventListener('pointerdown', event => { down = event.target.closest?.('button[data-chan]:not([data-jog])'); }, true);
   document.addEventListener('pointerup', event => {
     const button = event.target.closest?.('button[data-chan]');
-    const same = down && !down.isConnected && button?.dataset.chan === down.dataset.chan && button.dataset.cell === down.dataset.cell;
+    const same = down && !down.isConnected && button?.dataset.chan === down.dataset.chan && button.dataset.cell === down.dataset.cell
+      && window.armlabSame(button, down);
     down = null;
     if (same) button.click();
   }, true);
@@ -193,7 +197,8 @@
   const keepFocus = () => {
     if (!last || last.isConnected || document.activeElement !== document.body) return;
     const { chan, cell } = last.dataset;
-    const same = document.querySelector(`[data-chan="${chan}"][data-cell="${CSS.escape(cell)}"]`);
+    const found = document.querySelector(`[data-chan="${chan}"][data-cell="${CSS.escape(cell)}"]`);
+    const same = found && window.armlabSame(found, last) ? found : null;
     // What was typed before the new markup came is not lost.
     const unsent = last.matches('input.field') && last.value !== last.defaultValue ? last.value : null;
     last = same;

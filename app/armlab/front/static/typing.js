@@ -82,7 +82,7 @@
   const around = (top, focused, made) => {
     const { chan, cell } = focused.dataset;
     const twin = made.querySelector(`[data-chan="${CSS.escape(chan)}"][data-cell="${CSS.escape(cell)}"]`);
-    if (!twin || twin.disabled) return false;
+    if (!twin || twin.disabled || !window.armlabSame(focused, twin)) return false;
     const old = chain(focused, top);
     const fresh = chain(twin, made);
     if (old.length !== fresh.length || old.some((each, i) => each.localName !== fresh[i].localName)) return false;

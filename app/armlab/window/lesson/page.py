@@ -132,7 +132,7 @@ class LessonPage:
         choices = question.form if isinstance(question.form, Choices) else None
         order = choices.order(lesson.variant, part.name) if choices else ()
         word, fixed = "Keep" if part.silent else "Check", settled or part.rests
-        fields = asked(self._question, question, typed, draft, fixed, order, word)
+        fields = asked(self._question, question, typed, draft, fixed, order, word, f"{part.where} {part.name}")
         right = part.progress.right.get(part.name)
         verdict = part.verdict
         if part.silent and (verdict is None or verdict.name != "unreadable"):

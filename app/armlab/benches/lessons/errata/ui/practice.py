@@ -56,7 +56,7 @@ class Spotting:
             tag("p.dim", "The correction is a choice of texts: there is no formula to type.") if task.of_texts else None
         )
         return (
-            asked(self._form, task.question, tried.typed, self._draft[1], False, order),
+            asked(self._form, task.question, tried.typed, self._draft[1], False, order, of=task.key),
             note,
             said(verdict, stays=tried.right),
         )
