@@ -60,6 +60,43 @@ def test_a_file_is_chosen_with_space_and_with_enter(visit):
             lab.page.keyboard.press(key)
 
 
+def test_keys_of_the_page_rest_behind_a_dialog_also_after_a_press_of_the_mouse_in_it(visit):
+    lab = visit(size=(1400, 850))
+    before = lab.slider_values(6)
+    lab.press("arms")
+    lab.press("arms-new")
+    lab.press("new-angle rad")
+    press(lab, "r", "h", "v")
+    nothing_has_happened(lab, before)
+    assert lab.page.locator(".al-dialog").is_visible()
+    press(lab, "Escape")
+    assert lab.page.locator(".al-dialog").count() == 0
+
+
+def test_keys_of_the_page_rest_behind_a_question_until_it_is_answered(visit):
+    lab = visit("lesson/ik_2r", size=(1400, 850))
+    before, step = lab.slider_values(2), lab.page.locator(".lesson-text h2").inner_text()
+    lab.press("lesson-anew")
+    question = lab.page.locator("[role=dialog]:has([data-escape])")
+    question.wait_for()
+    press(lab, "r", "h", "v", "PageDown", "Tab", "Tab", "Tab")
+    assert lab.page.evaluate(INSIDE, "[role=dialog]")
+    question.click(position={"x": 20, "y": 20})
+    press(lab, "r", "Space")
+    nothing_has_happened(lab, before)
+    assert lab.page.locator(".lesson-text h2").inner_text() == step
+    press(lab, "Escape")
+    lab.until(lambda: question.count() == 0)
+    press(lab, "r")
+    lab.until(lambda: lab.slider_values(2) != pytest.approx(before))
+
+
+def nothing_has_happened(lab, values):
+    assert lab.slider_values(len(values)) == pytest.approx(values)
+    assert lab.page.locator('[data-dock-tab][data-name="Help"][aria-selected=true]').count() == 0
+    assert not lab.page.evaluate("() => document.documentElement.hasAttribute('data-projector')")
+
+
 def letters_count_where_a_keyboard_has_them(lab):
     """On German keys Z and Y have changed places, and the slash is Shift and 7."""
     lab.open_tab("Joints")

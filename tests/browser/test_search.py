@@ -142,6 +142,18 @@ def escape_leaves_the_projector_as_it_is(lab):
     assert not lab.page.evaluate("() => document.documentElement.hasAttribute('data-projector')")
 
 
+def test_over_a_dialog_its_keys_are_its_own(visit):
+    lab = visit()
+    dialog = lab.page.locator(".al-dialog")
+    lab.press("arms")
+    open_search(lab, "ur5")
+    close_search(lab)
+    assert dialog.is_visible()
+    lab.page.keyboard.press("Escape")
+    lab.rest()
+    assert dialog.count() == 0
+
+
 def test_what_is_found_is_done_opened_and_said(visit):
     lab = visit()
     what_is_typed_and_confirmed_at_once_is_what_is_done(lab)

@@ -70,7 +70,8 @@
 
   addEventListener('keydown', event => {
     const there = dialog();
-    if (!there) return;
+    // What lies over the dialog has the keys.
+    if (!there || document.getElementById('al-search')?.open || document.querySelector('button[data-escape]')) return;
     if (event.key === 'Escape') {
       event.preventDefault();
       event.stopImmediatePropagation();
@@ -88,6 +89,8 @@
       // Keys of the scene rest meanwhile.
       if (!event.ctrlKey && !event.metaKey && !event.target.matches('input, textarea, select')
         && !['Enter', ' '].includes(event.key)) event.stopImmediatePropagation();
+    } else if (event.target === document.body && !event.ctrlKey && !event.metaKey) { // after a press of the mouse
+      event.stopImmediatePropagation();
     }
   }, true);
 

@@ -21,11 +21,13 @@
   }, true);
 })();
 
-// A question closes with the Escape key, by its way back.
-document.addEventListener('keydown', event => {
-  const back = event.key === 'Escape' && document.querySelector('button[data-escape]');
-  if (!back) return;
-  event.preventDefault();
+// A question closes with the Escape key, by its way back. Until it is answered the keys of the page rest; the Tab key goes
+// round in it, and its buttons are pressed by the browser itself.
+addEventListener('keydown', event => {
+  const back = document.querySelector('button[data-escape]');
+  if (!back || event.key === 'Tab' || !event.isTrusted) return; // scripts open tabs by keys of their own
   event.stopImmediatePropagation();
+  if (event.key !== 'Escape') return;
+  event.preventDefault();
   back.click();
 }, true);
