@@ -6,6 +6,16 @@ pytestmark = pytest.mark.browser
 
 WIDE = (1400, 850)
 
+TELEPHONES = (667, 375), (375, 667)
+"""A telephone held sideways and upright."""
+
+OUT_OF_SCENE = """() => {
+  const scene = document.querySelector('canvas[data-engine]').getBoundingClientRect();
+  const row = [...document.querySelectorAll('.al-top > *')].map(each => each.getBoundingClientRect());
+  return row.length === 2 ? row.filter(each => each.left < scene.left || each.right > scene.right) : ['no row'];
+}"""
+"""What of the row over the scene, name of the arm and search, is not within it."""
+
 
 def test_what_is_folded_is_opened_by_hand_and_by_the_search_and_stays_open_when_it_changes(visit):
     lab = visit(size=WIDE)
@@ -31,3 +41,10 @@ def test_what_is_folded_is_opened_by_hand_and_by_the_search_and_stays_open_when_
     lab.page.keyboard.type("save toml")
     lab.page.locator("#al-search [role=option]", has_text="TOML").first.click()
     lab.until(lambda: lab.page.locator('button[data-cell="save"]').is_visible())
+
+
+def test_the_row_over_the_scene_covers_nothing_beside_it_on_a_telephone(visit):
+    lab = visit("lesson/ik_2r", size=TELEPHONES[0])
+    for size in TELEPHONES:
+        lab.page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
+        lab.finds_none(OUT_OF_SCENE)
