@@ -1,6 +1,7 @@
 """Pages in other languages: each student reads their own, English stays as it is, and what is missing is known."""
 
 import json
+import re
 import urllib.request
 from html import unescape
 
@@ -35,6 +36,12 @@ MOST_MISSING = 0.002
 PUMA = catalogue()["puma560"]
 LESSONS = ("first_arm", "joint_types", "forward_2r", "ik_2r", "skeleton")
 OTHERS = keys()[1:]
+
+IN_SCRIPT = re.compile(r"""(?<=[`'>}])(?!\.)([^`'"<>=()\[\];$#\n]*[A-Za-z]{2,} [a-z]{2,}[^`'"<>=()\[\];$#\n]*)(?=[`'<$])""")
+"""A text in a script that has words."""
+
+NOT_SAID = {"use strict", "nothing was copied", "The lab is starting …"}
+"""Texts in scripts that no person reads, or before the language is known."""
 
 
 def asked_for(url, cookie, language):
@@ -90,6 +97,21 @@ def test_all_pages_are_translated_and_no_message_is_stale(language):
 def test_the_texts_of_scripts_stand_in_scripts():
     scripts = "".join(file.read_text(encoding="utf-8") for file in (PACKAGE / "front/static").glob("*.js"))
     assert [text for text in SCRIPT_WORDS if text not in scripts] == []
+
+
+def test_scripts_say_no_words_but_those_that_are_translated():
+    for file in (PACKAGE / "front/static").glob("*.js"):
+        code = re.sub(r"^\s*//.*|\s// .*", "", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
+        unknown = {said for said in IN_SCRIPT.findall(code) if said not in SCRIPT_WORDS}
+        assert unknown <= NOT_SAID, file.name
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_what_scripts_say_of_something_is_translated_with_a_place_for_its_name(language):
+    for text in SCRIPT_WORDS:
+        said = speech_in(language).text(text)
+        assert said != text
+        assert placeholders(said) == placeholders(text)
 
 
 @pytest.mark.parametrize("key", LESSONS)

@@ -2,6 +2,8 @@
 
 SCRIPT_WORDS = (
     "The connection to the lab is lost. The page keeps trying to reconnect; your work is kept.",
+    "The lab does not answer. If it is open in many windows, close some and load this page again.",
+    "{arm} is on its way …",
     "Back: V or Esc",
     "Topics",
     "Plots",
@@ -16,4 +18,7 @@ SCRIPT_WORDS = (
     "There is nothing to plot at present.",
     "Whole curves again (double click)",
     "Reset zoom",
+    "Save {title} as {kind}",
+    "Cursor of {title}",
+    "not in the plot",
 )

@@ -11,8 +11,8 @@
   const word = document.createElement('p');
   word.className = 'al-coming';
   word.setAttribute('role', 'status');
-  const say = text => { if (word.textContent !== text) word.textContent = text; };
-  say('The lab is starting …');
+  const show = text => { if (word.textContent !== text) word.textContent = text; };
+  show('The lab is starting …'); // before the language is known
 
   const stands = () => Object.keys(window.__viserMutable?.nodeRefFromName ?? {}).some(name => name.endsWith('/body'));
   let known = null; // when the lab was heard of first
@@ -23,14 +23,14 @@
 
   const look = () => {
     const said = document.getElementById('al-notes')?.dataset.notes;
-    if (!said && performance.now() > SILENT) say('The lab does not answer. If it is open in many windows, close some and load this page again.');
+    if (!said && performance.now() > SILENT) show(window.armlabSay('The lab does not answer. If it is open in many windows, close some and load this page again.'));
     if (!said) return;
     if (said !== text) notes = JSON.parse(text = said);
     const now = performance.now();
     known ??= now;
     since = notes.coming ? since ?? now : null;
     first &&= notes.coming || (notes.handle && !stands() && now - known < MOST); // a question may hide arm and handle
-    say(first || (since !== null && now - since > LONG) ? `${notes.arm} is on its way …` : '');
+    show(first || (since !== null && now - since > LONG) ? window.armlabSay('{arm} is on its way …', { arm: notes.arm }) : '');
   };
   setInterval(look, LOOK);
 

@@ -118,7 +118,7 @@
       this.box.querySelector('h3').innerHTML = picture.title;
       this.title = combined(this.box.querySelector('h3').textContent);
       for (const act of ['png', 'svg', 'csv']) {
-        this.box.querySelector(`[data-act=${act}]`).ariaLabel = `Save ${this.title} as ${act.toUpperCase()}`;
+        this.box.querySelector(`[data-act=${act}]`).ariaLabel = window.armlabSay('Save {title} as {kind}', { title: this.title, kind: act.toUpperCase() });
       }
       this.makeLegend();
       this.draw();
@@ -258,8 +258,8 @@
       }
       const [low, high] = this.X.range;
       const told = [...values].map(([curve, text]) => `${curve.split(', ')[0]} ${text} ${common}`.trim()).join('; ');
-      Object.assign(this.field, { ariaLabel: `Cursor of ${this.title}`, ariaValueMin: low, ariaValueMax: high, ariaValueNow: at ?? low,
-        ariaValueText: said ? `${said}: ${told}` : 'not in the plot' });
+      Object.assign(this.field, { ariaLabel: window.armlabSay('Cursor of {title}', { title: this.title }), ariaValueMin: low, ariaValueMax: high, ariaValueNow: at ?? low,
+        ariaValueText: said ? `${said}: ${told}` : window.armlabSay('not in the plot') });
     }
 
     // -- the hand ------------------------------------------------------------------------------------------------
