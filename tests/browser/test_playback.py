@@ -52,6 +52,13 @@ CLOCK = """count => new Promise(done => {
 """The first marks of the lab's clock, with the page's own time of each."""
 
 
+READ = """() => {
+  const bar = document.querySelector('.al-time');
+  return [bar.querySelector('input').getAttribute('aria-valuetext'), bar.querySelector('.now').textContent];
+}"""
+"""What a screen reader says of the timeline's thumb, and the time beside it."""
+
+
 def play(lab):
     """Start the sweep of a joint."""
     lab.open_tab("Ellipsoid")
@@ -86,6 +93,17 @@ def test_without_a_graphics_card_pictures_are_plain_and_a_clip_moves_the_arm_by_
     steps = steps[steps[:, 1] > 0.0]  # without the jump back at the end of a round
     # How exact it is, the benchmark tells; here it must only not be another clock.
     assert 0.5 < steps[:, 1].sum() / steps[:, 0].sum() < 1.5
+
+
+def test_the_thumb_is_read_aloud_as_the_time_that_stands_beside_it(visit):
+    lab = visit("robot/elbow_3r", size=SIZE)
+    play(lab)
+    for _ in range(2):
+        lab.until(lambda: lab.page.evaluate(READ)[1] != "")
+        read, shown = lab.page.evaluate(READ)
+        assert read == shown
+        repeat(lab)  # the bar is made anew
+        lab.rest()
 
 
 def _edges_are_smooth_only_where_a_graphics_card_draws_them(lab):

@@ -37,7 +37,9 @@ PUMA = catalogue()["puma560"]
 LESSONS = ("first_arm", "joint_types", "forward_2r", "ik_2r", "skeleton")
 OTHERS = keys()[1:]
 
-IN_SCRIPT = re.compile(r"""(?<=[`'>}])(?!\.)([^`'"<>=()\[\];$#\n]*[A-Za-z]{2,} [a-z]{2,}[^`'"<>=()\[\];$#\n]*)(?=[`'<$])""")
+IN_SCRIPT = re.compile(
+    r"""(?<=[`'>}])(?!\.)([^`'"<>=()\[\];$#\n]*[A-Za-z]{2,} [a-z]{2,}[^`'"<>=()\[\];$#\n]*)(?=[`'<$])"""
+)
 """A text in a script that has words."""
 
 NOT_SAID = {"use strict", "nothing was copied", "The lab is starting …"}

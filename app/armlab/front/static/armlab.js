@@ -311,6 +311,7 @@
     if (thumb && !thumb.matches(':active')) thumb.value = part;
     const label = document.querySelector('.al-time .now');
     const text = `${time.toFixed(1)} / ${clock.end.toFixed(1)} s`;
+    if (thumb && thumb.ariaValueText !== text) thumb.ariaValueText = text;
     if (label && label.textContent !== text) label.textContent = text;
     placeCursors(part);
     window.armlabTray.time(time);
