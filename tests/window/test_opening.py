@@ -21,8 +21,8 @@ def test_pages_are_built_in_turn_in_pieces_and_others_have_most_of_the_time(url,
     pieces = []
     build = View.build
 
-    def noted(view):
-        page, parts = next(numbers), build(view)
+    def noted(view, panel):
+        page, parts = next(numbers), build(view, panel)
         while True:
             began = time.perf_counter()
             more = next(parts, END) is not END
@@ -60,11 +60,11 @@ def test_pages_are_built_in_turn_in_pieces_and_others_have_most_of_the_time(url,
 def test_a_page_that_cannot_be_built_does_not_keep_others_out(url, monkeypatch):
     build, failed = View.build, []
 
-    def failing(view):
+    def failing(view, panel):
         if not failed:
             failed.append(view)
             raise RuntimeError("this page cannot be built")
-        yield from build(view)
+        yield from build(view, panel)
 
     monkeypatch.setattr(View, "build", failing)
 
@@ -82,8 +82,8 @@ def test_a_page_that_cannot_be_built_does_not_keep_others_out(url, monkeypatch):
 def test_a_page_that_goes_while_it_is_built_is_not_shown_anything(url, monkeypatch):
     build, half, gone = View.build, threading.Event(), threading.Event()
 
-    def slow(view):
-        pieces = build(view)
+    def slow(view, panel):
+        pieces = build(view, panel)
         next(pieces)
         views.append(view)
         half.set()
@@ -118,9 +118,9 @@ def test_a_page_that_goes_while_it_is_built_is_not_shown_anything(url, monkeypat
 def test_of_a_page_that_has_gone_nothing_is_left(url, monkeypatch):
     there, build = [], View.build
 
-    def noted(view):
+    def noted(view, panel):
         there.extend(map(weakref.ref, (view, view.client)))
-        return build(view)
+        return build(view, panel)
 
     monkeypatch.setattr(View, "build", noted)
 
