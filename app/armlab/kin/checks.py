@@ -85,10 +85,10 @@ def together(**shapes: tuple[int, ...]) -> tuple[int, ...]:
         raise InputError(f"{', '.join(shapes)}: expected as many of each, or one, got batches of shape {got}") from None
 
 
-def wrong(where: str, expected: str, got: object) -> InputError:
-    """Return the error for a wrong argument; a long value is shortened.
+def wrong(where: str, expected: str, got: object, unit: str = "") -> InputError:
+    """Return the error for a wrong argument; a long value is shortened, and followed by its unit.
 
     >>> str(wrong("speed", "one number", np.array([0.5, -1 / 3])))
     'speed: expected one number, got [0.5, -0.333333]'
     """
-    return InputError(f"{where}: expected {expected}, got {_SHORT.repr(got)}")
+    return InputError(f"{where}: expected {expected}, got {_SHORT.repr(got)}{f' {unit}' if unit else ''}")

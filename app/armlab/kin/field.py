@@ -134,12 +134,16 @@ class Field:
             return
         if self.converted and np.any(too_low) and self.low == 0.0:
             raise InputError(f"{self.key}: expected {'a positive number' if self.above else 'no negative number'}")
-        factor, unit = (math.degrees(1.0), "°") if self.unit == "rad" else (1.0, "")
-        least = f"{'more than' if self.above else 'at least'} {self.low * factor:g}{unit}"
-        most = f"at most {self.high * factor:g}{unit}"
+        unit = "" if self.converted or self.unit == "1" else self.unit
+        factor, ending = (math.degrees(1.0), "°") if self.unit == "rad" else (1.0, f" {unit}" if unit else "")
+        least = f"{'more than' if self.above else 'at least'} {self.low * factor:g}{ending}"
+        most = f"at most {self.high * factor:g}{ending}"
         parts = ((least, self.low), (most, self.high))
         expected = " and ".join(text for text, limit in parts if not math.isinf(limit))
-        raise InputError(f"{self.key}: expected {expected}") if self.converted else wrong(self.key, expected, value)
+        if self.converted:
+            raise InputError(f"{self.key}: expected {expected}")
+        got = array[too_low | (array > self.high)][0] if array.ndim else value
+        raise wrong(self.key, expected, got, unit)
 
 
 def checked_options(where: str, fields: Iterable[Field], given: Options) -> dict[str, Any]:

@@ -35,9 +35,9 @@ def check_cell(i: int, field: str, value: float) -> None:
     check_size(f"row {i + 1}, {field}", value, LARGEST_ANGLE if field in ANGLES else None)
 
 
-def check_size(where: str, value: float, turned: float | None = None) -> None:
-    """Refuse an impossible length in metres, or an angle of more than ``turned`` radians."""
-    most, turns = LONGEST if turned is None else turned, turned is not None
+def check_size(where: str, value: float, turned: float | None = None, longest: float = LONGEST) -> None:
+    """Refuse a length of more than ``longest`` metres either way, or an angle of more than ``turned`` radians."""
+    most, turns = longest if turned is None else turned, turned is not None
     if not abs(value) <= most:
         raise InputError(f"{where}: expected at most {_said(most, turns)} either way, got {_said(value, turns)}")
 

@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.kin.dh import Convention
+from armlab.kin.field import ROUNDING
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State
-from armlab.ui.format import number, subscript, trimmed
+from armlab.ui.format import number, readable, subscript, trimmed
 from armlab.ui.html import Markup, joined, tag
 
 
@@ -46,6 +47,8 @@ BOOKS: dict[str, Book] = {
     "siciliano": Book("Siciliano", ("a", "alpha", "d", "theta"), {**_LETTERS, "theta": "ϑ"}),
     "corke": Book("Corke", ("theta", "d", "a", "alpha"), _LETTERS, "j"),
 }
+
+Range = tuple[float, float]
 
 NAMES = {"a": "link length", "alpha": "link twist", "d": "link offset", "theta": "joint angle"}
 """Names of the fields in words, the same in all of these books."""
@@ -154,7 +157,7 @@ class Units:
         unit = self.angle_unit if field in ("alpha", "theta") else self.length_unit
         return joined(self.book.symbols[field], tag("sub", index), f", {unit}")
 
-    def read(self, text: str, revolute: bool, where: str, per: str = "") -> float:
+    def read(self, text: str, revolute: bool, where: str, per: str = "", within: Range | None = None) -> float:
         """Return radians or metres from a typed text: a number in the unit on screen, or with π or a unit.
 
         Parameters
@@ -165,11 +168,13 @@ class Units:
             For the sentence of the error.
         per : str
             What follows the unit of a rate: ``"/s"``, ``"/s²"``; it may be typed or left out.
+        within : (float, float), optional
+            Least and largest value, radians or metres.
 
         Raises
         ------
         InputError
-            Not a number.
+            Not a number, or out of range; the range is given in the unit on screen.
 
         Examples
         --------
@@ -194,6 +199,10 @@ class Units:
             value = factor * evaluate(plain)
         except InputError:
             raise InputError(f"{where}: expected a number in {unit}, got {text.strip()[:40]!r}") from None
+        low, high = (-math.inf, math.inf) if within is None else within
+        if not low - ROUNDING <= value <= high + ROUNDING:
+            least, most = (readable(bound / self.factor(revolute), 4) for bound in (low, high))
+            raise InputError(f"{where}: expected a number in {unit} from {least} to {most}, got {text.strip()[:40]!r}")
         return value
 
 

@@ -72,6 +72,7 @@ def test_a_filled_field_is_a_command(markup, cell, text, command):
     ("markup", "cell", "text", "told"),
     [
         (angles_markup, "angle 0", "abc", "φ: expected a number in degrees, got 'abc'"),
+        (axis_markup, "axis 0", "1e9", r"r x: expected at most 1e\+06 either way, got 1e\+09$"),
         (axis_markup, "axis 0", "1 2", "r x: expected a number, or all 3 of an axis, got '1 2'"),
         (quaternion_markup, "q 3", "", "q z: expected a number, or all 4 of a quaternion"),
         (matrix_markup, "R 12", "1 2 3 4", "R row 2, column 3: expected a number, or all 9 of the matrix"),

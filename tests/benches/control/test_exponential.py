@@ -75,7 +75,7 @@ def test_the_bounds_hold():
         (SetEntry("x1", 1e9), "x0: expected at least -1000 and at most 1000"),
         (SetEntry("a21", 1e9), "matrix A: expected numbers from -1000 to 1000"),
         (SetEntry("a11", 500.0), "an eigenvalue .* of 1500, expected at most 30; take an end up to 0.06 s"),
-        (SetEntry("end", 0.0), "end: expected at least 0.001 and at most 100"),
+        (SetEntry("end", 0.0), "end: expected at least 0.001 s and at most 100 s"),
         (SumTerms(0), "terms: expected a whole number, at least 1"),
         (SumTerms(1000), "terms: expected a whole number, at most 120"),
         (MoveTime(math.nan), "t: expected finite numbers"),

@@ -63,7 +63,7 @@ def test_a_step_has_no_frequency_to_set():
     [
         (Set(Loop, "mass", 0.0), "mass: expected at least 0.001"),
         (Set(Loop, "gain", math.nan), "gain: expected finite"),
-        (Set(Loop, "end", 1e4), "end: expected at least 0.001 and at most 600"),
+        (Set(Loop, "end", 1e4), "end: expected at least 0.001 s and at most 600 s"),
         (Set(Loop, "omega", None), "omega"),
         (Set(Loop, "colour", 1.0), "unknown name 'colour'"),
         (Set(Loop, "omega", 1000.0), "at most 40 can be shown: expected up to 0.251 s"),

@@ -342,7 +342,7 @@ def test_a_fast_motor_is_drawn_slower_and_its_torques_as_arcs():
         ({"J": 1e-18}, "without any of them it is no motor"),
         ({"L": -1.0}, "L: expected at least 0"),
         ({"end": math.inf}, "end: expected finite numbers"),
-        ({"end": 1e5}, "end: expected at least 1e-05 and at most 600"),
+        ({"end": 1e5}, "end: expected at least 1e-05 s and at most 600 s"),
         ({"L": 1e-8, "end": 100.0}, "take L = 0, the model without inductance, or a shorter time"),
         ({"v_start": 0.2, "v_kind": "pulse"}, "voltage: expected an end after the start 0.2 s, got 0.1 s"),
         ({"load_start": 0.2, "load_kind": "ramp"}, "load: expected an end after"),

@@ -279,7 +279,7 @@ def test_marks_follow_the_size_of_the_picture_in_steps():
         (SetFrameMatrix("A", (math.nan,) * 9), "every entry must be finite"),
         (SetFrameMatrix("A", (1e7, 0, 0, 0, 1, 0, 0, 0, 1)), "expected entries up to 1e"),
         (SetFrameEntry("A", 3, 0, 1.0), "row: expected 0 to 2, got 3"),
-        (SetFramePosition("A", 0, 1e9), "A: position: expected numbers up to 100 m"),
+        (SetFramePosition("A", 0, 1e9), "A: position, x: expected at most 100 m either way, got 1e.09 m"),
         (SetFramePosition("A", 3, 1.0), "index: expected 0 to 2 for x, y, z, got 3"),
         (SetFrameAngle("A", 0, 1e3), "roll: expected at most 3600° either way"),
         (SetFramePoint((1.0, math.inf, 0.0)), "point: expected three finite numbers"),

@@ -28,6 +28,7 @@ from armlab.session.session import Asked
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
 from support.done import done
+from support.filled import Filled
 from support.forms import BareForm
 from support.student import run, settled, student
 
@@ -95,6 +96,24 @@ def test_a_filled_field_of_the_chain_is_a_command(markup, cell, text, commands, 
 def test_what_is_refused_says_where_and_why(markup, cell, text, commands, told):
     with pytest.raises(InputError, match=told):
         filled(markup, cell, text, *commands)
+
+
+@pytest.mark.parametrize(
+    ("page", "cell", "text", "told"),
+    [
+        ("frame_chain", "position 1", "1e9", "y: expected a number in mm from −100000 to 100000, got '1e9'"),
+        ("table_task", "table 0", "1e9", "x: expected a number in mm from −50000 to 50000, got '1e9'"),
+        ("table_task", "object 0", "1e9", "p x: expected a number in mm from −50000 to 50000, got '1e9'"),
+        ("table_task", "height", "1e9", "h: expected a number in mm from 0 to 10000, got '1e9'"),
+        ("two_robots", "base A 0", "60000", "x: expected a number in mm from −50000 to 50000, got '60000'"),
+        ("two_robots", "base A turn", "1e9", "angle: expected a number in degrees from −3600 to 3600, got '1e9'"),
+        ("two_robots", "joint 0", "1e9", "q₁: expected a number in degrees from −3600 to 3600, got '1e9'"),
+    ],
+)
+def test_a_range_is_told_of_the_field_and_in_its_unit(page, cell, text, told):
+    bench = Filled(page)
+    bench.fill(cell, text)
+    assert told in bench.text
 
 
 def test_names_that_cancel_are_struck_out_and_inverses_are_named():

@@ -183,10 +183,13 @@ def test_facts_are_those_of_the_screw():
     ("command", "told"),
     [
         (MakeScrew((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 1.0, 0.0), "zero has no direction"),
-        (MakeScrew((0.0, 0.0, 1.0), (1e6, 0.0, 0.0), 1.0, 0.0), "point: expected numbers up to 100 m"),
+        (MakeScrew((0.0, 0.0, 1.0), (1e6, 0.0, 0.0), 1.0, 0.0), "point, x: expected at most 100 m either way"),
         (MakeScrew((0.0, 0.0, 1.0), (0.0, 0.0, 0.0), 1e3, 0.0), "angle: expected at most 3600° either way"),
-        (MakeScrew((0.0, 0.0, 1.0), (0.0, 0.0, 0.0), 1.0, 1e6), "distance: expected"),
-        (MakeScrew((0.0, 0.0, 1.0), (0.0, 0.0, 0.0), 1.0, 150.0), "pose 2: expected numbers up to 100 m"),
+        (MakeScrew((0.0, 0.0, 1.0), (0.0, 0.0, 0.0), 1.0, 1e6), "distance, z: expected at most 200 m either way"),
+        (
+            MakeScrew((0.0, 0.0, 1.0), (0.0, 0.0, 0.0), 1.0, 150.0),
+            "pose 2, z: expected at most 100 m either way, got 150.1 m",
+        ),
         (SetPosePosition("3", 0, 1.0), "pose: unknown name '3'"),
         (SetPosePosition("first", 3, 1.0), "axis: expected index 0 to 2"),
         (SetPoseAngle("first", 0, 1e9), "angles1"),

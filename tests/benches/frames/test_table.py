@@ -156,7 +156,7 @@ def test_facts_are_those_of_the_task():
     ("command", "told"),
     [
         (SetTable(3, 1.0), "axis: expected 0 to 2 for x, y and z, got 3"),
-        (SetTable(0, 1e6), "table: expected coordinates up to 50 m"),
+        (SetTable(0, 1e6), "table, x: expected at most 50 m either way, got 1e.06 m"),
         (SetTable(0, math.nan), "table: expected three finite numbers"),
         (SetObject(2, 0.1), "the object lies on the table"),
         (SetHeight(-0.1), "height"),

@@ -161,7 +161,7 @@ def test_the_bound_holds_on_the_path():
 @pytest.mark.parametrize(
     ("command", "says"),
     [
-        (SetQuantity("duration", 0.0), "duration: expected more than 0, got 0"),
+        (SetQuantity("duration", 0.0), "duration: expected more than 0 s, got 0 s"),
         (SetQuantity("duration", math.nan), "duration: expected finite numbers"),
         (SetQuantity("duration", None), "duration T: expected a positive number, got nothing"),
         (SetQuantity("duration", 1e9), "duration T: expected 0.0001 to 1 000 000 s"),

@@ -62,8 +62,9 @@ def test_the_field_of_the_unknown_cannot_be_filled_and_the_others_become_command
     state = apply(state, ComputeNumber("end"))
     (command,) = typed("rate", "11 %")
     assert command.value == pytest.approx(0.11, rel=1e-12)
-    with pytest.raises(InputError, match="rate: expected a number, got 'fast'"):
-        typed("rate", "fast")
+    for text in ("fast", "1e9 %"):
+        with pytest.raises(InputError, match=r"^rate: expected a number in % from −99\.9 to 10000, got "):
+            typed("rate", text)
 
 
 def test_a_single_year_is_one_and_a_span_is_chosen_only_with_its_years():
@@ -90,6 +91,7 @@ def test_a_single_year_is_one_and_a_span_is_chosen_only_with_its_years():
         ([Set(Market, "years", 0.0)], "years: expected a number that is not zero"),
         ([ComputeNumber("end"), Set(Market, "rate", -1.0)], "rate"),
         ([ComputeNumber("end"), Set(Market, "rate", 99.0)], "end: it would be"),
+        ([Set(Market, "years", 0.5)], r"rate: it would be 2.351e\+08 %, and the lab computes from -99.9 % to 1e\+04 %"),
         ([ComputeNumber("years"), Set(Market, "rate", 0.0)], "with 0 % a year 3000 never becomes"),
         ([TakeSpan(3, 1)], "the earlier first, got 3, 1"),
         ([ComputeNumber("weather")], "weather"),

@@ -159,8 +159,15 @@ def test_fields_are_in_the_units_on_screen_and_only_those_of_joints_that_are_the
     assert typed("visits", "50") == (Set(TaughtGoal, "visits", 50),)
     assert typed("slide_scatter", "1") == ()
     assert typed("slide_scatter", "1", opened(robot="scara"))
-    with pytest.raises(InputError, match=r"number of visits: expected a whole number, got '2\.5'"):
-        typed("visits", "2.5")
+    for cell, text, told in (
+        ("visits", "2.5", "number of visits: expected a whole number from 2 to 200, got '2.5'"),
+        ("clearance", "200", "clearance of the hole: expected a number in mm from 0 to 100, got '200'"),
+        ("yields", "1e9", "compliance of the hand: expected a number in mm from 0 to 100, got '1e9'"),
+        ("longer", "1e9", "lengths longer by: expected a number in ‰ from −50 to 50, got '1e9'"),
+    ):
+        with pytest.raises(InputError) as refusal:
+            typed(cell, text)
+        assert str(refusal.value) == told
     with pytest.raises(InputError, match="zero of turning joints: expected a number in degrees"):
         typed("offset", "much")
 

@@ -127,6 +127,7 @@ def test_fields_become_commands_and_nonsense_is_said():
     for cell, text, says in (
         ("v 0", "fast", "v_x: expected a number in mm"),
         ("speed", "x", "size: expected a number"),
+        ("speed", "1e9", "size: expected a number in m/s from 1e−6 to 100, got '1e9'"),
         ("d lambda", "x", "λ .damping factor.: expected a number"),
         ("distance", "x", "distance: expected a number in degrees"),
     ):

@@ -235,6 +235,13 @@ def test_what_is_no_number_is_refused():
         typed(example("one"), "v-0", "fast")
 
 
+def test_the_largest_speed_is_told_in_the_unit_on_screen():
+    told = "vx: expected a number in mm/s from −100000 to 100000, got '200000'"
+    with pytest.raises(InputError, match=f"^{told}$"):
+        typed(example("one"), "v-0", "200000")
+    assert typed(example("one"), "v-0", "100000") == (SetComponent(0, 100.0),)
+
+
 # -- drawings --------------------------------------------------------------------------------------------------------
 
 

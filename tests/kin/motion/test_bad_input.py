@@ -93,7 +93,7 @@ def test_what_is_no_list_of_points_is_refused(knots, told):
         ("spline", 4, {"times": [[0, 1, 2, 3]]}, r"times: expected numbers in one row, got \[\[0, 1, 2, 3\]\]"),
         ("spline", 4, {"v_start": [[1, 0, 0]]}, "v_start: expected numbers in one row"),
         ("spline", 4, {"times": [0, 1, NAN, 2]}, "times: expected finite numbers"),
-        ("spline", 4, {"duration": 0.0}, "duration: expected more than 0, got 0"),
+        ("spline", 4, {"duration": 0.0}, "duration: expected more than 0 s, got 0 s"),
         ("spline", 4, {"ends": "free"}, "ends: unknown name 'free'"),
         (
             "spline",

@@ -71,7 +71,17 @@ def test_conditions_name_options_and_choices_there_are(key):
             "v: expected a positive number",
         ),
         (Field("v", "", "", "number", low=0.0, unit="q"), -np.radians(1.0), "v: expected no negative number"),
-        (Field("v", "", "", "number", low=0.0, above=True, unit="s"), -1.0, "v: expected more than 0, got -1"),
+        (Field("v", "", "", "number", low=0.0, above=True, unit="s"), -1.0, "v: expected more than 0 s, got -1 s"),
+        (
+            Field("gap", "", "", "number", low=0.0, high=0.1, unit="m"),
+            0.2,
+            "gap: expected at least 0 m and at most 0.1 m, got 0.2 m",
+        ),
+        (
+            Field("base", "", "", "vector", low=-50.0, unit="m"),
+            (1.0, -60.0),
+            "base: expected at least -50 m, got -60 m",
+        ),
         (Field("v", "", "", "number", high=np.pi, unit="rad"), 4.0, "v: expected at most 180°"),
         (Field("v", "", "", "number"), np.array([0.5]), "v: expected one number, got [0.5]"),
         (Field("v", "", "", "number"), [1 / 3, 2.0], "v: expected one number, got [0.333333, 2]"),

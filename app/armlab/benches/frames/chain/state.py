@@ -16,6 +16,7 @@ from armlab.kin.checks import finite_floats
 from armlab.kin.rotations import rotation_from_sequence
 from armlab.kin.transforms import transform
 from armlab.session.fields import FieldPart, Table, choice, flag, own, text, vector, whole
+from armlab.session.sizes import check_size
 from armlab.session.state import Json, PartType
 
 Floats = NDArray[np.float64]
@@ -46,6 +47,9 @@ NAME = re.compile(r"[A-Za-z][A-Za-z0-9]{0,3}")
 """Names of frames: a letter, and up to three letters and digits more."""
 
 HANDLES = {"move": "Move", "turn": "Turn"}
+
+COORDINATES = {"m": ("x", "y", "z"), "rad": ("roll", "pitch", "yaw")}
+"""Names of the three numbers of a position and of an orientation, by their unit."""
 
 WRITTEN = {"rpy": "roll pitch yaw", "matrix": "matrix"}
 
@@ -89,10 +93,11 @@ class Frame:
 
 
 def triple(values: Json, where: str, most: float, unit: str) -> Triple:
-    """Return three checked numbers, each at most ``most`` either way; ``unit`` is that of the sentence."""
+    """Return three checked numbers, each at most ``most`` either way: m of a position, rad of roll, pitch and yaw."""
     x, y, z = finite_floats(values, where, (3,), f"three finite numbers, {unit}").tolist()
-    if max(abs(x), abs(y), abs(z)) > most:
-        raise InputError(f"{where}: expected numbers up to {most:.6g} {unit}, got {[x, y, z]}")
+    turned = most if unit == "rad" else None
+    for name, value in zip(COORDINATES[unit], (x, y, z), strict=True):
+        check_size(f"{where}, {name}", value, turned, most)
     return x + 0.0, y + 0.0, z + 0.0
 
 

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 
 from armlab.benches.frames.table.place import rounded_length, table_for
 from armlab.content.robots import Robot
-from armlab.errors import InputError
 from armlab.kin.checks import finite_floats
 from armlab.kin.rotations import rotation_about
 from armlab.kin.transforms import transform
 from armlab.session.fields import FieldPart, choice, flag, number, own, text, vector
 from armlab.session.parts.robot import RobotPart
+from armlab.session.sizes import check_size
 from armlab.session.state import Json, PartType, State
 
 Floats = NDArray[np.float64]
@@ -44,8 +44,8 @@ def _corner(data: Json) -> Three | None:
     if data is None:
         return None
     x, y, z = finite_floats(data, "table", (3,), "three finite numbers, metres").tolist()
-    if max(abs(x), abs(y), abs(z)) > FARTHEST:
-        raise InputError(f"table: expected coordinates up to {FARTHEST:g} m, got {[x, y, z]}")
+    for name, value in (("x", x), ("y", y), ("z", z)):
+        check_size(f"table, {name}", value, longest=FARTHEST)
     return x, y, z
 
 

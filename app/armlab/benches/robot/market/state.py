@@ -62,8 +62,9 @@ class Market(FieldPart):
         found = self.found[self.unknown]
         low, high = {"years": (-LONGEST, LONGEST), "rate": (SLOWEST, FASTEST)}.get(self.unknown, (LEAST, MOST))
         if not low <= found <= high:
+            said = [f"{100.0 * each:.4g} %" if self.unknown == "rate" else f"{each:.4g}" for each in (found, low, high)]
             raise InputError(
-                f"{NUMBERS[self.unknown]}: it would be {found:.4g}, and the lab computes from {low:g} to {high:g}"
+                f"{NUMBERS[self.unknown]}: it would be {said[0]}, and the lab computes from {said[1]} to {said[2]}"
             )
 
     @property

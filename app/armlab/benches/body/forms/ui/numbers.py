@@ -24,9 +24,10 @@ from armlab.benches.body.forms.commands import (
     WriteBody,
 )
 from armlab.benches.body.forms.rotation import Forms, Triples, forms_of
-from armlab.benches.body.forms.state import Body
+from armlab.benches.body.forms.state import MOST, Body
 from armlab.benches.body.forms.ui.rings import COLOURS
 from armlab.benches.body.forms.ui.words import LETTERS, turn_names
+from armlab.errors import InputError
 from armlab.kin.conditioning import conditioning
 from armlab.kin.euler import NAMES, SEQUENCES, angle_symbols, product_latex
 from armlab.session.fields import Set
@@ -231,6 +232,9 @@ def _fields(
     def field(k: int) -> Markup:
         def taken(text: str) -> Command:
             found = typed_numbers(text, names[k], len(names), of)
+            for name, value in zip(names if len(found) > 1 else names[k:], found, strict=False):
+                if abs(value) > MOST:
+                    raise InputError(f"{name}: expected at most {MOST:g} either way, got {value:.6g}")
             return all_(tuple(found)) if len(found) > 1 else one(k, found[0])
 
         return form.field(f"{cell} {k}", _written(float(values[k])), names[k], taken)

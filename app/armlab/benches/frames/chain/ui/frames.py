@@ -18,7 +18,7 @@ from armlab.benches.frames.chain.commands import (
     shown_matrix,
 )
 from armlab.benches.frames.chain.point import SelectFrame
-from armlab.benches.frames.chain.state import HANDLES, POINT, WORLD, WRITTEN, Chain, Frame
+from armlab.benches.frames.chain.state import FARTHEST, HANDLES, POINT, WORLD, WRITTEN, Chain, Frame
 from armlab.benches.frames.chain.ui.posed import angle_row, length_row, matrix_fields, projected
 from armlab.benches.frames.chain.ui.symbols import called
 from armlab.session.fields import Set
@@ -68,7 +68,7 @@ def _selected(form: Form, state: State) -> Markup:
     moved = partial(SetFramePosition, frame.name)
     return joined(
         _head(form, part, frame),
-        length_row(form, "position", f"in {called(frame.parent)}", frame.position, units, moved),
+        length_row(form, "position", f"in {called(frame.parent)}", frame.position, units, moved, FARTHEST),
         _orientation(form, state, frame),
     )
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.frames.chain.point import GivePointIn, SetPointCoordinate
-from armlab.benches.frames.chain.state import WORLD, Chain
+from armlab.benches.frames.chain.state import FARTHEST, WORLD, Chain
 from armlab.benches.frames.chain.tree import counts_of, pair_of, points_of
 from armlab.benches.frames.chain.ui.colours import FROM_FRAME, ORIGINS
 from armlab.benches.frames.chain.ui.symbols import point_name, transform_name
@@ -66,7 +66,7 @@ def _row(form: Form, part: Chain, name: str, p: Floats, units: Units) -> Markup:
 
     def field(k: int) -> Markup:
         def taken(text: str) -> Command:
-            return SetPointCoordinate(k, units.read(text, False, AXES[k]))
+            return SetPointCoordinate(k, units.read(text, False, AXES[k], within=(-FARTHEST, FARTHEST)))
 
         label = f"{AXES[k]} of the point in {where}, in {units.length_unit}"
         return form.field(f"point {k}", units.entry(float(p[k]), False), label, taken)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.frames.chain.state import MOST_TURNED
 from armlab.kin.nearest import nearest_rotation
 from armlab.session.state import Command
 from armlab.ui.form import Form
@@ -30,10 +31,14 @@ def length_row(
     values: Sequence[float],
     units: Units,
     action: Callable[[int, float], Command],
+    most: float,
     names: Sequence[str] = AXES,
 ) -> Markup:
-    """Return a line of lengths to type; the action gets the place of the one that was typed, and metres."""
-    return _row(form, cell, label, values, units, action, names, False)
+    """Return a line of lengths to type, each at most ``most`` either way.
+
+    The action gets the place of the one that was typed, and metres.
+    """
+    return _row(form, cell, label, values, units, action, most, names, False)
 
 
 def angle_row(
@@ -46,7 +51,7 @@ def angle_row(
     names: Sequence[str] = ANGLES,
 ) -> Markup:
     """Return a line of angles to type; the action gets the place of the one that was typed, and radians."""
-    return _row(form, cell, label, values, units, action, names, True)
+    return _row(form, cell, label, values, units, action, MOST_TURNED, names, True)
 
 
 def _row(
@@ -56,6 +61,7 @@ def _row(
     values: Sequence[float],
     units: Units,
     action: Callable[[int, float], Command],
+    most: float,
     names: Sequence[str],
     turns: bool,
 ) -> Markup:
@@ -63,7 +69,7 @@ def _row(
 
     def field(k: int, name: str) -> Markup:
         def taken(text: str) -> Command:
-            return action(k, units.read(text, turns, name))
+            return action(k, units.read(text, turns, name, within=(-most, most)))
 
         return form.field(f"{cell} {k}", units.entry(float(values[k]), turns), f"{name} in {unit}", taken)
 

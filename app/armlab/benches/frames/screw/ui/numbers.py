@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from armlab.benches.frames.chain.state import FARTHEST, MOST_TURNED
 from armlab.benches.frames.screw.film import Ways, part_of, ways_of
 from armlab.benches.frames.screw.state import MakeScrew, Screw
 from armlab.kin.screw_motion import ScrewMotion
@@ -52,10 +53,12 @@ def screw_form(form: Form, state: State) -> Inside:
     angle, distance = screw.angle, screw.distance
 
     def turned(text: str) -> Command:
-        return MakeScrew(tuple(direction), tuple(point.tolist()), units.read(text, True, "angle"), distance)
+        typed = units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED))
+        return MakeScrew(tuple(direction), tuple(point.tolist()), typed, distance)
 
     def slid(text: str) -> Command:
-        return MakeScrew(tuple(direction), tuple(point.tolist()), angle, units.read(text, False, "distance"))
+        typed = units.read(text, False, "distance", within=(-2.0 * FARTHEST, 2.0 * FARTHEST))
+        return MakeScrew(tuple(direction), tuple(point.tolist()), angle, typed)
 
     def about(values: Sequence[float]) -> Command:
         return MakeScrew(tuple(values), tuple(point.tolist()), angle, distance)
@@ -116,7 +119,7 @@ def _point(form: Form, k: int, value: float, units: Units, through: Callable[[in
     where = f"{AXES[k]} of a point of the axis"
 
     def taken(text: str) -> Command:
-        return through(k, units.read(text, False, where))
+        return through(k, units.read(text, False, where, within=(-FARTHEST, FARTHEST)))
 
     return form.field(f"screw point {k}", units.entry(value, False), f"{where} in {units.length_unit}", taken)
 

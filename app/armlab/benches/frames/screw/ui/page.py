@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from armlab.benches.frames.chain.stage import box_of
-from armlab.benches.frames.chain.state import HANDLES
+from armlab.benches.frames.chain.state import FARTHEST, HANDLES
 from armlab.benches.frames.chain.ui.page import HIDES
 from armlab.benches.frames.chain.ui.posed import angle_row, length_row
 from armlab.benches.frames.screw.examples import EXAMPLES, ChooseScrewExample
@@ -70,7 +70,7 @@ def _poses(form: Form, state: State) -> Inside:
         position = part.position1 if which == "first" else part.position2
         angles = part.angles1 if which == "first" else part.angles2
         rows += [
-            length_row(form, f"position {which}", chip, position, units, partial(SetPosePosition, which)),
+            length_row(form, f"position {which}", chip, position, units, partial(SetPosePosition, which), FARTHEST),
             angle_row(form, f"angle {which}", "roll pitch yaw", angles, units, partial(SetPoseAngle, which)),
         ]
     handle = form.chips("handle", HANDLES, part.handle, "What dragging does", partial(Set, Screw, "handle"))

@@ -19,7 +19,7 @@ from armlab.benches.frames.table.commands import (
 )
 from armlab.benches.frames.table.examples import EXAMPLES, ChooseTableExample
 from armlab.benches.frames.table.reach import Asked, asked_of
-from armlab.benches.frames.table.state import NONE, TableTask, Task, corner_of, task_of
+from armlab.benches.frames.table.state import FARTHEST, HIGHEST, MOST_TURNED, NONE, TableTask, Task, corner_of, task_of
 from armlab.benches.frames.table.ui.scene import corners
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
@@ -74,12 +74,12 @@ def _table(form: Form, state: State) -> Inside:
     ]
 
     def turned(text: str) -> Command:
-        return TurnTable(units.read(text, True, "angle"))
+        return TurnTable(units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED)))
 
     turn = form.field("turn", units.entry(part.turn, True), f"Angle of the table in {units.angle_unit}", turned)
     return (
         tag("h3", "The table {T} in the world ", tag("span.copies", tag("small", "handle at the "), chips)),
-        length_row(form, "table", "x y z", corner_of(state), units, SetTable),
+        length_row(form, "table", "x y z", corner_of(state), units, SetTable, FARTHEST),
         tag("div.kit-numbers", tag("label", unparted(f"turned about z, {units.angle_unit} "), turn)),
     )
 
@@ -88,10 +88,10 @@ def _object(form: Form, state: State) -> Inside:
     part, units = state[TableTask], units_of(state)
 
     def raised(text: str) -> Command:
-        return SetHeight(units.read(text, False, "h"))
+        return SetHeight(units.read(text, False, "h", within=(0.0, HIGHEST)))
 
     def spun(text: str) -> Command:
-        return SpinTool(units.read(text, True, "angle"))
+        return SpinTool(units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED)))
 
     height = form.field("height", units.entry(part.height, False), f"Height h in {units.length_unit}", raised)
     spin = form.field(
@@ -100,7 +100,14 @@ def _object(form: Form, state: State) -> Inside:
     return (
         tag("h3", "The object P on the table, the tool {E} above it"),
         length_row(
-            form, "object", ("p", tag("sub", "x"), " p", tag("sub", "y")), part.place, units, SetObject, ("p x", "p y")
+            form,
+            "object",
+            ("p", tag("sub", "x"), " p", tag("sub", "y")),
+            part.place,
+            units,
+            SetObject,
+            FARTHEST,
+            ("p x", "p y"),
         ),
         tag(
             "div.kit-numbers",

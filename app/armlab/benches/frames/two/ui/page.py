@@ -13,9 +13,13 @@ from armlab.benches.frames.chain.ui.symbols import transform_name
 from armlab.benches.frames.two.examples import EXAMPLES, ChooseTwoExample
 from armlab.benches.frames.two.reach import Meeting, meeting_of
 from armlab.benches.frames.two.state import (
+    FARTHEST,
     LINK_A,
+    LONGEST,
+    MOST_TURNED,
     NONE,
     ROBOTS,
+    SHORTEST,
     VERSIONS,
     SetJointOfA,
     SetRobotBase,
@@ -79,10 +83,10 @@ def _robot_b(form: Form, state: State) -> Inside:
     )
 
     def link(text: str) -> Command:
-        return Set(TwoRobots, "link", units.read(text, False, "l"))
+        return Set(TwoRobots, "link", units.read(text, False, "l", within=(SHORTEST, LONGEST)))
 
     def between(text: str) -> Command:
-        return Set(TwoRobots, "between", units.read(text, True, "angle"))
+        return Set(TwoRobots, "between", units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED)))
 
     length = form.field("link", units.entry(part.link, False), "Length of the links of B", link)
     turn = form.field("between", units.entry(part.between, True), "Angle from the tool of A to that of B", between)
@@ -115,7 +119,8 @@ def _base(form: Form, part: TwoRobots, robot: str, units: Units) -> Markup:
 
     def field(cell: str, name: str, value: float, turns: bool) -> Markup:
         def taken(text: str) -> Command:
-            typed = units.read(text, turns, name)
+            most = MOST_TURNED if turns else FARTHEST
+            typed = units.read(text, turns, name, within=(-most, most))
             return TurnRobotBase(robot, typed) if turns else SetRobotBase(robot, "xy".index(name), typed)
 
         label = f"{name} of the base of {ROBOTS[robot]} in {units.unit(turns)}"

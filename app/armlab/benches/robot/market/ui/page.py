@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from armlab.benches.robot.market.examples import EXAMPLES, ChooseMarketExample
 from armlab.benches.robot.market.numbers import SHARES, SOURCE, SPANS, STOCK, following
 from armlab.benches.robot.market.state import NUMBERS, ComputeNumber, Market, TakeSpan
 from armlab.benches.robot.market.ui.chart import chart_markup, percent, robots, shares_markup
 from armlab.kin.growth import doubling_time
-from armlab.session.fields import Set
+from armlab.session.fields import Set, fields_of
 from armlab.session.parts.notation import Notation
 from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples
@@ -15,9 +17,9 @@ from armlab.ui.form import Form
 from armlab.ui.format import mathml, readable, so_many, trimmed
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import fold
+from armlab.ui.option_text import Scale, option_value
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.tables import head_line, line
-from armlab.ui.units import plain_number
 from armlab.ui.widgets import Gui
 
 FORMULA = r"\mathrm{CAGR}=\left(\frac{V_{end}}{V_{begin}}\right)^{1/years}-1"
@@ -106,7 +108,9 @@ def _field(form: Form, part: Market, name: str, value: float) -> Markup:
     off = name == part.unknown
 
     def typed(text: str) -> Command:
-        return Set(Market, name, plain_number(text.removesuffix("%").rstrip(), NUMBERS[name]) / factor)
+        kind = replace(fields_of(Market)[name], symbol="", title=NUMBERS[name], unit="q" if name == "rate" else "1")
+        scale = Scale("%", 1.0 / factor) if name == "rate" else Scale()
+        return Set(Market, name, option_value(kind, text.removesuffix("%"), value, (scale,), True))
 
     shown = trimmed(value, 0) if name in ("begin", "end") and value >= 1e3 else readable(value * factor, 2)
     if off and name == "rate":

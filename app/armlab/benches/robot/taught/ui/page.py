@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -9,7 +10,6 @@ from armlab.benches.robot.taught.examples import EXAMPLES, ChooseGoalExample
 from armlab.benches.robot.taught.state import ABOUT, PLANES, TaughtGoal, VisitAgain
 from armlab.benches.robot.taught.ui.board import board
 from armlab.benches.robot.taught.visits import Visits, visits_of
-from armlab.errors import InputError
 from armlab.session.fields import Set, fields_of
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, Post, State
@@ -18,10 +18,11 @@ from armlab.ui.form import Form
 from armlab.ui.format import mathml, readable, trimmed
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import fold
+from armlab.ui.option_text import Scale, option_value
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.small_numbers import with_unit
 from armlab.ui.tables import line
-from armlab.ui.units import Units, plain_number, units_of
+from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
 GOALS = {"table": "from the table", "taught": "taught"}
@@ -121,11 +122,9 @@ def _field(form: Form, part: TaughtGoal, name: str, units: Units) -> Markup:
 
     def typed(text: str) -> Command:
         if unit in ("°", "rad", "mm", "m"):
-            return Set(TaughtGoal, name, units.read(text, spec.unit == "rad", spec.title))
-        found = plain_number(text.removesuffix(unit).rstrip(), spec.title) * factor
-        if spec.kind == "whole" and found != round(found):
-            raise InputError(f"{spec.title}: expected a whole number, got {text.strip()[:40]!r}")
-        return Set(TaughtGoal, name, round(found) if spec.kind == "whole" else found)
+            return Set(TaughtGoal, name, units.read(text, spec.unit == "rad", spec.title, within=(spec.low, spec.high)))
+        shown = replace(spec, unit="q") if unit else spec
+        return Set(TaughtGoal, name, option_value(shown, text.removesuffix(unit), value, (Scale(unit, factor),), True))
 
     field = form.field(name, readable(value / factor, 3), spec.title, typed)
     return tag("label", tag("span", spec.title), field, tag("i", unit))

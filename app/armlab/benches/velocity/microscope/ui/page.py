@@ -22,7 +22,7 @@ from armlab.benches.velocity.microscope.ui.words import (
     table,
 )
 from armlab.kin.field import Field
-from armlab.session.fields import Set
+from armlab.session.fields import Set, fields_of
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Post, State
 from armlab.ui.examples import examples
@@ -33,7 +33,7 @@ from armlab.ui.markup import fold
 from armlab.ui.option_text import option_value
 from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.symbols import with_indices
-from armlab.ui.units import Units, plain_number, units_of
+from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
 AIMS = {
@@ -112,13 +112,16 @@ def wish_markup(form: Form, look: Look, units: Units) -> Markup:
         axes.append(form.button(f"along {i}", with_indices(_symbol(name)), AimAlong(i), "chip", ALONE))
         field = form.field(f"v {i}", units.entry(value, turns), name, partial(_component, i, name, turns, units))
         typed.append(_option(with_indices(name), field, f"{units.unit(turns)}/s"))
-    size = form.field(
-        "speed", readable(part.size, 4), "Size of the velocity", lambda text: SetSpeed(plain_number(text, "size"))
-    )
+    size = form.field("speed", readable(part.size, 4), "Size of the velocity", partial(_sized, speed_unit(look)))
     title = f"Size of the velocity. {scales_words(look)}".strip()
     amount = _option("size", size, speed_unit(look), title)
     heading, choice = tag("h3", "Wanted velocity of the tool"), tag("div.bar", aims, axes, amount)
     return tag("div.ms-wish", heading, choice, tag("div.kit-twist", typed))
+
+
+def _sized(unit: str, text: str) -> SetSpeed:
+    kind = replace(fields_of(Microscope)["speed"], title="size", unit=unit.split(",")[0])
+    return SetSpeed(option_value(kind, text, needed=True))
 
 
 def _component(i: int, name: str, turns: bool, units: Units, text: str) -> SetComponent:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from armlab.benches.velocity.solve.examples import EXAMPLES, ChooseSolveExample
 from armlab.benches.velocity.solve.found import Found, found
 from armlab.benches.velocity.solve.motion import BeginAlong, SlideAlong, begun, looked_for, part_of
-from armlab.benches.velocity.solve.state import CLIP_KEY, AskFor, SetComponent, Solve, has_choice
+from armlab.benches.velocity.solve.state import CLIP_KEY, FASTEST, AskFor, SetComponent, Solve, has_choice
 from armlab.benches.velocity.solve.ui.words import (
     components,
     legend,
@@ -103,7 +103,7 @@ def head_markup(form: Form, state: State, solved: Found, units: Units) -> Markup
 
 
 def _component(k: int, name: str, turning: bool, units: Units, text: str) -> SetComponent:
-    return SetComponent(k, units.read(text, turning, name, "/s"))
+    return SetComponent(k, units.read(text, turning, name, "/s", (-FASTEST, FASTEST)))
 
 
 def singular_markup(solved: Found) -> Markup:
