@@ -89,7 +89,8 @@ class Timing:
 def drawable(field: Field, value: float | None) -> float | None:
     """Return a checked number; `InputError` if it is too small or too large to be drawn."""
     if value is not None and not SMALLEST <= value <= LARGEST:
-        raise InputError(f"{field.key} {field.symbol}: expected 0.0001 to 1 000 000 {field.unit}, got {value:g}")
+        unit = "" if field.unit == "1" else f" {field.unit}"
+        raise InputError(f"{field.key} {field.symbol}: expected 0.0001 to 1 000 000{unit}, got {value:g}{unit}")
     return value
 
 
