@@ -85,7 +85,7 @@ def test_what_is_typed_and_pressed_becomes_commands():
     assert typed("path1 ends", "natural") == ()  # only the options of the selected curve are there
     assert typed("degree 7") == (Set(Curves, "degree", 7),)
     for cell, text, says in (
-        ("t 2", "soon", "knot 3, t: expected a number, got 'soon'"),
+        ("t 2", "soon", "knot 3, t: expected a number in s, got 'soon'"),
         ("a_max", "much", "a_max: expected a number"),
     ):
         with pytest.raises(InputError, match=says):
@@ -193,7 +193,7 @@ def test_what_makes_no_sense_stays_typed_and_is_marked(url):
         browser = await at_curves(url)
         for cell, text, says in (
             ("t 2", "1", "knot 3: its time 1 s must be later than the 1 s of knot 2"),
-            ("q 1", "NaN", "knot 2, q: expected a number, got 'NaN'"),
+            ("q 1", "NaN", "knot 2, q: expected a number in rad, got 'NaN'"),
             (
                 "path0 v_start",
                 "soon",

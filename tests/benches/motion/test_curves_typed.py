@@ -213,9 +213,10 @@ def test_limits_at_the_edge_of_what_can_be_typed_are_answered_or_refused(state):
     [
         (SetKnot(2, "t", 1.0), "knot 3: its time 1 s must be later than the 1 s of knot 2"),
         (SetKnot(2, "t", 0.5), "knot 3: its time 0.5 s must be later than the 1 s of knot 2"),
-        (SetKnot(2, "t", 1.0001), "knot 3: expected at least 1 ms after knot 2, got 0.1"),
+        (SetKnot(2, "t", 1.0001), "knot 3: expected at least 1 ms after knot 2, got 0.1 ms"),
+        (SetKnot(0, "t", -1e9), "knot 1, t: expected at most 10000 s either way, got -1e+09 s"),
         (SetKnot(1, "q", math.nan), "knot 2, q: expected a finite number, got nan"),
-        (SetKnot(1, "q", 1e9), "knot 2, q: expected at most 1e+06 either way, got 1e+09"),
+        (SetKnot(1, "q", 1e9), "knot 2, q: expected at most 1e+06 rad either way, got 1e+09 rad"),
         (SetKnot(7, "q", 1.0), "knot: expected 1 to 4, got 8"),
         (SetKnot(0, "x", 1.0), "cell: unknown name 'x'"),
         (SetKnots(((0.0, 1.0),)), "knots: expected 2 to 31, got 1 (add one)"),

@@ -57,7 +57,7 @@ class SetKnots(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the knots."""
-        return _with_knots(state, checked(self.rows))
+        return _with_knots(state, checked(self.rows, state[Curves].unit))
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ class SetKnot(Command):
         if self.cell not in ("t", "q"):
             raise UnknownName("cell", self.cell, ("t", "q"))
         knots[self.k]["tq".index(self.cell)] = self.value
-        return _with_knots(state, checked(knots))
+        return _with_knots(state, checked(knots, state[Curves].unit))
 
 
 @dataclass(frozen=True)

@@ -24,8 +24,8 @@ SHORTEST = 1e-3
 """Least time between two knots, seconds; derivatives of order 3 are divided by its cube."""
 
 
-def checked(knots: Iterable[Sequence[float]]) -> tuple[Knot, ...]:
-    """Return checked knots.
+def checked(knots: Iterable[Sequence[float]], unit: str = "") -> tuple[Knot, ...]:
+    """Return checked knots; ``unit`` is that of the coordinate, for the sentences.
 
     Raises
     ------
@@ -36,27 +36,27 @@ def checked(knots: Iterable[Sequence[float]]) -> tuple[Knot, ...]:
     if not 2 <= len(rows) <= MOST_KNOTS:
         few = " (add one)" if len(rows) < 2 else ""
         raise InputError(f"knots: expected 2 to {MOST_KNOTS}, got {len(rows)}{few}")
-    found = tuple(_checked_knot(k, row) for k, row in enumerate(rows, start=1))
+    found = tuple(_checked_knot(k, row, unit) for k, row in enumerate(rows, start=1))
     for k, (before, now) in enumerate(pairwise(found), start=2):
         step = now[0] - before[0]
         if step <= 0.0:
             raise InputError(f"knot {k}: its time {now[0]:g} s must be later than the {before[0]:g} s of knot {k - 1}")
         if step < SHORTEST * (1.0 - 1e-9):
             raise InputError(
-                f"knot {k}: expected at least {1e3 * SHORTEST:g} ms after knot {k - 1}, got {1e3 * step:g}"
+                f"knot {k}: expected at least {1e3 * SHORTEST:g} ms after knot {k - 1}, got {1e3 * step:g} ms"
             )
     return found
 
 
-def _checked_knot(k: int, row: tuple[float, ...]) -> Knot:
+def _checked_knot(k: int, row: tuple[float, ...], unit: str) -> Knot:
     if len(row) != 2:
         raise InputError(f"knot {k}: expected two numbers, t and q, got {len(row)}")
     t, q = row
-    for name, value, most in (("t", t, LATEST), ("q", q, LARGEST)):
+    for name, value, most, of in (("t", t, LATEST, " s"), ("q", q, LARGEST, f" {unit}".rstrip())):
         if not math.isfinite(value):
             raise InputError(f"knot {k}, {name}: expected a finite number, got {value}")
         if abs(value) > most:
-            raise InputError(f"knot {k}, {name}: expected at most {most:g} either way, got {value:g}")
+            raise InputError(f"knot {k}, {name}: expected at most {most:g}{of} either way, got {value:g}{of}")
     return t + 0.0, q + 0.0
 
 

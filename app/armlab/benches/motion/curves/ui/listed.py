@@ -75,7 +75,8 @@ def _cell(form: Form, part: Curves, k: int, name: str, value: float, label: str)
     """Return the field of t or q of a knot."""
 
     def typed(text: str) -> SetKnot:
-        return SetKnot(k, name, plain_number(text, f"knot {k + 1}, {name}"))
+        unit = "s" if name == "t" else part.unit
+        return SetKnot(k, name, plain_number(text, f"knot {k + 1}, {name}", f"a number in {unit}"))
 
     below = f"{name} {k + 1}" if k + 1 < len(part.knots) else ""
     return form.field(f"{name} {k}", typed_number(value), label, typed, below)
