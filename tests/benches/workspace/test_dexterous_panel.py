@@ -24,6 +24,7 @@ from armlab.benches.workspace.dexterous.ui.words import (
     tool_words,
 )
 from armlab.content.robots import catalogue, own_robot
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.planar_regions import regions
 from armlab.kin.workspace.section_size import Size
@@ -231,9 +232,14 @@ def test_what_a_short_arm_cannot_have_is_said_as_known_and_not_as_sampled(key, k
 
 def test_the_slice_is_named_within_one_turn_and_in_the_units_chosen():
     state = state_of("ur5e")
-    (command,) = asked(lambda form: joined(choices_markup(form, state, units_of(state))), "slice", "1e9")
-    shown = apply(state, command)
-    assert f'value="{number(math.remainder(1e9, 360.0), 1)}"' in chosen(shown)
+
+    def typed(text):
+        return asked(lambda form: joined(choices_markup(form, state, units_of(state))), "slice", text)
+
+    (command,) = typed("3590")
+    assert f'value="{number(-10.0, 1)}"' in chosen(apply(state, command))
+    with pytest.raises(InputError, match=r"^slice: expected a number in degrees from −3600 to 3600, got '1e9'$"):
+        typed("1e9")
     radians = apply(apply(state, Set(Dexterous, "s", 2.0)), Set(Notation, "angle", "rad"))
     assert re.search(r'value="2\.000"[^>]*data-cell="slice"', chosen(radians))
 

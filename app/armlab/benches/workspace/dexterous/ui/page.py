@@ -36,6 +36,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
+from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Post, State
 from armlab.ui.eye import Facing
 from armlab.ui.form import Form
@@ -126,7 +127,12 @@ def _slice(form: Form, state: State, units: Units) -> Markup | None:
     s = slice_of(state)
     shown = units.turned(s) if turns else units.text(s, turns)
     label = "Half plane through axis 1" if turns else "Place of the plane"
-    cell = form.field("slice", shown, label, lambda text: Set(Dexterous, "s", units.read(text, turns, "slice")))
+    most = MOST_TURNED if turns else state[Joints].arm.reach
+
+    def typed(text: str) -> Set:
+        return Set(Dexterous, "s", units.read(text, turns, "slice", within=(-most, most)))
+
+    cell = form.field("slice", shown, label, typed)
     return row("Slice at", (tag("label.option", cell, tag("i", units.unit(turns))), through))
 
 
