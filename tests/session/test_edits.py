@@ -279,7 +279,7 @@ def test_back_to_the_table_of_the_file(state):
     ("command", "text"),
     [
         (SetCell(2, "a", 101.0), "row 3, a: expected at most 100 m either way, got 101 m"),
-        (SetCell(2, "alpha", 70.0), "row 3, alpha: expected at most 360° either way, got 4010.7°"),
+        (SetCell(2, "alpha", 70.0), "row 3, α: expected at most 360° either way, got 4010.7°"),
         (SetCell(2, "d", float("nan")), "row 3, d: expected at most 100 m either way, got nan m"),
         (SetCell(6, "a", 0.1), "row: expected 1 to 6, got 7"),
         (SetCell(0, "b", 0.1), "cell: unknown name 'b'"),

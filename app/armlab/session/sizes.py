@@ -15,6 +15,9 @@ LONGEST = 100.0
 MOST_TURNED = 20.0 * math.pi
 """Largest angle in the table, radians: ten turns."""
 
+LETTERS = {"alpha": "α", "theta": "θ"}
+"""Names of the angles of a row in sentences."""
+
 LEAST_RANGE = {"R": 0.01, "P": 0.001}
 """Least range of a joint, radians and metres: a slider needs some room."""
 
@@ -32,7 +35,7 @@ def check_sizes(arm: Arm) -> None:
 
 def check_cell(i: int, field: str, value: float) -> None:
     """Refuse a cell of row i (0-based) of the table: an angle beyond a full turn, or an impossible length."""
-    check_size(f"row {i + 1}, {field}", value, LARGEST_ANGLE if field in ANGLES else None)
+    check_size(f"row {i + 1}, {LETTERS.get(field, field)}", value, LARGEST_ANGLE if field in ANGLES else None)
 
 
 def check_size(where: str, value: float, turned: float | None = None, longest: float = LONGEST) -> None:
