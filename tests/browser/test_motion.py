@@ -47,7 +47,7 @@ def test_a_waypoint_is_added_where_the_arm_stands_and_dragged(visit):
     after = lab.page.locator(PLACES).all_inner_texts()
     assert after[:2] == before[:2]
     place = [
-        np.array([float(number) for number in texts[2].replace("−", "-")[:-3].split(", ")]) for texts in (before, after)
+        np.array([float(number) for number in texts[2].replace("−", "-").split(", ")]) for texts in (before, after)
     ]
     moved = place[1] - place[0]
     assert moved[2] > 20.0

@@ -38,6 +38,8 @@ def test_waypoints_are_added_typed_exchanged_and_removed(url):
     async def main():
         browser = await at_plan(url)
         assert len(places(browser)) == 2
+        assert "Waypoints, mm" in browser.html()
+        assert not any("m" in place for place in places(browser))
         await browser.press("go")
         await settled(browser)
         await browser.press("add")

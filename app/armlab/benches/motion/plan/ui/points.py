@@ -50,7 +50,8 @@ def points_markup(form: Form, state: State) -> Markup:
     hint = "Add the current pose of the arm after the selected waypoint"
     add = form.button("add", "+ Current pose", AddWaypoint(), "chip", hint)
     rows = [_row(form, state, k) for k in range(len(part.waypoints))]
-    return joined(tag("h3", "Waypoints", tag("span.copies", add)), tag("div.mo-list", rows), _selected(form, state))
+    title = f"Waypoints, {units_of(state).length_unit}"
+    return joined(tag("h3", title, tag("span.copies", add)), tag("div.mo-list", rows), _selected(form, state))
 
 
 def _recorded_markup(form: Form, recorded: Recorded, waypoints: int) -> Markup:
@@ -101,9 +102,9 @@ def does_markup(point: Waypoint) -> Markup | None:
 
 
 def _place(state: State, k: int, units: Units) -> str:
-    """Return the place of the tool at a waypoint, in one line."""
+    """Return the place of the tool at a waypoint, in one line, in the unit of the heading."""
     place = state[Plan].waypoints[k].wanted(state[Joints].arm)[:3, 3]
-    return ", ".join(units.text(float(value), False) for value in place) + f" {units.length_unit}"
+    return ", ".join(units.text(float(value), False) for value in place)
 
 
 def _move_line(part: Plan, k: int) -> Markup:
