@@ -86,6 +86,7 @@ def test_these_arms_of_the_library_are_solved_by_hand_and_the_others_say_why_not
     assert sorted(without) == ["canadarm2", "gen3", "iiwa7", "manseur_doty", "panda", "trunk9"]
     assert "one equation of degree 16" in without.pop("manseur_doty")
     assert without.pop("trunk9").startswith("3 joints are to spare")
+    assert without.pop("iiwa7").startswith("Once the angle of the elbow is chosen, formulas give the rest")
     assert all(said.startswith("One joint is to spare") for said in without.values())
     assert all(why_not(arm_of(key)) == "" for key in COVERED)
 

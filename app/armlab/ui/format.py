@@ -82,6 +82,18 @@ def subscript(letter: str, index: int) -> str:
     return f"{letter}{str(index).translate(_SUBSCRIPTS)}"
 
 
+_INDEXED = re.compile(r"\b([a-zO]|α|θ|ϑ)(\d{1,2})\b")
+
+
+def subscripts(text: str) -> str:
+    """Return a text with the numbers of its symbols as indices.
+
+    >>> subscripts("2R, where q4 and a10 are given")
+    '2R, where q₄ and a₁₀ are given'
+    """
+    return _INDEXED.sub(lambda match: subscript(match[1], int(match[2])), text)
+
+
 def capitalised(text: str) -> str:
     """Return the text with a capital first letter and nothing else changed."""
     return text[:1].upper() + text[1:]

@@ -242,7 +242,12 @@ def test_the_steps_are_walked_through_and_unfolded(url):
 
 
 @pytest.mark.parametrize(
-    ("key", "why"), [("manseur_doty", "one equation of degree 16"), ("panda", "One joint is to spare")]
+    ("key", "why"),
+    [
+        ("manseur_doty", "one equation of degree 16"),
+        ("panda", "One joint is to spare"),
+        ("iiwa7", "Once the angle of the elbow is chosen, formulas give the rest; this page does not derive them."),
+    ],
 )
 def test_arms_that_are_not_solved_by_hand_say_why_and_where_to_look(url, key, why):
     async def main():
@@ -251,6 +256,8 @@ def test_arms_that_are_not_solved_by_hand_say_why_and_where_to_look(url, key, wh
         await browser.until(lambda: why in browser.html())
         await browser.press("solutions")
         await browser.until(lambda: "All solutions" in browser.html())
+        if key == "iiwa7":
+            await browser.until(lambda: "their distance gives q₄" in browser.html())
         await browser.close()
 
     run(main())

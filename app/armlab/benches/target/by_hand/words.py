@@ -32,6 +32,8 @@ def method_words(arm: Arm) -> MethodWords:
     there = "See the page Solutions for all of them, and Iterate for how one is found step by step."
     if form is not None:
         return MethodWords(form[0].title, why_not(arm), there)
+    if structure.key == "srs" and structure.free == 1:
+        return MethodWords(structure.title, why_not(arm), "The page Solutions lists families, which a search finds.")
     how = "The solutions form families: a search finds them." if structure.free else "All are found by elimination."
     if not structure.free and (arm.n != 6 or not bool(arm.revolute.all())):
         how = "They are found by a search from random starts."

@@ -36,6 +36,8 @@ def why_not(arm: Arm) -> str:
     if method_of(arm) is not None:
         return ""
     structure, form = known_structure(arm), closed_form_of(arm)
+    if structure.key == "srs" and structure.free == 1:
+        return "Once the angle of the elbow is chosen, formulas give the rest; this page does not derive them."
     if structure.free:
         number = "one joint is" if structure.free == 1 else f"{structure.free} joints are"
         return (

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -11,13 +10,12 @@ from armlab.kin.arm import Arm
 from armlab.kin.relations import AxisRelation, axis_relations, end_freedoms
 from armlab.kin.structure import Structure, structure_of
 from armlab.ui.form import Form
-from armlab.ui.format import subscript
+from armlab.ui.format import subscripts
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import verdict_box
 from armlab.ui.units import Units
 
 SIGNS = {"parallel": "∥", "intersecting": "×", "coincident": "≡", "skew": "skew"}
-_INDEXED = re.compile(r"\b([a-zO]|α|θ|ϑ)(\d{1,2})\b")
 
 
 @dataclass(frozen=True)
@@ -57,11 +55,11 @@ def axes_section(form: Form, facts: Facts, chosen: int, units: Units, choose: Ca
 def _told(facts: Facts, chosen: int, units: Units) -> Inside:
     n = len(facts.relations) + 1
     if chosen in (0, n):
-        return _subscripts(facts.ends[0 if chosen == 0 else 1].replace("θ", units.book.symbols["theta"]))
+        return subscripts(facts.ends[0 if chosen == 0 else 1].replace("θ", units.book.symbols["theta"]))
     relation = facts.relations[chosen - 1]
     link = f"a = {units.constant(relation.a, False)}, α = {units.constant(relation.alpha, True)}"
     freedom = relation.freedom.replace("θ", units.book.symbols["theta"])
-    return f"{_subscripts(freedom)} ", tag("span.dim", link)
+    return f"{subscripts(freedom)} ", tag("span.dim", link)
 
 
 def closed_form_card(structure: Structure) -> Markup:
@@ -70,9 +68,5 @@ def closed_form_card(structure: Structure) -> Markup:
     most = structure.most_solutions
     number = "One solution" if most == 1 else f"At most {most} solutions"
     count = "" if most is None else f" {number}, apart from full turns and away from singular configurations."
-    card = verdict_box(kind, f"{structure.title}: {said}", f"{_subscripts(structure.why)}{count}")
+    card = verdict_box(kind, f"{structure.title}: {said}", f"{subscripts(structure.why)}{count}")
     return joined(tag("h3", "Inverse kinematics"), card)
-
-
-def _subscripts(text: str) -> str:
-    return _INDEXED.sub(lambda match: subscript(match[1], int(match[2])), text)

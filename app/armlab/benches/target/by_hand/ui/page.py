@@ -15,6 +15,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
+from armlab.ui.format import subscripts
 from armlab.ui.html import Markup, tag
 from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.units import Units, units_of
@@ -25,7 +26,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     """Build the head, which stays, and the steps, which follow the target."""
     units = units_of(state)
     words = method_words(state[Joints].arm)
-    gui.html(tag("h3", words.title), tag("p", words.why))
+    gui.html(tag("h3", words.title), tag("p", subscripts(words.why)))
     if method_of(state[Joints].arm) is None:
         form = gui.form(post)
         more = form.chip("solutions", "Solutions", lambda: gui.open_panel("solutions"), "Open the page Solutions")

@@ -28,6 +28,7 @@ from armlab.kin.arm import Arm
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
 from armlab.session.state import Post, State
+from armlab.ui.format import subscripts
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import SIGNS, progress_bar, row
 from armlab.ui.plugin import Panel, Show
@@ -70,7 +71,7 @@ def _head(found: Found | None) -> Inside:
     count, _, rest = solutions.sentence.partition(".")
     kind = "no" if solutions.completeness == "none" else "warn" if solutions.completeness == "at least" else "ok"
     said = tag("p.count", tag(f"b.{kind}", f"{SIGNS[kind]} {count}."), rest)
-    return tag("h3", "All solutions"), said, tag("p.dim.why", solutions.why)
+    return tag("h3", "All solutions"), said, tag("p.dim.why", subscripts(solutions.why))
 
 
 class _Listing:
