@@ -45,6 +45,7 @@ def opened():
         ("sin(x)+2", math.pi / 2, "level", "f′(x₀) = 0"),
         ("1e-14*(x-3)", 0.0, "converged", "converged to x = 3 in 1 step"),
         ("1e-8*(x^2-2)", 1.5, "converged", "1.414213562"),
+        ("1e-14*sin(x)+0.5*cos(x)-3", 0.0, "away", "farther"),
     ],
 )
 def test_every_end_has_its_reason(text, x0, status, says):

@@ -11,11 +11,16 @@ from armlab.benches.iterate.runs.slopes import slope_at
 from armlab.content.expressions import Expression, parse
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import EXAMPLES, Example1D, newton_1d
+from armlab.kin.ik.iterate.newton_1d import SMALL
 from armlab.kin.ik.iterate.newton_1d import Newton1D as Iterate1D
 from armlab.session.amounts import signed
 
 MOST = 20
 """Largest number of steps."""
+
+WIDTHS = (SMALL, 1e-12, 1e-11, 1e-10)
+"""Distances from an iterate, relative to the larger of 1 and |x|, in which a root is looked for: the least is free of
+another root close by, and the largest, in the last digit that is shown, of the rounding of f."""
 
 LARGE = 1e6
 """Growth of |x| beyond which the iterates diverge."""
@@ -108,16 +113,18 @@ def solved(key: str, text: str, x0: float) -> Solved:
         f, df = example.f, example.df
     try:
         found = tuple(newton_1d(f, df, x0, most=MOST))
+        if not _crosses(f, found[-1]):
+            found = tuple(newton_1d(f, df, x0, tolerance=0.0, most=MOST))
     except InputError:
         raise InputError(f"x₀ = {x0:g}: f has no finite value or slope there") from None
-    status, says = _why(found)
+    status, says = _why(found, f)
     return Solved(found, status, says, f)
 
 
-def _why(found: Sequence[Iterate1D]) -> tuple[str, str]:
+def _why(found: Sequence[Iterate1D], f: Function) -> tuple[str, str]:
     last, k = found[-1], len(found) - 1
     steps = "1 step" if k == 1 else f"{k} steps"
-    if last.is_root():
+    if last.is_root() and _crosses(f, last):
         return "converged", f"converged to x = {signed(last.x, 10)} in {steps}" if k else "x₀ is a root already"
     if abs(last.x) > LARGE * max(1.0, abs(found[0].x)):
         return "away", f"diverged: the iterates move farther and farther away, x{_index(k)} = {signed(last.x, 3)}"
@@ -140,6 +147,19 @@ def _unfinished(x: Sequence[float], f: Sequence[float], last: float) -> tuple[st
     if f[-1] < 0.6 * f[-2] < 0.36 * f[-3]:
         return "most", f"no root after {MOST} steps, but still converging: f = {signed(last, 2)}"
     return "most", f"no root after {MOST} steps, and not converging: f = {signed(last, 3)}"
+
+
+def _crosses(f: Function, last: Iterate1D) -> bool:
+    """Return whether f is 0 at an iterate, or has both signs beside it, within what can be told of x.
+
+    Far out a step that counts as none is longer than the waves of a sine, and leads to no root.
+    """
+
+    def both_signs(near: float) -> bool:
+        low, high = sorted((f(last.x - near), f(last.x + near)))
+        return low <= 0.0 <= high
+
+    return last.f == 0.0 or any(both_signs(width * max(1.0, abs(last.x))) for width in WIDTHS)
 
 
 def _index(k: int) -> str:
