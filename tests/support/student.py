@@ -20,6 +20,9 @@ MOST = 300.0
 APART = 0.02
 """Seconds between two looks at a lab."""
 
+DRAWN = "&#34;coming&#34;: false"
+"""What the page notes once the picture of its arm is made; where that comes late, the arm is there before it."""
+
 QUIET = SOON + 0.5
 """Seconds in which nothing comes from a lab that has answered, where it cannot be asked, or plays a film."""
 
@@ -49,9 +52,9 @@ async def student(url: str, cookie: str | None = None, path: str = "/") -> FakeB
 
 
 def is_open(browser: FakeBrowser) -> bool:
-    """Return whether arm, handle and panels are there."""
-    handle = "wxyz" in browser.nodes.get("/target", {})
-    return handle and bool(arm_nodes(browser)) and 'data-cell="undo"' in browser.html()
+    """Return whether arm, handle and panels are there, and the panels know that the arm is drawn."""
+    handle, shown = "wxyz" in browser.nodes.get("/target", {}), browser.html()
+    return handle and bool(arm_nodes(browser)) and 'data-cell="undo"' in shown and DRAWN in shown
 
 
 def is_on(browser: FakeBrowser, switch: str) -> bool:
