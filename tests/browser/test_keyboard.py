@@ -191,3 +191,33 @@ def the_projector_is_switched_on_and_off_by_its_key(lab):
     assert findings(lab) == []
     press(lab, "Enter")
     assert not lab.page.evaluate(on)
+
+
+
+@pytest.mark.parametrize("answer", ["an entry", "a refusal"])
+def test_tab_goes_on_from_the_field_that_enter_has_left(visit, answer):
+    lab = visit(size=(1400, 850))
+    typed = {"an entry": "0.3", "a refusal": "foo"}[answer]
+    for page, cell, after, before in (
+        ("Timing laws", "t-distance", "t-speed", "t-duration"),
+        ("Target", "y", "z", "x"),
+        ("Gears", "teeth 1", "layout row", "teeth 0"),
+    ):
+        lab.open_tab(page)
+        for key, goal in (("Tab", after), ("Shift+Tab", before)):
+            lab.page.locator(f'input[data-cell="{cell}"]:visible').fill(typed)
+            press(lab, "Enter")
+            assert focused(lab) == "BODY", "the keys of the page count"
+            press(lab, key)
+            assert focused(lab) == goal
+
+
+def test_tab_goes_on_from_the_button_that_the_mouse_has_pressed(visit):
+    lab = visit(size=(1400, 850))
+    lab.open_tab("Gears")
+    lab.page.locator('button[data-cell="layout row"]:visible').focus()
+    press(lab, "Tab")
+    after = focused(lab)
+    lab.press("layout row")
+    press(lab, "Tab")
+    assert focused(lab) == after

@@ -24,8 +24,10 @@
   // Our own fields and buttons: <input data-chan=ID data-cell=NAME>, <button data-chan=ID data-cell=NAME>.
   const send = (element, value) => {
     const { chan, cell } = element.dataset;
+    const number = window.armlabNumber(element, value);
+    if (element.isConnected) window.armlabAsked = number; // by a person: what scripts tell is of no element
     window.__viserMutable?.sendMessage({
-      type: 'GuiUpdateMessage', uuid: chan, updates: { value: JSON.stringify([cell, value, window.armlabNumber(element, value)]) },
+      type: 'GuiUpdateMessage', uuid: chan, updates: { value: JSON.stringify([cell, value, number]) },
     });
   };
   window.armlabSend = send;
@@ -108,8 +110,7 @@
     const below = event.target.dataset.below;
     const { chan } = event.target.dataset;
     const next = below && document.querySelector(`[data-chan="${chan}"][data-cell="${CSS.escape(below)}"]`);
-    event.target.blur();
-    last = null;
+    leave(event.target);
     if (next?.matches('button')) next.click();
     else if (next) {
       next.focus();
@@ -122,8 +123,7 @@
     if (!button || button.disabled) return;
     send(button, '');
     if (event.detail && !button.matches('[data-rove]')) { // done with: the space bar plays, and does not press it again
-      button.blur();
-      last = null;
+      leave(button);
     }
   });
 
@@ -170,17 +170,9 @@
     } else if (isNew) text.scrollTop = read.top;
   };
 
-  // In a small window what is said of an answer may stand below the edge: it is brought into sight once.
-  let heard = { title: '', says: '' };
-  const showVerdict = () => {
-    const verdict = document.querySelector('.ask ~ .verdict');
-    const says = verdict?.textContent ?? '';
-    if (says && read.title === heard.title && says !== heard.says) verdict.scrollIntoView({ block: 'nearest' });
-    heard = { title: read.title, says };
-  };
-
   // Where the lab has to replace a field as well, the cursor goes on in the field of the same name.
   document.addEventListener('focusin', event => {
+    place = null;
     last = event.target.matches?.('[data-chan]') ? event.target : null;
   });
   document.addEventListener('focusout', event => {
@@ -192,13 +184,16 @@
   document.addEventListener('change', event => delete event.target.dataset?.unsent, true);
   // A field the person has left is not to be gone back to. (Its removal looks like leaving it, so focusout cannot tell.)
   document.addEventListener('pointerdown', event => {
-    if (!event.target.closest?.('[data-chan]')) last = null;
+    if (!event.target.closest?.('[data-chan]')) last = place = null;
   }, true);
+  const twinOf = control => {
+    const { chan, cell } = control.dataset;
+    const found = document.querySelector(`[data-chan="${chan}"][data-cell="${CSS.escape(cell)}"]`);
+    return found && window.armlabSame(found, control) ? found : null;
+  };
   const keepFocus = () => {
     if (!last || last.isConnected || document.activeElement !== document.body) return;
-    const { chan, cell } = last.dataset;
-    const found = document.querySelector(`[data-chan="${chan}"][data-cell="${CSS.escape(cell)}"]`);
-    const same = found && window.armlabSame(found, last) ? found : null;
+    const same = twinOf(last);
     // What was typed before the new markup came is not lost.
     const unsent = last.matches('input.field') && last.value !== last.defaultValue ? last.value : null;
     last = same;
@@ -208,6 +203,19 @@
       same.dataset.unsent = '1'; // a value set here is no change to the page: it has to be sent when it is left
     } else if (same?.select) same.select();
   };
+
+  // A control that Enter or the mouse is done with gives up the focus, so that the keys of the page count again. The Tab
+  // key goes on from its place, also in the markup of the answer.
+  let place = null;
+  const leave = control => {
+    control.blur();
+    last = null;
+    place = control;
+  };
+  addEventListener('keydown', event => {
+    if (event.key !== 'Tab' || !place || document.activeElement !== document.body) return;
+    (place.isConnected ? place : twinOf(place))?.focus({ preventScroll: true }); // the browser itself goes on from there
+  }, true);
 
   // The keys of a clicker go through the lesson.
   const steps = { PageDown: 'lesson-next', PageUp: 'lesson-back' };
@@ -369,7 +377,6 @@
       requestAnimationFrame(() => {
         due = false;
         keepReading();
-        showVerdict();
         obey();
         toTop();
         tellTabs();
