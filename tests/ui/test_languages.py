@@ -42,6 +42,9 @@ IN_SCRIPT = re.compile(
 )
 """A text in a script that has words."""
 
+READ_ALOUD = re.compile(r"""\b(?:aria-label|title|placeholder|alt)="(\w[^"$]*)"|\baria(?:Label|ValueText)[:=] *['"](\w[^'"]*)""")
+"""A text in a script, of one word or more, that is shown under the pointer or read aloud as it stands."""
+
 NOT_SAID = {"use strict", "nothing was copied", "The lab is starting …"}
 """Texts in scripts that no person reads, or before the language is known."""
 
@@ -106,6 +109,7 @@ def test_scripts_say_no_words_but_those_that_are_translated():
         code = re.sub(r"^\s*//.*|\s// .*", "", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
         unknown = {said for said in IN_SCRIPT.findall(code) if said not in SCRIPT_WORDS}
         assert unknown <= NOT_SAID, file.name
+        assert READ_ALOUD.findall(code) == [], file.name
 
 
 @pytest.mark.parametrize("language", OTHERS)

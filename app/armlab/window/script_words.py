@@ -19,6 +19,7 @@ SCRIPT_WORDS = (
     "Whole curves again (double click)",
     "Reset zoom",
     "Save {title} as {kind}",
+    "Cursor",
     "Cursor of {title}",
     "not in the plot",
 )

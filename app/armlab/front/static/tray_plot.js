@@ -84,7 +84,7 @@
         + `<button type="button" data-act="reset" title="${window.armlabSay('Whole curves again (double click)')}">${window.armlabSay('Reset zoom')}</button>`
         + '<button type="button" data-act="png">PNG</button><button type="button" data-act="svg">SVG</button>'
         + '<button type="button" data-act="csv">CSV</button></span></div>'
-        + '<div class="tray-body"><div class="tray-field" role="slider" tabindex="0" aria-label="Cursor" aria-valuenow="0" aria-orientation="horizontal">'
+        + `<div class="tray-body"><div class="tray-field" role="slider" tabindex="0" aria-label="${window.armlabSay('Cursor')}" aria-valuenow="0" aria-orientation="horizontal">`
         + '<svg class="tray-svg" role="presentation"></svg><svg class="tray-over" role="presentation"></svg></div>'
         + '<div class="tray-legend"><output aria-live="off"></output><ul></ul></div></div>';
       this.field = box.querySelector('.tray-field');
