@@ -21,7 +21,7 @@ from armlab.session.state import State, apply
 from armlab.teaching.errata_links import LookUp
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.parts.shelf import BackToLesson, OpenShared, ToSandbox
-from armlab.window.wished import wished
+from armlab.window.wished import panel_of, wished
 from support.done import done
 from support.fake_browser import cookie_of
 from support.lab import running_lab
@@ -86,6 +86,14 @@ def test_a_link_to_an_example_puts_it_in_place_and_opens_its_page():
     assert {page_of(f"{bench.key}/{next(iter(bench.examples))}") for bench in benches().values()} <= set(pages())
     names = [(bench.key, key) for bench in benches().values() for key in bench.examples]
     assert [name for name in names if refused({"name": name[0], "example": name[1]}) is not None] == []
+
+
+def test_a_link_to_what_is_not_there_names_no_page():
+    assert panel_of("erratum/5.58") == "errata"
+    assert panel_of("example/laws/triangle") == "laws"
+    assert [panel_of(wish) for wish in ("erratum/9.99", "example/laws/triangel", "nothing/of/ours", "")] == [""] * 4
+    with pytest.raises(UnknownName, match=r"unknown name '9\.99'\. Available: .*5\.58"):
+        done(State.initial(PUMA), wished(State.initial(PUMA), "erratum/9.99"))
 
 
 def test_the_link_of_a_lesson_that_waits_leads_back_to_it():

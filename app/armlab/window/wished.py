@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import suppress
 
+from armlab.content.errata import erratum
 from armlab.errors import InputError, UnknownName
 from armlab.session.bench import page_of
 from armlab.session.example_links import LookAt
@@ -34,10 +35,14 @@ def wished(state: State, wish: str) -> Command | None:
 def panel_of(wish: str) -> str:
     """Return the key of the panel at which the window of a request opens; empty if it names none."""
     kind, _, what = wish.partition("/")
-    if kind == "example":
-        with suppress(UnknownName):
-            return page_of(what)
-    return {"page": what, "erratum": PAGE}.get(kind, "")
+    with suppress(UnknownName):
+        return PANELS[kind](what) if kind in PANELS else ""
+    return ""
+
+
+def _page_of_erratum(key: str) -> str:
+    erratum(key)
+    return PAGE
 
 
 def _robot(state: State, what: str) -> Command | None:
@@ -86,3 +91,6 @@ KINDS: dict[str, Callable[[State, str], Command | None]] = {
     "state": _state,
 }
 """Commands of the kinds of requests."""
+
+PANELS: dict[str, Callable[[str], str]] = {"page": str, "example": page_of, "erratum": _page_of_erratum}
+"""Panels of the kinds of requests that have one; `UnknownName` when there is nothing of that name."""
