@@ -16,7 +16,7 @@ sys.path[:0] = [str(ROOT / "app"), str(ROOT / "tests")]
 
 from armlab.content.po import Message, read_po, write_po  # noqa: E402
 from support.docks import LESSON, every_dock  # noqa: E402
-from support.saying import Listener, every_example, every_page, known_before, pressed, stale  # noqa: E402
+from support.saying import Listener, every_example, every_kind_of_arm, every_page, known_before, pressed, stale  # noqa: E402
 
 
 async def main(options):
@@ -32,6 +32,7 @@ async def main(options):
             pressed(listener, page)
     if options.deep:
         every_example(listener)
+    every_kind_of_arm(listener)
     every_dock(listener)
     listener.opened.update(source for source, places in listener.used.items() if LESSON in places)
     old = stale(messages, listener)

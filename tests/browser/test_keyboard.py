@@ -193,7 +193,6 @@ def the_projector_is_switched_on_and_off_by_its_key(lab):
     assert not lab.page.evaluate(on)
 
 
-
 @pytest.mark.parametrize("answer", ["an entry", "a refusal"])
 def test_tab_goes_on_from_the_field_that_enter_has_left(visit, answer):
     lab = visit(size=(1400, 850))

@@ -18,7 +18,6 @@ IN_SIGHT = """said => {
 SCROLLED = "said => said.closest('.mantine-ScrollArea-viewport').scrollTop"
 
 
-
 def refused(lab, key):
     """Type what is no number into the first field of the page, and leave it by a key."""
     field = lab.page.locator('input[data-cell="point 0"]:visible')

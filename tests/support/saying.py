@@ -29,6 +29,16 @@ ARMS = ("puma560", "planar_2r")
 """Arms with which pages are looked at."""
 
 
+KINDS = (
+    "canadarm2 cartesian_3p cylindrical_rpp elbow_3r gen3 iiwa7 manseur_doty openmanipulator_x panda planar_3r polar_rrp "
+    "scara stanford trunk9 ur5e youbot"
+).split()
+"""Arms of the other kinds of structure."""
+
+TELL_OF_ARMS = ("robot", "joints", "by_hand", "table")
+"""Pages whose sentences are of one arm."""
+
+
 class Listener:
     """Looks up texts of pages and keeps what is found and what is not.
 
@@ -138,6 +148,17 @@ def every_page(listener: Listener, arms: Iterable[str] = ARMS) -> Iterator[BareP
             listener.hear(page)
             _work_done(listener, page)
             yield page
+
+
+def every_kind_of_arm(listener: Listener) -> None:
+    """Listen to every page as it opens with an arm of each kind, and to those that tell of arms with all of them."""
+    for key in pages():
+        for arm in catalogue().robots if key in TELL_OF_ARMS else KINDS:
+            with controls_made() as made:
+                page = BarePage(key, catalogue()[arm])
+            listener.at(f"page/{key}")
+            listener.hear_controls(made)
+            listener.hear(page)
 
 
 def _work_done(listener: Listener, page: BarePage) -> None:

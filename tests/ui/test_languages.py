@@ -26,7 +26,7 @@ from armlab.ui.speech import Speech, speech_in
 from armlab.window.script_words import SCRIPT_WORDS
 from support.docks import LESSON, BareDock, every_dock
 from support.fake_browser import cookie_of
-from support.saying import Listener, every_page, known_before, stale
+from support.saying import Listener, every_kind_of_arm, every_page, known_before, stale
 from support.sources import PACKAGE, TOP
 from support.student import run, settled, student
 
@@ -42,7 +42,9 @@ IN_SCRIPT = re.compile(
 )
 """A text in a script that has words."""
 
-READ_ALOUD = re.compile(r"""\b(?:aria-label|title|placeholder|alt)="(\w[^"$]*)"|\baria(?:Label|ValueText)[:=] *['"](\w[^'"]*)""")
+READ_ALOUD = re.compile(
+    r"""\b(?:aria-label|title|placeholder|alt)="(\w[^"$]*)"|\baria(?:Label|ValueText)[:=] *['"](\w[^'"]*)"""
+)
 """A text in a script, of one word or more, that is shown under the pointer or read aloud as it stands."""
 
 NOT_SAID = {"use strict", "nothing was copied", "The lab is starting …"}
@@ -97,6 +99,16 @@ def test_all_pages_are_translated_and_no_message_is_stale(language):
     assert not [message.source for message in stale(of_pages, listener) if message.places != (LESSON,)]
     assert len(listener.used) > 2500
     assert len(listener.missing) <= MOST_MISSING * len(listener.used), sorted(listener.missing)
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_pages_are_translated_with_arms_of_every_kind(language):
+    async def main():  # some pages ask the loop to come back to them
+        listener = Listener(of_catalogue(language))
+        every_kind_of_arm(listener)
+        assert sorted(listener.missing) == []
+
+    run(main())
 
 
 def test_the_texts_of_scripts_stand_in_scripts():

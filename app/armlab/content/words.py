@@ -49,7 +49,7 @@ _AROUND = re.compile(
 )
 _AXES = re.compile("[xyz]+")
 _BETWEEN = re.compile(r"(?<=[.!?…:;]) +(?=[A-Z“<{(])| · | — | › |\n+")
-_HEAD = re.compile(r"(</\d+>)(?=[A-Z“{(])")
+_HEAD = re.compile(r"(</\d+>)(?=[A-ZΑ-ω“{(])")
 _ASIDE = re.compile(r".+?(<(\d+)>(?:(?!</\2>).)*</\2>)", re.DOTALL)
 _WRAPPED = re.compile(r"(<(\d+)>)((?:(?!</?\2>).)*)(</\2>)", re.DOTALL)
 
