@@ -29,10 +29,24 @@ ARMS = ("puma560", "planar_2r")
 """Arms with which pages are looked at."""
 
 
-KINDS = (
-    "canadarm2 cartesian_3p cylindrical_rpp elbow_3r gen3 iiwa7 manseur_doty openmanipulator_x panda planar_3r polar_rrp "
-    "scara stanford trunk9 ur5e youbot"
-).split()
+KINDS = [
+    "canadarm2",
+    "cartesian_3p",
+    "cylindrical_rpp",
+    "elbow_3r",
+    "gen3",
+    "iiwa7",
+    "manseur_doty",
+    "openmanipulator_x",
+    "panda",
+    "planar_3r",
+    "polar_rrp",
+    "scara",
+    "stanford",
+    "trunk9",
+    "ur5e",
+    "youbot",
+]
 """Arms of the other kinds of structure."""
 
 TELL_OF_ARMS = ("robot", "joints", "by_hand", "table")
