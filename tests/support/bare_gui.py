@@ -58,6 +58,11 @@ class Handle:
 
     close = remove
 
+    @property
+    def closed(self) -> bool:
+        """Whether it was a question and has been answered."""
+        return bool(self._impl.removed)
+
     def __enter__(self) -> Handle:
         return self
 

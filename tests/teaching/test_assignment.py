@@ -14,7 +14,7 @@ from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.timeline import OpenClip, Timeline
 from armlab.session.share import short
 from armlab.session.state import apply
-from armlab.teaching.assignment_commands import HandIn, LookAtClock, OpenAssignment, OpenTask, TakeUp
+from armlab.teaching.assignment_commands import HandIn, LookAtClock, OpenAssignment, OpenTask, TakeUp, clock_of
 from armlab.teaching.errata_links import LookUp
 from armlab.teaching.hand_in import hand_in, hand_in_name, judge
 from armlab.teaching.hand_in_assignment import judge_assignment
@@ -60,6 +60,16 @@ def test_it_opens_and_closes_at_its_dates(fresh):
     refused(fresh, OpenAssignment("exma"), "assignment: unknown name 'exma'; did you mean 'exam'")
     refused(fresh, OpenAssignment("exam", 10_000), "variant: expected 0 to 9999, got 10000")
     assert done(fresh, wished(fresh, "assignment/exam/8"))[LessonPart].where == "exam:v/8"
+
+
+def test_whether_a_clock_would_begin_to_run_is_known_beforehand(fresh):
+    assert clock_of(OpenAssignment("exam"), fresh, NOON).title == "Exam"
+    refused_or_without = (OpenAssignment("exma"), OpenAssignment("exam", 10_000), OpenAssignment("homework"), None)
+    assert [clock_of(command, fresh, NOON) for command in refused_or_without] == [None] * 4
+    assert [clock_of(OpenAssignment("exam"), fresh, at) for at in (NOON - 1, NOON + 3600)] == [None, None]
+    left = done(exam(fresh), CloseLesson())
+    assert clock_of(OpenAssignment("exam", 5), left, NOON) is None  # it runs already
+    assert clock_of(OpenAssignment("exam"), done(fresh, OpenAssignment("homework")), NOON) is None
 
 
 def test_a_page_that_does_not_exist_is_told(fresh, folder):

@@ -1,17 +1,23 @@
 """An exam in the dock: what is typed and chosen is kept without a button, and what has no answer is named."""
 
 import re
+from dataclasses import replace
+from datetime import datetime
 
 import pytest
 
+from armlab.content.lessons import lessons
 from armlab.content.question import Choices, Grid
 from armlab.teaching.hand_in_assignment import judge_assignment
 from armlab.teaching.lesson_commands import Answer
 from armlab.ui.asking import CHECK, CHOICE, ENTRY, Draft
+from armlab.ui.begin import ask_to_begin
+from armlab.ui.html import tag
+from armlab.ui.speech import speech_in
 from support.fake_browser import cookie_of
 from support.lab import running_lab
 from support.own_lessons import ARM, QUESTIONS, lesson, load, piece, to_step, write
-from support.student import run, student
+from support.student import run, settled, student
 
 PREDICT = """
 ## Guess the matrix
@@ -31,12 +37,20 @@ lesson = "questions"
 [[tasks]]
 lesson = "guess"
 """
+CLOCK = """title = "Oral"
+minutes = 40
+closes = 2100-01-01T12:00:00Z
+[[tasks]]
+lesson = "guess"
+"""
+LATER = CLOCK.replace("closes", "opens").replace("Oral", "Final")
 
 
 @pytest.fixture(scope="module")
 def url(tmp_path_factory):
     folder = write(tmp_path_factory.mktemp("lessons"), questions=lesson(QUESTIONS), guess=lesson(PREDICT, ARM))
-    (folder / "exam.toml").write_text(EXAM, encoding="utf-8")
+    for key, text in (("exam", EXAM), ("oral", CLOCK), ("later", LATER)):
+        (folder / f"{key}.toml").write_text(text, encoding="utf-8")
     with running_lab(lessons=folder) as address:
         yield address
 
@@ -107,3 +121,91 @@ def test_a_draft_without_a_button_keeps_up_with_its_parts():
     options = Draft(Choices(("a", "b"), several=True), "2", at_once=True)
     assert options.choose(1) == Answer("1,2")
     assert [options.choose(1), options.choose(2)] == [Answer("2"), Answer("")]
+
+
+# -- the address of an assignment with a clock -------------------------------------------------------------------
+
+
+class Asking:
+    """Keeps what a question is made of, as the only thing that a panel does."""
+
+    def confirm(self, title, text, yes, _, more, no):
+        self.said = str(tag("div", [tag("p", each) for each in (title, text, more, yes, no)]))
+
+
+def asks(browser):
+    return "confirm-yes" in browser.html()
+
+
+async def followed(url, cookie, path):
+    """Come by a link, and return when the page is all there."""
+    load(url, cookie, path)
+    browser = await student(url, cookie, f"/{path}")
+    await settled(browser)
+    return browser
+
+
+def test_a_link_starts_no_clock_before_begin_is_pressed_and_asks_no_more_after_that(url):
+    async def main():
+        cookie = cookie_of(url)
+        first = await followed(url, cookie, "assignment/oral/7")
+        said = piece(first, "confirm-yes")
+        for part in ("“Oral” takes 40 min.", "It is open until", "also while you are away", "Nothing has begun yet"):
+            assert part in said
+        assert "as-clock" not in first.html()
+        assert "lesson-foot" not in first.html()
+        await first.press("confirm-no")
+        await first.until(lambda: not asks(first))
+        await first.close()
+        # Loaded anew, and in a second tab, it asks again; once it has begun in one the other asks no more.
+        first, second = await followed(url, cookie, "assignment/oral/7"), await followed(url, cookie, "assignment/oral")
+        assert asks(first)
+        assert asks(second)
+        await first.press("confirm-yes")
+        for browser in (first, second):
+            await browser.until(lambda browser=browser: "as-clock" in browser.html() and not asks(browser))
+        third = await followed(url, cookie, "assignment/oral")
+        assert "as-clock" in third.html()
+        assert not asks(third)
+        for browser in (first, second, third):
+            await browser.close()
+
+    run(main())
+
+
+def test_the_question_tells_the_dates_in_italian_too(url):
+    noon = datetime(2100, 1, 1, 12).timestamp()
+    said = {}
+    for opens, due, closes in (
+        (None, None, None),
+        (noon, None, None),
+        (None, None, noon),
+        (noon, noon + 60, noon + 120),
+    ):
+        found = replace(lessons().assignment("later"), opens=opens, due=due, closes=closes)
+        asking = Asking()
+        ask_to_begin(asking, print, found, 7)
+        said[opens, closes] = asking.said
+    assert "It is" not in said[None, None]
+    assert "It has been open since 1 Jan 2100, 12:00." in said[noon, None]
+    assert "It is open until 1 Jan 2100, 12:00; then it ends for everybody." in said[None, noon]
+    last = said[noon, noon + 120]
+    assert "It is open from 1 Jan 2100, 12:00 to 1 Jan 2100, 12:02" in last
+    assert "It is due on 1 Jan 2100, 12:01." in last
+    assert 'data-path="/assignment/later/7"' in last
+    told = "".join(map(speech_in("it").markup, said.values()))
+    assert not re.search(r"\b(It|The|Nothing|takes|begun|Not now|until|Jan)\b", told)
+
+
+def test_a_link_that_is_refused_or_starts_no_clock_does_not_ask(url):
+    async def main():
+        early = await followed(url, cookie_of(url), "assignment/later")
+        assert not asks(early)
+        assert "The assignment “Final” opens on" in early.notices[-1]
+        free = await followed(url, cookie_of(url), "assignment/exam")
+        assert not asks(free)
+        assert "assignment-hand-in" in free.html()
+        for browser in (early, free):
+            await browser.close()
+
+    run(main())

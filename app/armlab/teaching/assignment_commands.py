@@ -12,7 +12,7 @@ from armlab.content.lessons import lessons
 from armlab.errors import InputError, suggestion
 from armlab.registry import known_name
 from armlab.session.pages import pages
-from armlab.session.state import Command, State
+from armlab.session.state import Command, State, apply
 from armlab.teaching.assignment_work import Work
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.lesson_places import where_in
@@ -60,6 +60,18 @@ class OpenAssignment(Command):
         opened = replace(part, open="", assignment=self.key).with_work(work.at(found, state.at))
         begun = OpenTask(_last(opened, found)).apply(state.replace(opened))
         return begun.replace(Former.of(at_home(state)))  # of the lesson that is open until now, too
+
+
+def clock_of(command: Command | None, state: State, now: float) -> Assignment | None:
+    """Return the assignment whose clock a command would start; None also where it would be refused."""
+    if not isinstance(command, OpenAssignment) or command.key in state[LessonPart].works:
+        return None
+    try:
+        found = apply(state, command, now)[LessonPart].assigned
+    except Exception:
+        # Whoever carries the command out says what is amiss.
+        return None
+    return found if found is not None and found.minutes else None
 
 
 @dataclass(frozen=True)

@@ -259,19 +259,35 @@ class Gui:
         segments.show(value)
         return segments
 
-    def confirm(self, title: str, text: Inside, yes: str, on_yes: Callable[[], None], more: Inside = None) -> None:
-        """Ask for confirmation of an action that cannot be undone; below a paragraph there may be more."""
+    def confirm(
+        self,
+        title: str,
+        text: Inside,
+        yes: str,
+        on_yes: Callable[[], None],
+        more: Inside = None,
+        no: str = "No, go back",
+    ) -> Callable[[], None]:
+        """Ask for confirmation of an action that cannot be undone; below a paragraph there may be more.
+
+        Returns a function that takes the question away, if it is still there.
+        """
         modal = self._gui.add_modal(title)
 
+        def close() -> None:
+            if not modal.closed:
+                modal.close()
+
         def agreed() -> None:
-            modal.close()
+            close()
             on_yes()
 
         with modal:
             asked = Form(lambda on_input: Fields(self._gui, on_input), lambda command: None, lambda: None)
             # The way back is the one that stands out, has the focus, and is the Escape key.
-            back = asked.button("confirm-no", "No, go back", modal.close, "main", data_escape="1", data_autofocus="1")
+            back = asked.button("confirm-no", no, close, "main", data_escape="1", data_autofocus="1")
             asked.show(tag("p", text), more, tag("div.bar", back, asked.chip("confirm-yes", yes, agreed)))
+        return close
 
     def button(self, label: str, on_click: Callable[[], None], hint: str, icon: viser.IconName | None = None) -> Any:
         """Add a button; returns the handle, whose ``visible`` and ``label`` may be set."""

@@ -36,6 +36,7 @@ from armlab.ui.figure.drawn import Gallery
 from armlab.ui.manners import DEAR
 from armlab.ui.pace import Pace
 from armlab.ui.plugin import layers
+from armlab.window.beginning import Beginning
 from armlab.window.player import Player
 from armlab.window.tongue import Tongue
 from armlab.window.view import View
@@ -109,6 +110,7 @@ class Lab:
         self.runner = Runner(self.worker.post)
         self._views: dict[int, View] = {}
         self._tongues: dict[int, Tongue] = {}
+        self._beginnings: dict[int, Beginning] = {}
         self._of_session: dict[str, set[View]] = {}
         self._players: dict[str, Player] = {}
         self._due: set[str] = set()
@@ -159,12 +161,14 @@ class Lab:
         if wish.startswith(("lesson", "assignment")) or session.state[LessonPart].open or session.state[Panels].last:
             await self.loop.run_in_executor(None, lessons)
         asked = found.get(adapter.ASKED_HEADER.lower(), "")
-        for command in (wished(session.state, wish), ReadIn(asked) if asked in keys() else None):
+        state = session.state
+        beginning = await self.loop.run_in_executor(None, Beginning, wished(state, wish), state)
+        for command in (beginning.at_once, ReadIn(asked) if asked in keys() else None):
             await self._grant(session, command, client.client_id)
         async with self._turn_to_build(token):
             if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
                 tongue = Tongue(client, session, found.get(adapter.LANGUAGE_HEADER.lower(), ""))
-                await self._open(client, session, tongue, panel_of(wish))
+                await self._open(client, session, tongue, panel_of(wish), beginning)
 
     @asynccontextmanager
     async def _turn_to_build(self, token: str) -> AsyncIterator[None]:
@@ -184,7 +188,9 @@ class Lab:
         for folder in self._own_lessons:
             add_folder(folder)
 
-    async def _open(self, client: viser.ClientHandle, session: Session, tongue: Tongue, panel: str) -> None:
+    async def _open(
+        self, client: viser.ClientHandle, session: Session, tongue: Tongue, panel: str, beginning: Beginning
+    ) -> None:
         """Build the page of a browser, open at this panel, in small pieces with time for other work after each."""
         view = View(
             client,
@@ -202,7 +208,9 @@ class Lab:
                 return
             if not more:
                 self._tongues[client.client_id] = tongue
+                self._beginnings[client.client_id] = beginning
                 self._take_in(client, view)
+                beginning.ask(view)
             took = time.perf_counter() - went_on
             if took > PIECE or not more:
                 rest = self.pace.rest(session.token, took)
@@ -240,6 +248,7 @@ class Lab:
 
     async def _disconnect(self, client: viser.ClientHandle) -> None:
         self._tongues.pop(client.client_id, None)
+        self._beginnings.pop(client.client_id, None)
         view = self._views.pop(client.client_id, None)
         self.pace.browsers = len(self._views)
         if view is not None:
@@ -271,6 +280,7 @@ class Lab:
         for view in tuple(self._of_session.get(session.token, ())):
             view.show()
             self._tongues[view.client.client_id].show()
+            self._beginnings[view.client.client_id].show(session.state)
         if session.token in self._players:
             self._players[session.token].follow()
         self._follow_jobs(session)

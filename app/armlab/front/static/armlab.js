@@ -251,7 +251,8 @@
     const element = document.getElementById('al-notes');
     if (!element) return;
     const notes = JSON.parse(element.dataset.notes);
-    if (location.pathname !== notes.path) replace(null, '', notes.path + location.search);
+    const path = document.getElementById('al-asks')?.dataset.path ?? notes.path;
+    if (location.pathname !== path) replace(null, '', path + location.search);
     for (const tab of document.querySelectorAll(':is([data-dock-tab], .mantine-Tabs-tab)[data-name]')) {
       tab.toggleAttribute('data-off', notes.hidden.includes(tab.dataset.name));
     }

@@ -11,6 +11,7 @@ from armlab.session.state import Post
 from armlab.teaching.assignment_commands import OpenAssignment
 from armlab.teaching.assignment_work import Work
 from armlab.teaching.parts.lesson import LessonPart
+from armlab.ui.begin import ask_to_begin
 from armlab.ui.form import Form, Wish
 from armlab.ui.html import Markup, tag
 from armlab.ui.markup import fold
@@ -42,9 +43,7 @@ def _entry(form: Form, gui: Gui, post: Post, found: Assignment, part: LessonPart
 
 def _open(gui: Gui, post: Post, found: Assignment) -> Wish:
     """Ask before a clock begins to run."""
-    takes = f"“{found.title}” takes {time_said(found.minutes)}."
-    says = f"{takes} The clock runs from the moment you begin, also while you are away."
-    gui.confirm("Begin now?", says, "Begin", lambda: post(OpenAssignment(found.key)))
+    ask_to_begin(gui, post, found)
     return ()
 
 
