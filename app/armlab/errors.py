@@ -3,7 +3,8 @@
 ```
 ArmlabError
 ├── InputError (also a ValueError)      a caller's argument is wrong
-│   └── UnknownName (also a KeyError)   a name that does not exist; lists those that do
+│   ├── UnknownName (also a KeyError)   a name that does not exist; lists those that do
+│   └── Outdated                        asked of something that is not shown any more
 ├── ContentError                        a robot or lesson file is wrong: file, key, problem
 └── PluginError                         a module found by folder cannot be used
 ```
@@ -35,6 +36,10 @@ class UnknownName(InputError, KeyError):
 
     def __str__(self) -> str:  # KeyError would print the text in quotes
         return str(self.args[0])
+
+
+class Outdated(InputError):
+    """A wish belongs to something that is not shown any more, so that it cannot be refused there."""
 
 
 class ContentError(ArmlabError):

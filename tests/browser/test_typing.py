@@ -150,6 +150,35 @@ def test_what_is_typed_for_one_step_is_no_answer_to_another_to_which_another_win
     lab.rest()
     assert lab.page.locator(answer).input_value() == ""
     assert lab.page.locator(".ask ~ .verdict").count() == 0
+    lab.press("lesson-back")
+    lab.waits_for("One?")
+    _is_none_either_when_it_was_on_its_way(lab, answer)
+
+
+def _is_none_either_when_it_was_on_its_way(lab, answer):
+    lab.page.evaluate(
+        """() => {
+          const line = window.__viserMutable;
+          const send = line.sendMessage;
+          const held = [];
+          line.sendMessage = message => held.push(message);
+          window.letGo = () => {
+            line.sendMessage = send;
+            held.forEach(message => send(message));
+          };
+        }"""
+    )
+    lab.page.locator(answer).fill("2")
+    lab.page.keyboard.press("Enter")
+    other = LabPage(new_page(lab.page.context, painted=False), lab.url)
+    other.press("lesson-next")
+    other.leave()
+    lab.waits_for("Two?")
+    assert lab.page.locator(answer).input_value() == ""
+    lab.page.evaluate("() => window.letGo()")
+    lab.waits_for("The lesson has moved on")
+    assert lab.page.locator(answer).input_value() == ""
+    assert lab.page.locator(".ask ~ .verdict").count() == 0
 
 
 def _stands_where_the_cursor_is(lab):

@@ -17,7 +17,7 @@ class BareFields:
     """What a `Form` needs of `Fields`."""
 
     channel_id = "chan"
-    stale = False
+    stale = outdated = False
 
     def __init__(self, on_input: Callable[[str, str], None]) -> None:
         self.send, self.content, self.refused = on_input, Markup(), ""

@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from armlab.content.robots import Robot
-from armlab.errors import ArmlabError, InputError, in_one_line
+from armlab.errors import ArmlabError, InputError, Outdated, in_one_line
 from armlab.session.history import HEAVIEST, History
 from armlab.session.mailbox import Mailbox
 from armlab.session.parts.panels import Panels
@@ -154,7 +154,7 @@ class Session:
             else:
                 self._take(asked, at, window)
         except ArmlabError as refusal:
-            if not refused(cut(str(refusal))):
+            if isinstance(refusal, Outdated) or not refused(cut(str(refusal))):
                 self.tell(str(refusal))
         except Exception as error:
             # In one line: strangers send commands, too. The trace is for debugging.

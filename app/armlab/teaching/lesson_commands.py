@@ -24,6 +24,7 @@ from armlab.teaching.parts.own_lessons import OwnLessons
 from armlab.teaching.parts.preview import Preview
 from armlab.teaching.parts.shelf import at_home
 from armlab.teaching.plain_text import plain
+from armlab.teaching.shown_step import refuse_of_another
 from armlab.teaching.signature import signed
 
 MOST_VARIANT = 9999
@@ -204,13 +205,21 @@ class GoToStep(Command):
 
 @dataclass(frozen=True)
 class UnlockHint(Command):
-    """Show the next hint of the shown step."""
+    """Show the next hint of the shown step.
 
+    Parameters
+    ----------
+    of : str, optional
+        The step for which it is asked, as `shown_step` tells it; by default the shown one.
+    """
+
+    of: str | None = None
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
         """Return the state with one more hint, or the same state when all are shown."""
         part = state[LessonPart]
+        refuse_of_another(part, self.of)
         step, progress, name = part.step, part.progress, part.name
         shown = progress.hints.get(name, 0)
         if part.assigned is not None and not part.assigned.hints:
@@ -229,14 +238,18 @@ class Answer(Command):
     ----------
     text : str
         The answer as typed; an empty one removes it. The first prediction counts and stays.
+    of : str, optional
+        The step whose question is answered, as `shown_step` tells it; by default the shown one.
     """
 
     text: str
+    of: str | None = None
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
         """Return the state with the answer."""
         part, typed = state[LessonPart], self.text.strip()[:MOST_TYPED]
+        refuse_of_another(part, self.of)
         step, progress, name = part.step, part.progress, part.name
         if step is None or step.question is None:
             raise InputError("answer: there is no question here")

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import viser
+from markupsafe import escape
 
 from armlab.content.notes import for_reader
 from armlab.ui import adapter, markup
@@ -81,6 +82,12 @@ class Fields:
         Class whose style they have besides the common one.
     has_notes : bool
         Whether their reader has the course notes; see `armlab.content.notes`.
+
+    Attributes
+    ----------
+    outdated : bool
+        Whether the text that came last was meant for a question (an element with ``data-of``) that is not shown any
+        more: its page had not heard of that when it was typed or pressed.
     """
 
     def __init__(
@@ -94,9 +101,9 @@ class Fields:
         self._class, self._has_notes = f"al {scope}".rstrip(), has_notes
         self.channel = gui.add_text("channel", "", visible=False)
         self.html = gui.add_html("")
-        self._on_input, self._longest = on_input, longest
+        self._on_input, self._longest, self.outdated = on_input, longest, False
         self._revision = self._shown_revision = self._heard = 0
-        self._content = Markup()
+        self._content, self._sent = Markup(), ""
         self._mistake: _Mistake | None = None
         self._made = set[str]()  # the fields made since the last `show`
         self._lock = threading.Lock()
@@ -104,7 +111,7 @@ class Fields:
 
     def _receive(self) -> None:
         try:
-            cell, text, number = json.loads(adapter.take_value(self.channel))
+            cell, text, number, *of = json.loads(adapter.take_value(self.channel))
         except (ValueError, TypeError, RecursionError):
             log.warning("a page that is not ours wrote into a field")
             return
@@ -113,6 +120,8 @@ class Fields:
             if self._mistake is not None and (self._mistake.cell == cell or self._mistake.stood(SEEN)):
                 self._mistake = None
             self._revision += 1  # so that the next `show` also replaces a text that was not taken
+        # Whatever else a page says of itself is of no question.
+        self.outdated = any(isinstance(each, str) and f' data-of="{escape(each)}"' not in self._sent for each in of)
         longest = LONGEST_TYPED if self._longest is None else self._longest + 1
         cell, read = _whole(_cut(cell, LONGEST_CELL)), _whole(_cut(text, longest))
         if self._longest is None and isinstance(text, str) and len(text) > longest:
@@ -211,7 +220,8 @@ class Fields:
             content += tag("p.no", f"✕ {mistake.why}", role="alert")
         # The page numbers what it sends: fields whose text is not in here yet keep it.
         marks = {"data_revision": self._revision, "data_heard": self._heard}
-        adapter.set_content(self.html, for_reader(tag("div", content, class_=self._class, **marks), self._has_notes))
+        self._sent = for_reader(tag("div", content, class_=self._class, **marks), self._has_notes)
+        adapter.set_content(self.html, self._sent)
 
 
 def _cut(said: object, longest: int) -> str:

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from armlab.errors import InputError
 from armlab.session.session import Asked, Refuse, cut
 from armlab.session.state import Command, Post
+from armlab.teaching.shown_step import MOVED_ON
 from armlab.ui import markup
 from armlab.ui.fields import Fields, OnInput
 from armlab.ui.html import Attribute, Inside, Markup, joined
@@ -188,6 +189,9 @@ class Form:
 
     def _asked(self, cell: str, text: str) -> None:
         action = self._bound.get(cell)
+        if self._fields.outdated:
+            self._post(Refuse(MOVED_ON))
+            return
         if action is None:
             return
         try:

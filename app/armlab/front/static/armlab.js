@@ -22,17 +22,17 @@
   let last = null; // the field or button of ours that has the focus
 
   // Our own fields and buttons: <input data-chan=ID data-cell=NAME>, <button data-chan=ID data-cell=NAME>.
+  // What is asked with them stands around them as data-of; the lab is told, as it may ask something else meanwhile.
+  const questionOf = element => element.closest?.('[data-of]')?.dataset.of;
   const send = (element, value) => {
     const { chan, cell } = element.dataset;
-    const number = window.armlabNumber(element, value);
+    const number = window.armlabNumber(element, value), said = [cell, value, number, questionOf(element)];
     if (element.isConnected) window.armlabAsked = number; // by a person: what scripts tell is of no element
-    window.__viserMutable?.sendMessage({
-      type: 'GuiUpdateMessage', uuid: chan, updates: { value: JSON.stringify([cell, value, number]) },
-    });
+    window.__viserMutable?.sendMessage({ type: 'GuiUpdateMessage', uuid: chan, updates: { value: JSON.stringify(said) } });
   };
   window.armlabSend = send;
+  window.armlabQuestion = questionOf;
   // Of two fields or buttons of one name, in markup of two moments: whether both are of the same question.
-  const questionOf = element => element.closest('[data-of]')?.dataset.of;
   window.armlabSame = (one, other) => questionOf(one) === questionOf(other);
   const typed = 'input[data-chan]:not([data-live]):not([type=file]), select[data-chan], textarea[data-chan]';
   document.addEventListener('change', event => {

@@ -8,13 +8,13 @@
   const nameOf = ({ dataset }) => `${dataset.chan} ${dataset.cell}`;
 
   const touched = new WeakSet(); // fields in which something was typed since they were last sent
-  const sent = new Map(); // by channel and cell: what was sent last, and its number; until the lab has answered
+  const sent = new Map(); // by channel and cell: what was sent last, where, and its number; until the lab has answered
   let number = 0;
 
   // Messages of a page are numbered; the markup of the lab says up to which it has heard.
-  window.armlabNumber = ({ dataset }, value) => {
+  window.armlabNumber = (element, value) => {
     number = Math.max(number + 1, Date.now());
-    sent.set(nameOf({ dataset }), { number, value });
+    sent.set(nameOf(element), { number, value, of: window.armlabQuestion(element) });
     return number;
   };
 
@@ -41,7 +41,9 @@
       const last = sent.get(nameOf(field));
       if (!last) continue;
       if (last.number <= heard) sent.delete(nameOf(field));
-      else if (field.matches(texts)) field.defaultValue = last.value; // the answer to it is still to come
+      else if (field.matches(texts) && last.of === window.armlabQuestion(field)) {
+        field.defaultValue = last.value; // the answer to it is still to come
+      }
     }
   };
 

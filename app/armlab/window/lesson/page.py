@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from copy import deepcopy
+from functools import partial
 
 from armlab.content.lessons import Lesson, lessons_read
 from armlab.content.question import Choices, Question
@@ -15,6 +16,7 @@ from armlab.session.state import Post, State
 from armlab.teaching.assignment_commands import HandIn
 from armlab.teaching.hand_in import MOST, hand_in, hand_in_name
 from armlab.teaching.lesson_commands import (
+    Answer,
     CloseLesson,
     GoToStep,
     OpenLesson,
@@ -24,6 +26,7 @@ from armlab.teaching.lesson_commands import (
 )
 from armlab.teaching.parts.lesson import LessonPart, check_line, has_its_arm
 from armlab.teaching.parts.shelf import ToSandbox
+from armlab.teaching.shown_step import shown_step
 from armlab.ui.asking import Draft, asked, said
 from armlab.ui.erratum_links import with_links, without_links
 from armlab.ui.form import Form, Wish
@@ -63,7 +66,7 @@ class LessonPage:
         self._gui, self._post, self._kept = gui, post, {} if kept is None else kept
         self._drafts: Drafts = {}
         self._drafts_of = ""
-        self._asked_at = "", ""  # open lesson and step whose question was shown last
+        self._asked_at = ""  # step whose question was shown last
         self._clock, self._timer = gui.html(), assigned.Clock()
         self._head = gui.form(post)
         self._text, self._task, self._question, self._foot = (gui.form(post) for _ in range(4))
@@ -121,9 +124,10 @@ class LessonPage:
 
     def _show_question(self, part: LessonPart, lesson: Lesson) -> None:
         question = lesson.steps[part.index].question
-        if self._asked_at != (part.where, part.name):
-            self._asked_at = part.where, part.name
+        if self._asked_at != shown_step(part):
+            self._asked_at = shown_step(part)
             self._question.forgive()  # what was refused there answered another question
+            self._take_back(part)
         if question is None:
             self._question.show()
             return
@@ -132,7 +136,7 @@ class LessonPage:
         choices = question.form if isinstance(question.form, Choices) else None
         order = choices.order(lesson.variant, part.name) if choices else ()
         word, fixed = "Keep" if part.silent else "Check", settled or part.rests
-        fields = asked(self._question, question, typed, draft, fixed, order, word, f"{part.where} {part.name}")
+        fields = asked(self._question, question, typed, draft, fixed, order, word, shown_step(part))
         right = part.progress.right.get(part.name)
         verdict = part.verdict
         if part.silent and (verdict is None or verdict.name != "unreadable"):
@@ -152,12 +156,19 @@ class LessonPage:
         before, of, draft = self._drafts.get(part.name, ("", None, None))
         # When its own answer has come back the fields stay as they were typed.
         if draft is None or of != kind or (before != typed and draft.whole != typed):
-            draft = Draft(kind, typed, at_once=part.silent and not question.hide)
+            draft = Draft(kind, typed, partial(Answer, of=shown_step(part)), part.silent and not question.hide)
         self._drafts[part.name] = typed, kind, draft
         if self._question.stale:  # a copy: two pages that are open at once do not fill in each other's fields
             self._kept.clear()
             self._kept[part.where] = deepcopy(self._drafts)
         return draft
+
+    def _take_back(self, part: LessonPart) -> None:
+        """Take what was sent from steps that are shown no more, and not taken, for not sent."""
+        if self._drafts_of == part.where:
+            for name, (before, _, draft) in self._drafts.items():
+                if part.progress.answers.get(name, "") == before:
+                    draft.whole = before
 
     def _begin_again(self, part: LessonPart) -> Wish:
         key, _, variant = part.open.partition("/")
@@ -284,7 +295,8 @@ def _hint(form: Form, lesson: Lesson, part: LessonPart, i: int) -> Markup | None
     last = f"The last hint; it costs {percent:g} % of the points of this step" if percent else ""
     name = f"Hint {shown + 1} of {count}" if count > 1 else "Hint"
     costs = f" (−{percent:g} %)" if last and shown + 1 == count else ""
-    return form.button("lesson-hint", f"{name}{costs}", UnlockHint(), "way", last if costs else "")
+    of, title = shown_step(part), last if costs else ""
+    return form.button("lesson-hint", f"{name}{costs}", UnlockHint(of), "way", title, data_of=of)
 
 
 def _end(form: Form, last: int, passed: frozenset[int]) -> Inside:
