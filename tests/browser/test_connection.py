@@ -24,3 +24,25 @@ def test_a_lost_connection_is_said_until_it_is_back(browser, tmp_path, wide):
     page.until(lambda: said.count() == 0)
     context.close()
     again.stop()
+
+
+def test_a_lab_that_comes_back_asks_again_before_an_exam_and_not_once_it_has_begun(browser, tmp_path):
+    lab = open_lab(tmp_path)
+    context = browser.new_context()
+    address = f"http://127.0.0.1:{lab.port}/assignment/solutions"
+    page = LabPage(new_page(context, painted=False), f"{address}?{COARSE}")
+    begin, clock = (page.page.locator(of) for of in ("[data-cell=confirm-yes]", ".as-clock"))
+    begin.wait_for()
+    with page.page.expect_navigation():
+        lab.stop()
+        lab = open_lab(tmp_path, port=lab.port)
+    begin.click()
+    clock.wait_for()
+    lab.stop()
+    lab = open_lab(tmp_path, port=lab.port)
+    page.page.goto(address)
+    clock.wait_for()
+    page.still(1.0)
+    assert begin.count() == 0
+    context.close()
+    lab.stop()

@@ -237,6 +237,7 @@
 
   // What the lab asks of the page: the address of the arm in use, and which tab to bring to the front.
   let asked = '';
+  let question = null; // before an assignment begins: its address, and the channel of the notes while it stood
   let wanted = '';
   const tabCalled = name => document.querySelector(`:is([data-dock-tab], .mantine-Tabs-tab)[data-name="${CSS.escape(name)}"]`);
   // A page begins with the first tab, which nobody has asked for. Until the one the lab wants is open, or time is over,
@@ -251,7 +252,11 @@
     const element = document.getElementById('al-notes');
     if (!element) return;
     const notes = JSON.parse(element.dataset.notes);
-    const path = document.getElementById('al-asks')?.dataset.path ?? notes.path;
+    const asks = document.getElementById('al-asks')?.dataset.path;
+    // A question goes with the connection; the address that asked it asks again.
+    if (!asks && question && question.chan !== notes.chan) location.replace(question.path + location.search);
+    question = asks ? { path: asks, chan: notes.chan } : null;
+    const path = asks ?? notes.path;
     if (location.pathname !== path) replace(null, '', path + location.search);
     for (const tab of document.querySelectorAll(':is([data-dock-tab], .mantine-Tabs-tab)[data-name]')) {
       tab.toggleAttribute('data-off', notes.hidden.includes(tab.dataset.name));
