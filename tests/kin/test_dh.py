@@ -68,6 +68,7 @@ def test_a_row_can_be_written_in_three_ways():
         (("R", "1", 0, 0, 0), "row 2, a: expected a number, got '1'"),
         ({"kind": "R", "alfa": 1.0}, "row 2: unknown name 'alfa'; did you mean 'alpha'"),
         ({"a": 1.0}, "row 2: the joint type must be"),
+        ((np.array(["R", "P"]), 0, 0, 0, 0), "row 2: the joint type must be .*, got array"),
     ],
 )
 def test_a_wrong_row_is_named(entry, text):

@@ -131,6 +131,11 @@ def test_skew_is_the_cross_product(rng):
     [
         (lambda: rotation_about("w", 1.0), "axis: expected 'x', 'y' or 'z', got 'w'"),
         (lambda: rotation_from_sequence("zyx", [1.0]), "angles: expected 3 for the sequence 'zyx'"),
+        (lambda: rotation_from_sequence(None, [1.0]), "axes: expected letters of 'xyz', such as 'zyx', got None"),
+        (lambda: rotation_from_sequence(["z", 3], [1.0, 2.0]), "axes: expected letters of 'xyz', .*, got \\['z', 3]"),
+        (lambda: rotation_from_sequence("zay", [1.0] * 3), "axes: expected letters of 'xyz', .*, got 'zay'"),
+        (lambda: is_rotation("Rz"), "R: expected a matrix of numbers, got 'Rz'"),
+        (lambda: is_rotation([[1.0], [0.0, 1.0]]), "R: expected a matrix of numbers, got"),
         (lambda: rotation_from_axis_angle([0.0, 0.0, 0.0], 1.0), "axis: expected a finite vector that is not zero"),
         (lambda: rotation_from_quaternion([0.0] * 4), "q: expected a finite quaternion that is not zero"),
         (lambda: rotation_from_quaternion([1.0, 0.0, 0.0]), r"q: expected shape \(\.\.\., 4\), got \(3,\)"),

@@ -91,7 +91,7 @@ def row_of(entry: RowLike, where: str = "row") -> Row:
             raise InputError(f"{where}: expected {len(FIELDS)} entries {FIELDS}, got {len(entry)}: {entry!r}")
         values = dict(zip(FIELDS, entry, strict=True))
     kind = values.pop("kind", None)
-    if kind not in ("R", "P"):
+    if isinstance(kind, np.ndarray) or kind not in ("R", "P"):
         raise InputError(f"{where}: the joint type must be 'R' (revolute) or 'P' (prismatic), got {kind!r}")
     numbers = {name: _finite(f"{where}, {name}", value) for name, value in values.items()}
     for name in ("alpha", "theta"):

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
-from armlab.kin.checks import as_floats, together
+from armlab.kin.checks import as_floats, together, wrong
 from armlab.kin.nearest import nearest_rotation
 
 Array = NDArray[np.floating]
@@ -82,8 +82,10 @@ def rotation_from_sequence(axes: str, angles: ArrayLike, *, fixed: bool = False)
     >>> bool(np.allclose(R, rotation_from_sequence("xyz", [0.3, 0.2, 0.1], fixed=True)))
     True
     """
+    if not isinstance(axes, str) or not axes or not set(axes.lower()) <= set(_PERMUTED):
+        raise wrong("axes", "letters of 'xyz', such as 'zyx'", axes)
     angles = as_floats(angles, "angles", "numbers")
-    if not axes or angles.shape[-1:] != (len(axes),):
+    if angles.shape[-1:] != (len(axes),):
         raise InputError(f"angles: expected {len(axes)} for the sequence {axes!r}, got shape {angles.shape}")
     R = np.broadcast_to(np.eye(3), (*angles.shape[:-1], 3, 3))
     for k, axis in enumerate(axes.lower()):
@@ -349,8 +351,14 @@ def euler_zyx(R: ArrayLike) -> tuple[Array, NDArray[np.bool_]]:
 
 
 def is_rotation(R: ArrayLike, tolerance: float = 1e-6) -> bool:
-    """Return whether a 3 x 3 matrix is orthonormal with determinant +1, entries within the tolerance."""
-    R = np.asarray(R, dtype=float)
+    """Return whether a 3 x 3 matrix is orthonormal with determinant +1, entries within the tolerance.
+
+    Raises
+    ------
+    InputError
+        No array of numbers: a text, complex numbers, or rows of different lengths.
+    """
+    R = as_floats(R, "R", "a matrix of numbers")
     if R.shape != (3, 3):
         return False
     return _orthonormal(R.ravel().tolist(), tolerance)

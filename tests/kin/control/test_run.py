@@ -1,11 +1,13 @@
 """Runs: the notes' experiments, and the laws of chapter 7."""
 
 import math
+import re
 
 import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.control import (
     FixedJoints,
@@ -172,6 +174,21 @@ def test_the_prediction_of_7_24_is_close_while_the_error_is_small_and_exact_for_
     np.testing.assert_allclose(one, error_decay([2.0] * 3, [0.1, 0.2, -0.3], np.linspace(0, 1, 11)), rtol=1e-6)
     stiff = predicted_error(GANTRY, np.linspace(0, 1, 3), np.zeros((3, 3)), np.full(3, 1e3), np.ones(3))
     assert np.abs(stiff[1:]).max() < 1e-100
+
+
+@pytest.mark.parametrize(
+    ("changed", "text"),
+    [
+        ({"t": [], "q": np.zeros((0, 3))}, "t: expected numbers of shape (1,), got shape (0,)"),
+        ({"q": np.zeros((2, 2))}, "q: expected numbers of shape (2, 3), got shape (2, 2)"),
+        ({"K": 2.0}, "K: expected numbers of shape (3,), got shape ()"),
+        ({"e0": "none"}, "e0: expected numbers of shape (3,), got 'none'"),
+    ],
+)
+def test_a_prediction_says_what_it_needs(changed, text):
+    given = {"t": [0.0, 1.0], "q": np.zeros((2, 3)), "K": np.ones(3), "e0": np.ones(3)}
+    with pytest.raises(InputError, match=re.escape(text)):
+        predicted_error(GANTRY, **given | changed)
 
 
 def test_at_a_singularity_the_error_along_the_lost_direction_stays():

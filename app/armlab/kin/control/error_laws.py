@@ -10,7 +10,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.checks import as_floats
 from armlab.kin.control.decomposed import decomposed
 from armlab.kin.control.scaled_task import ScaledTask
 
@@ -70,11 +72,18 @@ def predicted_error(arm: Arm, t: Floats, q: Floats, K: Floats, e0: Floats) -> Fl
     e0 : ndarray, shape (m,)
         Task error at the beginning.
 
+    Raises
+    ------
+    InputError
+        There is no time, or another argument has another shape.
+
     References
     ----------
     Notes 7.24. It is exact where all gains are equal and J is constant.
     """
     task = ScaledTask(arm)
+    t = _of_shape("t", t, (max(1, np.size(t)),))
+    q, K, e0 = _of_shape("q", q, (len(t), arm.n)), _of_shape("K", K, (arm.n,)), _of_shape("e0", e0, (task.m,))
     scaled = np.empty((len(t), task.m))
     scaled[0] = e0 * task.row_units
     poses = np.asarray(arm.fk(q), dtype=np.float64)
@@ -85,6 +94,13 @@ def predicted_error(arm: Arm, t: Floats, q: Floats, K: Floats, e0: Floats) -> Fl
         inverse = (found.Vt.T * np.where(large, 1.0 / np.where(large, found.sigma, 1.0), 0.0)) @ found.U.T
         scaled[k + 1] = _carried(-(t[k + 1] - t[k]) * (jacobians[k] * K) @ inverse, scaled[k])
     return scaled / task.row_units
+
+
+def _of_shape(name: str, values: ArrayLike, shape: tuple[int, ...]) -> Floats:
+    array = as_floats(values, name, f"numbers of shape {shape}")
+    if array.shape != shape:
+        raise InputError(f"{name}: expected numbers of shape {shape}, got shape {array.shape}")
+    return array
 
 
 def _carried(M: Floats, e: Floats) -> Floats:
