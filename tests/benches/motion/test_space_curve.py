@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.space_curve.commands import (
     ChooseCurve,
     ChooseLaw,
@@ -14,8 +15,9 @@ from armlab.benches.motion.space_curve.commands import (
     WriteIn,
 )
 from armlab.benches.motion.space_curve.examples import EXAMPLES, ChooseExample
+from armlab.benches.motion.space_curve.facts import FACTS
 from armlab.benches.motion.space_curve.formula import formula_path
-from armlab.benches.motion.space_curve.laid import FORMULA, kinds, moment
+from armlab.benches.motion.space_curve.laid import FORMULA, Question, kinds, laid, moment
 from armlab.benches.motion.space_curve.stage import sphere_of, stage_of
 from armlab.benches.motion.space_curve.state import (
     MOST_POINTS,
@@ -176,6 +178,51 @@ def test_every_law_moves_along_the_whole_curve(key):
     state = after(ChooseLaw(key))
     end = moment(curve_of(state), curve_of(state).law.duration)
     np.testing.assert_allclose(end.p, [8.0, 5.0, -8.0], rtol=0, atol=1e-8)
+
+
+LAID = (
+    ("trapezoidal", False, ("s", "sin(7*s+2)", "s^4-s")),
+    ("quintic", False, ("s", "2*sin(31*s+1)", "sqrt(s+0.01)")),
+    ("cubic", True, ("s", "s^3", "sin(3*s)")),
+)
+"""Laws, whether the curve is by its length, and the three functions where it is typed."""
+
+
+def searched(motion, order):
+    """Return the largest length of a derivative by samples, closer and closer around the largest."""
+    beside = np.concatenate([motion.edges[1:] - 1e-9, motion.edges[:-1] + 1e-9])
+    times = np.concatenate([np.linspace(0.0, motion.duration, 4001), beside])
+    best, width = 0.0, motion.duration / 2000
+    for _ in range(4):
+        lengths = np.linalg.norm(motion.at(times, order), axis=1)
+        k = int(np.argmax(lengths))
+        best = max(best, float(lengths[k]))
+        times = np.clip(times[k] + np.linspace(-width, width, 401), 1e-9, motion.duration - 1e-9)
+        width /= 100.0
+    return best
+
+
+@pytest.mark.parametrize("key", kinds())
+def test_the_largest_speed_and_acceleration_miss_nothing_between_samples(key):
+    rng = np.random.default_rng(len(key))
+    for law, by_length, typed in LAID:
+        points = tuple(map(tuple, rng.uniform(-1.0, 1.0, (5, 3)).tolist()))
+        question = Question(Chosen(key), points[: kinds()[key].most], typed, by_length, Chosen(law), 2.0)
+        if by_length and len(laid(question._replace(by_length=False)).stands):
+            continue  # refused
+        found = laid(question)
+        for order, peak in enumerate(found.peaks, start=1):
+            best = searched(found.motion, order)
+            assert best * (1.0 - 1e-9) - 1e-9 <= peak <= best * (1.0 + 1e-6) + 1e-9
+
+
+def test_at_a_corner_that_is_not_rounded_the_acceleration_is_infinite():
+    values = {}
+    for key in ("square", "square_flown"):
+        state = after(ChooseExample(key))
+        values[key] = FACTS.facts["peak_acceleration"].now(state).value
+    assert values["square"] == math.inf
+    assert values["square_flown"] == pytest.approx(0.8 * math.sqrt(2.0))
 
 
 @pytest.mark.parametrize(

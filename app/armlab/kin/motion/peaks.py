@@ -6,6 +6,7 @@ polynomial, and their extremes and crossings are found from roots. Nothing betwe
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import as_floats
-from armlab.kin.motion.extremes import Extremes, exceeding, extremes_of_series, outside
+from armlab.kin.motion.extremes import Extremes, exceeding, extremes, extremes_of_series, outside
 from armlab.kin.motion.limits import Limits, limits_of
 from armlab.kin.motion.series import Series, series_of
 from armlab.kin.motion.trajectory import Motion
@@ -69,6 +70,20 @@ def peaks(motion: Motion, order: int) -> Extremes:
     Notes 6.161-6.162; ends of pieces are included.
     """
     return extremes_of_series(motion_series(motion, order))
+
+
+def largest_length(motion: Motion, order: int) -> float:
+    """Return the largest length of the vector of a derivative over a motion, such as the speed of a point.
+
+    Parameters
+    ----------
+    motion : Motion
+    order : int
+        As of `peaks`; ends of pieces are included from both sides.
+    """
+    degree = None if motion.degree is None else 2 * max(motion.degree - order, 0)
+    squares = extremes(lambda t: np.sum(motion.at(t, order) ** 2, axis=1, keepdims=True), motion.edges, degree)
+    return math.sqrt(max(float(squares.highest[0]), 0.0))
 
 
 def violations(

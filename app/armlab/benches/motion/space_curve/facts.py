@@ -15,7 +15,9 @@ FACTS = Facts(
         ),
         "peak_speed": Fact("the largest speed of the motion", lambda s: s.derived(curve_of).peaks[0], "m/s"),
         "peak_acceleration": Fact(
-            "the largest acceleration of the motion", lambda s: s.derived(curve_of).peaks[1], "m/s²"
+            "the largest acceleration of the motion; infinite where the velocity jumps",
+            lambda s: s.derived(curve_of).largest_acceleration,
+            "m/s²",
         ),
         "duration": Fact("the duration of the motion", lambda s: s.derived(curve_of).motion.duration, "s"),
         "stands": Fact("how often p' is zero", lambda s: len(s.derived(curve_of).stands), kind="count"),

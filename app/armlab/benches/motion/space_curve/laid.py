@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -27,6 +28,7 @@ from armlab.kin.motion import (
     path_types,
 )
 from armlab.kin.motion import standstills as standstills_of
+from armlab.kin.motion.peaks import largest_length
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float, float]
@@ -110,8 +112,6 @@ class Laid:
         At those s.
     speed, sigma : ndarray, shape (N,)
         |p'| and the distance gone there, metres.
-    peaks : (float, float)
-        Largest speed in m/s and acceleration in m/s² of the motion, as far as its samples tell.
     """
 
     given: Path
@@ -125,7 +125,16 @@ class Laid:
     frame: Frenet
     speed: Floats
     sigma: Floats
-    peaks: tuple[float, float]
+
+    @cached_property
+    def peaks(self) -> tuple[float, float]:
+        """The largest speed in m/s, and acceleration in m/s² where the velocity does not jump."""
+        return largest_length(self.motion, 1), largest_length(self.motion, 2)
+
+    @property
+    def largest_acceleration(self) -> float:
+        """The largest acceleration in m/s²; infinite where the velocity jumps during the motion."""
+        return math.inf if self.motion.continuity < 1 else self.peaks[1]
 
 
 @dataclass(frozen=True, eq=False)
@@ -183,8 +192,6 @@ def laid(question: Question) -> Laid:
     arc = path.arc if isinstance(path, ByLength) else ArcLength(given)
     stands = np.zeros(0) if question.by_length else standstills_of(given)
     s = np.unique(np.concatenate([grid, path.pieces[:100]]))
-    velocity, acceleration = motion.derivatives(np.linspace(0.0, law.duration, SAMPLES), (1, 2))
-    peaks = tuple(float(np.linalg.norm(each, axis=1).max()) for each in (velocity, acceleration))
     speed = np.linalg.norm(path.at(s, 1), axis=1)
     sigma = s * arc.length if question.by_length else arc.sigma(s)
     return Laid(
@@ -199,7 +206,6 @@ def laid(question: Question) -> Laid:
         frenet(path, s),
         speed,
         sigma,
-        (peaks[0], peaks[1]),
     )
 
 

@@ -83,7 +83,7 @@ class _Curve:
                 seen(node, on)
         if not on:
             self._frame.hide()
-            self._show_arrows(None, None, (0.0, 0.0))
+            self._show_arrows(None, None, None)
             return
         found, stage = state.derived(curve_of), state.derived(stage_of)
         if self._drawn is None or self._drawn[0] is not found or self._drawn[1] is not stage:
@@ -141,15 +141,15 @@ class _Curve:
             self._frame.show(at, frame.tangent, frame.normal, frame.binormal, kappa)
         else:
             self._frame.hide()
-        self._show_arrows(moment if part.arrows else None, stage, found.peaks)
+        self._show_arrows(moment if part.arrows else None, stage, found)
 
-    def _show_arrows(self, moment: Moment | None, stage: Stage | None, peaks: tuple[float, float]) -> None:
+    def _show_arrows(self, moment: Moment | None, stage: Stage | None, found: Laid | None) -> None:
         for key, arrow in self._arrows.items():
             vector = np.zeros(3) if moment is None else getattr(moment, key)
-            peak = peaks[0] if key == "velocity" else peaks[1]
             length = 0.0
-            if moment is not None and stage is not None and peak > 0.0:
-                length = float(np.linalg.norm(vector)) * PEAK * stage.length / peak
+            if moment is not None and stage is not None and found is not None:
+                peak = found.peaks[0] if key == "velocity" else found.peaks[1]
+                length = float(np.linalg.norm(vector)) * PEAK * stage.length / peak if peak > 0.0 else 0.0
                 length = length if length > SHORT * stage.length else 0.0
                 if length:
                     arrow.place(along(vector, stage.at(moment.p)))
