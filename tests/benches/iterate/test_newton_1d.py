@@ -7,7 +7,7 @@ import pytest
 
 from armlab.benches.iterate.newton_1d.clip import STEP, place_of
 from armlab.benches.iterate.newton_1d.state import ChooseEquation, Newton1D, TypeEquation, solution
-from armlab.benches.iterate.runs.one_equation import solved, typed_function
+from armlab.benches.iterate.runs.one_equation import solved, typed_function, typed_slope
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import EXAMPLES
@@ -63,6 +63,17 @@ def test_the_examples_of_the_core_are_those_of_the_page(truth):
     statuses = {example.key: solved(example.key, "", example.x0).status for example in EXAMPLES}
     assert statuses["too_far"] == "away"
     assert statuses["cycle"] == "round"
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: example.key)
+def test_an_example_is_what_its_text_says_with_a_slope_that_is_0_where_it_is(example):
+    for x in (-2.0, 0.3, 1.5, 4.0):
+        assert typed_function(example.text)(x) == pytest.approx(example.f(x), rel=1e-14)
+        assert typed_slope(example.text)(x) == pytest.approx(example.df(x), rel=1e-14)
+    level = {"one_joint": math.pi, "near_flat": -2.0 * math.pi, "cycle": math.sqrt(2.0 / 3.0)}
+    if example.key in level:
+        found = solved(example.key, "", level[example.key])
+        assert (found.status, found.iterates[0].tangent.slope, found.last) == ("level", 0.0, 0)
 
 
 def test_a_typed_equation_makes_the_same_steps_as_the_example():

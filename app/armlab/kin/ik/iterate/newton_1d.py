@@ -57,6 +57,8 @@ class Example1D:
         The title is the equation in words, with what to see.
     f, df : callable
     x0 : float
+    text : str
+        The function f of x as a person types it.
     """
 
     key: str
@@ -64,16 +66,20 @@ class Example1D:
     f: Callable[[float], float]
     df: Callable[[float], float]
     x0: float
+    text: str
 
 
 EXAMPLES = (
-    Example1D("root_of_two", "x² − 2 = 0: quadratic convergence", lambda x: x * x - 2.0, lambda x: 2.0 * x, 1.0),
+    Example1D(
+        "root_of_two", "x² − 2 = 0: quadratic convergence", lambda x: x * x - 2.0, lambda x: 2.0 * x, 1.0, "x^2 - 2"
+    ),
     Example1D(
         "one_joint",
         "cos q − 1/2 = 0: the joint of a 1R arm of unit length that puts p_x at 0.5 m",
         lambda x: math.cos(x) - 0.5,
         lambda x: -math.sin(x),
         0.5,
+        "cos(x) - 1/2",
     ),
     Example1D(
         "near_flat",
@@ -81,14 +87,18 @@ EXAMPLES = (
         lambda x: math.cos(x) - 0.5,
         lambda x: -math.sin(x),
         0.02,
+        "cos(x) - 1/2",
     ),
-    Example1D("too_far", "atan x = 0 from too far away: it diverges", math.atan, lambda x: 1.0 / (1.0 + x * x), 1.5),
+    Example1D(
+        "too_far", "atan x = 0 from too far away: it diverges", math.atan, lambda x: 1.0 / (1.0 + x * x), 1.5, "atan(x)"
+    ),
     Example1D(
         "cycle",
         "x³ − 2x + 2 = 0: the iterates repeat in a cycle",
         lambda x: x**3 - 2.0 * x + 2.0,
         lambda x: 3.0 * x * x - 2.0,
         0.0,
+        "x^3 - 2x + 2",
     ),
 )
 """Examples of section 4.4.1 of the notes: a function minus a wanted value, its derivative, and what may go wrong."""
