@@ -5,13 +5,15 @@ import math
 import numpy as np
 import pytest
 
-from armlab.benches.motion.plan.commands import SetMove
+from armlab.benches.motion.plan.commands import SetMove, SetMoveOption
+from armlab.benches.motion.plan.examples import TakeExample
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import SampleBy, UseShare
 from armlab.benches.motion.plan.points import AddWaypoint, SelectWaypoint, SetWaypointPose
 from armlab.benches.motion.plan.question import Feasible
 from armlab.benches.motion.plan.state import Plan
 from armlab.benches.motion.steps.state import PART, SAMPLING, STEPS, PlanSteps
+from armlab.benches.motion.steps.ui import words
 from armlab.benches.motion.steps.ui.page import MOST_CHIPS, steps_markup
 from armlab.benches.motion.steps.worked import BETWEEN, DRAWN_APART, UNSEEN, between, kept, length_of, nearest_on, steps
 from armlab.content.robots import catalogue
@@ -19,7 +21,9 @@ from armlab.errors import InputError
 from armlab.kin.rotations import axis_angle
 from armlab.session.fields import Set
 from armlab.session.parts.joints import RandomPose
+from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
+from armlab.ui.units import Units
 from support.forms import asked
 
 ARMS = ["puma560", "planar_2r", "cartesian_3p", "scara", "panda", "planar_3r"]
@@ -249,3 +253,18 @@ def test_stretches_steps_and_samples_are_chosen_on_the_page():
     state = planned("planar_2r", *[RandomPose(), AddWaypoint()] * MOST_CHIPS, SelectWaypoint(1))
     assert typed("stretch", "3", state) == (SelectWaypoint(3),)
     assert typed("stretch", "99", state) == ()
+
+
+@pytest.mark.parametrize(("key", "options"), [("spline", {}), ("blends", {}), ("blends", {"shape": "quartic"})])
+def test_what_is_said_of_a_joint_move_is_true_of_its_path(key, options):
+    chosen = [SetMoveOption(1, "path", name, value) for name, value in options.items()]
+    found = steps(planned("puma560", TakeExample("spline"), SetMove(1, path=key), *chosen))
+    units = Units(Notation())
+    said = f"{words.path(found, units)}{words.joints(found, units, ('blue', 'red'))}"
+    places = found.path.at(np.linspace(0.0, 1.0, 2001))
+    meets = np.linalg.norm(places[:, None] - found.knot_q, axis=2).min(axis=0) < 1e-2
+    assert len(meets) > 2
+    assert ("are interpolated" in said) == bool(meets.all())
+    assert ("pass by each knot between" in said) == (not meets[1:-1].any())
+    assert "parabolic" not in said
+    assert ("a quartic instead of each corner" in said) == ("shape" in options)

@@ -1,4 +1,4 @@
-"""Linear segments with parabolic blends, past timed waypoints in joint space."""
+"""Linear segments with parabolic or quartic blends, past timed waypoints in joint space."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def make(knots: NDArray[np.float64], options: dict[str, Any]) -> PolynomialPath:
 
 PATH = PathType(
     "blends",
-    "Linear segments with parabolic blends",
+    "Linear segments with blends",
     5,
     make,
     spaces=("joint",),

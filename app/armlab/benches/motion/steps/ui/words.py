@@ -156,10 +156,11 @@ def path(found: Steps, units: Units) -> Markup:
     """Return the second step: the path in space."""
     chosen = found.stretch.move.path
     if not found.in_space:
+        how = "joined in step 5 by straight lines with blends" if _passes_by(found) else "interpolated in step 5"
         return tag(
             "p",
-            "In a joint move nothing is interpolated in space. The joint values of the knots are interpolated "
-            "in step 5, and the path of the tool follows from them.",
+            f"In a joint move nothing is interpolated in space. The joint values of the knots are {how}, and the path "
+            "of the tool follows from them.",
         )
     if found.way is None:
         return _trouble(found)
@@ -305,7 +306,13 @@ def _laid(found: Steps) -> Markup:
         way = "No singularity can stop this, but in general the tool does not move along a straight line."
     else:
         way = "All joints are prismatic: where their values change in proportion, the tool moves along a straight line."
-    said = tag("p", f"The joint values of the knots are interpolated directly. {way}")
+    joined_by = (
+        "The joint values of the knots are joined by straight lines with blends, which pass by each knot between the "
+        "first and the last."
+        if _passes_by(found)
+        else "The joint values of the knots are interpolated directly."
+    )
+    said = tag("p", f"{joined_by} {way}")
     if move.independent:
         apart = (
             "Each joint follows its own law, and those that arrive first wait for the last. Below, s = t/T is the "
@@ -314,6 +321,11 @@ def _laid(found: Steps) -> Markup:
         return joined(said, tag("p", apart))
     about = tag("p.dim", f"{move.kind.title}. {says_of(move.path, found.path)}")
     return joined(said, _formula(move.path, "q"), about)
+
+
+def _passes_by(found: Steps) -> bool:
+    """Return whether the path does not meet the knots between the first and the last."""
+    return rounds_corners(found.stretch.move.path) and len(found.knot_q) > 2
 
 
 def _timing(found: Steps) -> str | None:
