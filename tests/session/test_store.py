@@ -95,9 +95,6 @@ def test_a_broken_file_gives_a_fresh_session_and_a_notice(tmp_path, data):
         {"joints": {"q": [float("nan")] * 6, "locked": [False] * 6, "draws": 0}},
         {"joints": {"q": [0.0] * 6, "locked": [False] * 6, "draws": float("inf")}},
         {"joints": {"q": [0.0] * 6, "locked": [False] * 6, "draws": -1}},
-        {"target": {"pose": [[1]], "axes": "world", "handle": "move", "method": "dls"}},
-        {"target": {"pose": None, "axes": "nowhere", "handle": "move", "method": "dls"}},
-        {"target": {"pose": None, "axes": "world", "handle": "move", "method": "gone"}},
     ],
 )
 def test_a_file_of_another_version_gives_a_fresh_session_and_a_notice(tmp_path, change):

@@ -71,10 +71,20 @@ class Asked(Command):
 
 @dataclass(frozen=True)
 class Notice:
-    """A message that is shown once; ``number`` increases with each."""
+    """A message that is shown once.
+
+    Attributes
+    ----------
+    number : int
+        Increases with each.
+    text : str
+    of_files : bool
+        Whether it is about saved work, and stays until it is closed; otherwise it is a refusal.
+    """
 
     number: int
     text: str
+    of_files: bool = False
 
 
 @dataclass(eq=False)
@@ -237,9 +247,9 @@ class Session:
             return str(refusal)
         return ""
 
-    def tell(self, text: str) -> None:
-        """Show a notice to the student."""
-        self.notice = Notice(1 if self.notice is None else self.notice.number + 1, cut(text))
+    def tell(self, text: str, of_files: bool = False) -> None:
+        """Show a notice to the student; see `Notice`."""
+        self.notice = Notice(1 if self.notice is None else self.notice.number + 1, cut(text), of_files)
 
 
 def stand_of(state: State) -> Stand:

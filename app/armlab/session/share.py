@@ -84,10 +84,7 @@ def from_short(text: str) -> State:
 
 def state_of_parts(parts: Json) -> State:
     """Return the state of parts written by `State.to_json`; raises any error when they are not usable."""
-    state = State.from_json(parts, robot_from_json(parts[RobotPart.key]))
-    if state[Joints].draws < 0:
-        raise InputError(f"draws: expected 0 or more, got {state[Joints].draws}")
-    return state
+    return State.from_json(parts, robot_from_json(parts[RobotPart.key]))
 
 
 def personal(state: State) -> list[Part]:

@@ -51,6 +51,9 @@ class Part:
     saved: ClassVar[bool] = True
     """Whether files and links hold the part; one that is of the moment only is not looked for there either."""
 
+    called: ClassVar[str] = ""
+    """Name for a person of a part that belongs to no page; empty where nobody misses it."""
+
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the part as it is when an arm has just been chosen."""
@@ -125,6 +128,11 @@ class Part:
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Return the part from JSON; raise any error when the data are not usable."""
         raise NotImplementedError
+
+    @classmethod
+    def with_states(cls, data: Json, change: Callable[[Json], Json]) -> Json:
+        """Return the JSON of a part with the parts of each state that it holds changed; by default it holds none."""
+        return data
 
 
 P = TypeVar("P", bound=Part)

@@ -10,10 +10,11 @@ import os
 import tempfile
 import threading
 import time
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from pathlib import Path
 
 from armlab.content.robots import Robot
+from armlab.session.salvage import Lost, salvaged, told
 from armlab.session.session import Session
 from armlab.session.share import state_of_parts
 from armlab.session.state import Json, State
@@ -49,6 +50,10 @@ UNREADABLE = (
 
 MOST_FILES = 20_000
 """Largest number of students whose work is kept, the latest visitors; a number, as clocks may be wrong."""
+
+
+def _refused(number: str) -> float:
+    raise ValueError(f"expected finite numbers, got {number}")
 
 
 class Store:
@@ -186,27 +191,53 @@ class Store:
         self._saved[token] = session.state
         if self._folder is None:
             return session
+        path = self._path(token)
         try:
-            session.state = self._saved[token] = state_from_text(self._path(token).read_text(encoding="utf-8"))
+            session.state, lost = _read(path.read_text(encoding="utf-8"))
         except FileNotFoundError:
             return session
         except Exception as error:
             # Nobody can list what a damaged file may raise, and it must not keep its student out.
             self._unread.add(token)
-            name = self._path(token).stem
-            log.warning("the session %s is not usable, and is kept: %r", name, error)
-            session.tell(UNREADABLE.format(name=name[:8]))
+            log.warning("the session %s is not usable, and is kept: %r", path.stem, error)
+            session.tell(UNREADABLE.format(name=path.stem[:8]), of_files=True)
+            return session
+        if lost:
+            # It is saved without them the next time, so that the student is told once.
+            self._unread.add(token)
+            _tell_of_lost(session, path.stem, lost)
         else:
             self._unread.discard(token)
+            self._saved[token] = session.state
         return session
 
 
 def state_from_text(text: str) -> State:
     """Return the state in a saved file; raises an error when anything does not fit."""
-    data = json.loads(text)
+    return state_of_parts(_parts_in(text))
+
+
+def _read(text: str) -> tuple[State, Lost]:
+    """Return the state in a saved file, and what of it could not be read; raises an error when nothing can be."""
+    try:
+        return state_from_text(text), {}
+    except Exception:
+        return salvaged(_parts_in(text, numbers=float))
+
+
+def _parts_in(text: str, numbers: Callable[[str], float] = _refused) -> Json:
+    data = json.loads(text, parse_constant=numbers)
     if data["format"] != FORMAT:
         raise ValueError(f"format {data['format']}, expected {FORMAT}")
-    return state_of_parts(data["parts"])
+    return data["parts"]
+
+
+def _tell_of_lost(session: Session, name: str, lost: Lost) -> None:
+    """Tell the log and the student which parts of a file, which is kept, could not be read."""
+    for kind, reason in lost.items():
+        log.warning("the session %s is kept: its part %r is not usable, and begins anew: %s", name, kind.key, reason)
+    if words := told(lost):
+        session.tell(words, of_files=True)
 
 
 def _clear_up(folder: Path) -> None:

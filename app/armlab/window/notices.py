@@ -25,11 +25,14 @@ class Notices:
         self._told = session.notice_seen
 
     def not_done(self) -> None:
-        """Tell the newest refusal of the session that has no place of its own, once."""
+        """Tell the newest refusal of the session that has no place of its own, or what of its files is lost, once."""
         notice = self._session.notice
         if notice is not None and notice.number > self._told:
             self._told = self._session.notice_seen = notice.number
-            self._say("Not done", notice.text, "orange")
+            if notice.of_files:
+                self._say("Not restored", notice.text, "orange", None)
+            else:
+                self._say("Not done", notice.text, "orange")
 
     def replaced(self, now: RobotPart, before: RobotPart) -> None:
         """Tell that an example has put its own arm on the table."""

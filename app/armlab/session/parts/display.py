@@ -33,6 +33,7 @@ class Display(Part):
     """
 
     key: ClassVar[str] = "display"
+    called: ClassVar[str] = "what is drawn"
     kept_by_undo: ClassVar[bool] = True
 
     switches: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))

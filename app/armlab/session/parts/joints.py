@@ -63,7 +63,10 @@ class Joints(Part):
         locked = tuple(bool(held) for held in data["locked"])
         if len(locked) != robot.arm.n:
             raise InputError(f"locked: expected {robot.arm.n} entries, got {len(locked)}")
-        return cls(robot.arm, _checked(robot.arm, data["q"]), locked, int(data["draws"]))
+        draws = int(data["draws"])
+        if draws < 0:
+            raise InputError(f"draws: expected 0 or more, got {draws}")
+        return cls(robot.arm, _checked(robot.arm, data["q"]), locked, draws)
 
     def moved_to(self, q: ArrayLike) -> Self:
         """Return the part with these joint values moved inside the limits; held joints stay."""

@@ -25,6 +25,7 @@ class LanguagePart(Part):
     """
 
     key: ClassVar[str] = "language"
+    called: ClassVar[str] = "the language"
     kept_by_undo: ClassVar[bool] = True
 
     chosen: str = OF_BROWSER

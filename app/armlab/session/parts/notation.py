@@ -36,6 +36,7 @@ class Notation(FieldPart):
     """
 
     key: ClassVar[str] = "notation"
+    called: ClassVar[str] = "units and names"
     kept_by_undo: ClassVar[bool] = True
 
     angle: str = choice("angles", "deg", OPTIONS["angle"])

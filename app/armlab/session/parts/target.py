@@ -87,6 +87,7 @@ class Target(FieldPart):
     """
 
     key: ClassVar[str] = "target"
+    called: ClassVar[str] = "the target"
 
     pose: NDArray[np.float64] | None = own(
         "target", None, lambda T: None if T is None else as_pose(T, "target"), kept=""

@@ -77,6 +77,7 @@ class Timeline(FieldPart):
     """
 
     key: ClassVar[str] = "timeline"
+    called: ClassVar[str] = "the film"
     kept_by_undo: ClassVar[bool] = True
 
     # Not a film of its own, as other parts have one, but the one that is on.

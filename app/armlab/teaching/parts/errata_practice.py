@@ -54,6 +54,7 @@ class Practice(Part):
     """
 
     key: ClassVar[str] = "errata_practice"
+    called: ClassVar[str] = "your answers to errata"
     kept_by_undo: ClassVar[bool] = True
 
     tried: Mapping[str, Tried] = field(default_factory=lambda: MappingProxyType({}))

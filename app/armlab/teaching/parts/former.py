@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
@@ -33,6 +34,7 @@ class Former(Part):
     """
 
     key: ClassVar[str] = "former"
+    called: ClassVar[str] = "the arm before the lesson"
     kept_by_undo: ClassVar[bool] = True
 
     state: State | None = None
@@ -92,6 +94,11 @@ class Former(Part):
         if data is None or (isinstance(data[RobotPart.key], str) and data[RobotPart.key] not in catalogue().robots):
             return cls()
         return cls(state_of_parts({key: part for key, part in data.items() if key not in STAYS}))
+
+    @classmethod
+    def with_states(cls, data: Json, change: Callable[[Json], Json]) -> Json:
+        """Return the JSON with the parts of the state changed."""
+        return None if data is None else change(data)
 
 
 PART = PartType(Former, order=97)

@@ -73,6 +73,7 @@ class LessonPart(Part):
     """
 
     key: ClassVar[str] = "lesson"
+    called: ClassVar[str] = "your progress in lessons"
     kept_by_undo: ClassVar[bool] = True
     looks_at_undo: ClassVar[bool] = True
 

@@ -45,6 +45,7 @@ class OwnLessons(Part):
     """
 
     key: ClassVar[str] = "own_lessons"
+    called: ClassVar[str] = "the files you have loaded"
     kept_by_undo: ClassVar[bool] = True
 
     files: tuple[Upload, ...] = ()

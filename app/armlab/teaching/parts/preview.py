@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
@@ -31,6 +32,7 @@ class Preview(Part):
     """
 
     key: ClassVar[str] = "preview"
+    called: ClassVar[str] = "the work before the preview"
     kept_by_undo: ClassVar[bool] = True
 
     before: State | None = None
@@ -70,6 +72,11 @@ class Preview(Part):
             return cls()
         parts = {key: part for key, part in data["parts"].items() if key not in ASIDE}
         return cls(state_of_parts(parts), str(data["panel"]))
+
+    @classmethod
+    def with_states(cls, data: Json, change: Callable[[Json], Json]) -> Json:
+        """Return the JSON with the parts of the state changed."""
+        return None if data is None else {**data, "parts": change(data["parts"])}
 
 
 PART = PartType(Preview, order=98)

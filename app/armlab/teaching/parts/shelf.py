@@ -7,7 +7,7 @@ history of its own (`armlab.session.session`).
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import ClassVar, Self
@@ -52,6 +52,7 @@ class Shelf(Part):
     """
 
     key: ClassVar[str] = "shelf"
+    called: ClassVar[str] = "the work that waits elsewhere"
     kept_by_undo: ClassVar[bool] = True
 
     own: str = HOME
@@ -118,6 +119,12 @@ class Shelf(Part):
         if shared and not TEXT.match(shared):
             raise InputError("shelf: not the text of a shared state")
         return cls(own, shared, _frozen(states))
+
+    @classmethod
+    def with_states(cls, data: Json, change: Callable[[Json], Json]) -> Json:
+        """Return the JSON with the parts of each waiting state changed."""
+        parked = {place: {**each, "parts": change(each["parts"])} for place, each in data["parked"].items()}
+        return {**data, "parked": parked}
 
 
 PART = PartType(Shelf, order=96)
