@@ -164,14 +164,18 @@ def test_a_damaged_choice_is_left_out_when_read_back():
         (Verdict("reached", 1e-9, 0.0, ()), "ok", "✓ reached</b> 0.0 mm 0.0°"),
         (Verdict("limit", 0.043, 0.0, (2,)), "no", "✕ limit on joint 3</b> 43.0 mm short"),
         (Verdict("limit", 0.0, 0.1, (0, 4)), "no", "✕ limit on joints 1 and 5</b> orientation error 5.7°"),
-        (Verdict("closest", 0.143, 0.02, ()), "no", "✕ closest possible</b> 143.0 mm short, orientation error 1.1°"),
+        (
+            Verdict("closest", 0.143, 0.02, ()),
+            "no",
+            "✕ closest possible from here</b> 143.0 mm short, orientation error 1.1°",
+        ),
         (
             Verdict("beyond", 1.2, 0.0, ()),
             "no",
             "✕ out of reach</b> 1200.0 mm short; farther than the fully stretched arm",
         ),
         (Verdict("moving", 0.01, 0.0, ()), "warn", "◐ not there yet</b> 10.0 mm short"),
-        (Verdict("closest", 1e-5, 0.0, ()), "no", "✕ closest possible</b> within 0.1 mm and 0.1°"),
+        (Verdict("closest", 1e-5, 0.0, ()), "no", "✕ closest possible from here</b> within 0.1 mm and 0.1°"),
     ],
 )
 def test_verdicts_have_a_sign_a_word_and_numbers(verdict, kind, line):

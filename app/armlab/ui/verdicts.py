@@ -22,12 +22,10 @@ def verdict_words(verdict: Verdict, units: Units) -> tuple[str, str]:
     short = _shortfall(verdict, units)
     if verdict.status == "reached":
         return "reached", f"{units.length(verdict.position_error)} {units.angle(verdict.rotation_error)}"
-    if verdict.status == "limit":
+    if verdict.status in ("limit", "closest"):
         return verdict.reason, short
     if verdict.status == "beyond":
         return "out of reach", f"{short}; farther than the fully stretched arm"
-    if verdict.status == "closest":
-        return "closest possible", short
     return "not there yet", short
 
 

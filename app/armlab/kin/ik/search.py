@@ -98,6 +98,12 @@ class Begin:
         for _ in range(count):
             yield self._kept(low + width * rng.random(self.arm.n)).tolist()
 
+    def lowest(self, target: Sequence[float], count: int) -> Floats:
+        """Return where to go downhill from, (k, n): the given start, or so many samples whose tool is nearest."""
+        if self.start is not None or self.free is not None:
+            return self.near[None]
+        return samples_of(self.arm, self.seed).near(target, count)
+
     def placed(self, q: Sequence[float]) -> Floats | None:
         """Return the configuration (n,) moved by whole turns inside the limits; None when that is impossible."""
         near, free, inside = self.near.tolist(), self.free, list(q)

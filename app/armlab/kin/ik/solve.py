@@ -1,7 +1,7 @@
 """One solution of the inverse kinematics: descents from a given start, samples near the target, and random starts.
 
 Where all fail, the list of all solutions has the last word for arms that have one: a solution, or the proof that there
-is none. The result is then the closest configuration downhill of the start.
+is none. The result is then the closest configuration downhill of the start, or of samples near the target without one.
 """
 
 from __future__ import annotations
@@ -41,6 +41,9 @@ STEPS_CLOSEST = 100
 
 BALANCES = 4
 """Largest number of descents of that kind, each after leaving a balance; the rest waits for the next call."""
+
+LOWEST = 4
+"""Samples near the target from which the closest configuration is looked for where no start is given."""
 
 NEARLY = 1e-3
 """Scaled error above which arms with joints to spare look along the valley and use the list of all solutions, too: for
@@ -110,8 +113,10 @@ def solve(
         must not be turned over.
     q0 : array_like, shape (n,), optional
         First start; when left out, of random configurations the one whose tool is nearest, and with ``"dls"`` a closed
-        form on its branch comes first where one is quick (see `armlab.kin.ik.at_once`). Angles of the solution are
-        those nearest to it, whole turns apart, inside the limits; in (-pi, pi], where the limits allow, when left out.
+        form on its branch comes first where one is quick (see `armlab.kin.ik.at_once`). For a target that cannot be
+        reached the result is the closest configuration downhill of it; when left out, the closest that is downhill of
+        `LOWEST` of those nearest. Angles of the solution are those nearest to it, whole turns apart, inside the limits;
+        in (-pi, pi], where the limits allow, when left out.
     method : str
         Key of a compiled method (see `methods`) or of an iterative one (see `iteration_methods`; at its default
         parameters, some hundred times slower). ``"gradient"`` and ``"gauss_newton"``, which exist in both forms, mean
@@ -204,8 +209,9 @@ def solved(arm: Arm, T: NDArray[np.float64], start: NDArray[np.float64] | None, 
     if found.q is not None and found.verdict is not None:
         return _result(found, found.q, found.verdict, Known())
     problem = problem_of(arm, methods().get(how.method, methods()["dls"]), how.weights)
-    rest = come_closer(problem, target, begin.near, begin.free)
-    found = found._replace(iterations=found.iterations + rest.iterations)
+    descents = [come_closer(problem, target, low, begin.free) for low in begin.lowest(target, LOWEST)]
+    rest = min(descents, key=lambda descent: descent.errors.scaled2)
+    found = found._replace(iterations=found.iterations + sum(descent.iterations for descent in descents))
     verdict = judge(arm, T, rest.q, how.locked, how.weights)
     known = Known(None, never, "" if beyond or not never else f"proven: {TURNED_OVER}")
     if not (verdict.reached or never) and how.complete:

@@ -45,8 +45,8 @@ UNITS = (
 
 WORDS = (
     ("✓ reached", "the tool is at the target"),
-    ("✕ limit on joint 3", "only a joint limit keeps the tool away"),
-    ("✕ closest possible", "no small move of any joint comes closer"),
+    ("✕ limit on joint 3", "at this limit no move comes closer; from another posture one may"),
+    ("✕ closest possible from here", "no small move of any joint comes closer; from another posture one may"),
     ("✕ out of reach", "farther than the fully stretched arm"),
 )
 

@@ -1,0 +1,54 @@
+"""Without a start, the closest configuration to a target out of reach is looked for from samples near the target."""
+
+import numpy as np
+import pytest
+
+from armlab.kin.arm import Arm
+from armlab.kin.ik import solve
+
+UNTIL = 40
+"""Number of targets out of reach that are tried."""
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_valley_behind_a_limit_is_found_from_the_other_side(seed):
+    # Downhill of 0, joint 2 ends at its lower limit, 203 mm away.
+    rows = [("P", 0.3, 0.0, 0.0, np.pi / 2), ("R", 0.2, 0.0, 0.0, 0.0)]
+    arm = Arm.from_dh(rows, limits=[(0.0, 0.53), (-1.84, 3.82)])
+    target = np.eye(4)
+    target[:3, 3] = 0.0438, 0.1084, 0.1728
+    far = np.linalg.norm(
+        np.array([0.0438, 0.1084 - 0.3])
+    )  # from the axis of joint 2, around which the tool is at 0.2 m
+    result = solve(arm, target, seed=seed)
+    assert not result.success
+    assert result.position_error == pytest.approx(abs(far - 0.2), abs=1e-6)
+    assert solve(arm, target, q0=[0.0, 0.0]).position_error > 0.2
+
+
+def test_twenty_thousand_samples_seldom_come_closer(rng):
+    beaten = tried = 0
+    while tried < UNTIL:
+        arm = _random_arm(rng)
+        low, high = arm.limits.T
+        target = arm.fk(rng.uniform(low, high))
+        target[:3, 3] += rng.uniform(-0.5, 0.5, 3)
+        result = solve(arm, target)
+        if arm.task.rotation != "none" or result.success:
+            continue
+        tried += 1
+        tools = arm.position(rng.uniform(low, high, (20_000, arm.n))) - target[:3, 3]
+        nearest = np.linalg.norm(tools[:, list(arm.task.coordinates)], axis=1).min()
+        beaten += nearest < result.position_error - 1e-3
+    assert beaten <= UNTIL // 20  # a valley may lie between all samples
+
+
+def _random_arm(rng):
+    rows, limits = [], []
+    for _ in range(rng.integers(2, 6)):
+        kind = "P" if rng.random() < 0.3 else "R"
+        a, d = rng.choice([0.0, 0.2, 0.3]), rng.choice([0.0, 0.0, 0.2])
+        rows.append((kind, a, rng.choice([0.0, np.pi / 2, -np.pi / 2]), d, rng.choice([0.0, np.pi / 2])))
+        middle, half = rng.uniform(-1.0, 1.0), rng.uniform(0.5, 3.0)
+        limits.append((middle - half, middle + half) if kind == "R" else (0.0, rng.uniform(0.2, 0.8)))
+    return Arm.from_dh(rows, limits=limits)
