@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,7 +22,7 @@ from armlab.content.observation import Observation
 from armlab.errors import ContentError, InputError
 from armlab.kin.checks import finite_floats, whole_number
 from armlab.session.facts import benches_of
-from armlab.session.job import Deliver
+from armlab.session.job import Deliver, Job
 from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.timeline import OpenClip, Seek, duration
 from armlab.session.session import Session
@@ -32,6 +33,9 @@ from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson
 from armlab.teaching.parts.lesson import LessonPart, check_line, observed
 from armlab.teaching.plain_text import plain
 from armlab.teaching.taught import taught
+
+KEPT = 32
+"""Number of results of jobs that are kept."""
 
 RANDOM_STATES = 100
 MOST_BY_CHANCE = 4
@@ -100,7 +104,7 @@ class Player:
             wanted = job.wanted(self.session.state, frozenset(panels))
             if wanted is None or not self._planning:
                 continue
-            for found in job.run(wanted.inputs):
+            for found in _found(job, wanted.inputs) if _can_come_again(wanted.inputs) else job.run(wanted.inputs):
                 if found is not None:
                     self.session.apply(Deliver(job, wanted.inputs, found), self.time)
 
@@ -123,6 +127,21 @@ class Player:
             yield Answer(action.text)
         else:
             yield from commands_of(action, self.session.state)
+
+
+@lru_cache(maxsize=KEPT)
+def _found(job: Job, inputs: Hashable) -> tuple[Any, ...]:
+    """Return all that a job finds: steps and variants ask for the same work again and again."""
+    return tuple(job.run(inputs))
+
+
+def _can_come_again(inputs: object) -> bool:
+    """Return whether it can be said that inputs come again."""
+    try:
+        hash(inputs)
+    except TypeError:
+        return False
+    return True
 
 
 def problems(key: str, variant: int = 0) -> list[Problem]:
