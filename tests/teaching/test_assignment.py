@@ -1,6 +1,7 @@
 """An assignment in a session: its dates, its clock, its silence in an exam, and how it is handed in."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -24,7 +25,9 @@ from armlab.teaching.hand_in_reports import Judged, gradescope, rows, table
 from armlab.teaching.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson, SignAs, UnlockHint
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.shelf import ToSandbox
+from armlab.ui.html import tag
 from armlab.window.lesson.assigned import Sheet
+from armlab.window.lesson.missing import still_missing
 from armlab.window.lesson.page import LessonPage
 from armlab.window.wished import wished
 from support.assigned import NOON, done, exam, folder_fixture, fresh_fixture, goal, points, refused, solved
@@ -34,6 +37,11 @@ from support.small_lessons import library_fixture
 own = pytest.fixture(library_fixture, name="own")
 folder = pytest.fixture(folder_fixture, name="folder")
 fresh = pytest.fixture(fresh_fixture, name="fresh")
+
+
+def words_in(inside):
+    """Return what is said in markup."""
+    return " ".join(re.sub(r"<[^>]+>", " ", str(tag("div", inside))).split()).replace(" ,", ",")
 
 
 # --- Opening
@@ -162,6 +170,63 @@ def test_when_the_time_is_over_the_work_is_handed_in_as_it_stands(fresh):
         assert points(over) == 7.0
     refused(over, TakeUp(), "its time is over", late + 6)
     assert done(state, LookAtClock(), at=late - 1) is state
+
+
+def test_one_page_saves_the_file_at_the_end_of_the_clock_and_all_say_that_it_has_to_be_given(fresh):
+    pages, saved = (), set()
+    for _ in range(3):
+        gui = BareGui()
+        gui.save = lambda name, text, gui=gui: gui.files.append((name, text))
+        gui.files = []
+        pages += ((gui, LessonPage(gui, print, saved=saved)),)
+    state = solved(exam(fresh))
+    over = done(state, LookAtClock(), at=NOON + 30 * 60)
+    for gui, page in pages[:2]:  # the third is opened later
+        page.show(state)
+        assert not gui.files
+    for gui, page in (*pages, *pages):
+        page.show(over)
+        shown = " ".join([*map(content, gui.has), *(each.handle._impl.props.content for each in gui.said)])
+        for part in ("Give the file to your teacher", "The time is over", "only when", "exam_ada.json", "Closed on"):
+            assert part in shown
+        assert "anded in on" not in shown
+        assert "name is missing" not in shown
+    assert [gui.files for gui, _ in pages] == [[("exam_ada.json", hand_in(over))], [], []]
+
+
+def test_whose_work_is_closed_without_a_name_is_told_so(fresh):
+    gui = BareGui()
+    state = done(fresh, OpenAssignment("exam", 3))
+    LessonPage(gui, print).show(done(state, LookAtClock(), at=NOON + 30 * 60))
+    assert "Your name is missing in it" in " ".join(map(content, gui.has))
+
+
+def named_before(state, sent=()):
+    return words_in(still_missing(Sheet.open(state[LessonPart]), state[LessonPart].where, dict(sent)))
+
+
+def test_homework_names_all_that_is_not_done_before_it_is_handed_in_and_an_exam_answers_alone(fresh):
+    begun = done(fresh, OpenAssignment("homework", 3), GoToStep(2))
+    unanswered = "Without an answer: Task 1, steps 2, 3"
+    assert re.fullmatch(rf"{unanswered} .*button at the question\. Not done yet: Task 1, step 1", named_before(begun))
+    wrong = done(begun, Answer("1"))
+    assert named_before(wrong).endswith("Not done yet: Task 1, steps 1, 3")
+    assert named_before(begun, {"Double": f"{2 * goal(begun):g}"}).endswith("Not done yet: Task 1, step 1")
+    assert named_before(solved(begun)) == ""
+    assert "In an exam only missing answers are named" in named_before(exam(fresh))
+    assert "Not done yet" not in named_before(exam(fresh))
+    assert named_before(solved(exam(fresh))) == named_before(done(solved(exam(fresh)), Answer("1")))
+
+
+def test_a_missing_name_is_told_before_work_is_handed_in(fresh):
+    for name, told in (("", True), ("Ada", False)):
+        gui, asked = BareGui(), []
+        gui.confirm = lambda *said, asked=asked: asked.append(words_in(said[-1]))
+        page = LessonPage(gui, print)
+        state = exam(fresh, name=name)
+        page.show(state)
+        page._hand_in(Sheet.open(state[LessonPart]))
+        assert ("Your name is missing: write it" in asked[0]) == told
 
 
 def test_work_that_was_handed_in_rests_until_it_is_taken_up_again(fresh):

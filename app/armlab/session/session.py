@@ -110,6 +110,8 @@ class Session:
     drafts : dict
         What was chosen or typed last in answers that are not handed in, by place: with it a page begins that opens
         later, as after a lost connection. Pages alone know what it is; it is not saved.
+    saved : set
+        The work of which some page has saved the file as it was closed, so that no other page does so again.
     """
 
     token: str
@@ -122,6 +124,7 @@ class Session:
     untaken: int = 0
     switched_by: int | None = None
     drafts: dict[str, Any] = field(default_factory=dict)
+    saved: set[Any] = field(default_factory=set)
     _elsewhere: dict[str, History] = field(default_factory=dict)
 
     @classmethod

@@ -66,7 +66,11 @@ def hand_in(state: State) -> str:
 
 def hand_in_name(state: State) -> str:
     """Return a file name for the hand-in: lesson or assignment and the student's name in plain letters."""
-    part = state[LessonPart]
+    return work_name(state[LessonPart])
+
+
+def work_name(part: LessonPart) -> str:
+    """Return a file name for the work on the open lesson or assignment; see `hand_in_name`."""
     who = re.sub(r"[^a-z0-9]+", "_", part.student.lower()).strip("_")[:40]
     attempt = str(part.work.attempts) if part.work is not None and part.work.attempts > 1 else ""
     place, _, variant = part.open.partition("/")

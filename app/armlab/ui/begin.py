@@ -39,7 +39,7 @@ def ask_to_begin(gui: Gui, post: Post, found: Assignment, number: int | None = N
 
 _CLOCK = (
     "The clock runs from the moment you begin, also while you are away. "
-    "When the time is over, your work is handed in as it stands."
+    "When the time is over, your work is closed as it stands, and the page saves the file to give to your teacher."
 )
 _NOT_YET = "Nothing has begun yet. You can come back to this question later."
 

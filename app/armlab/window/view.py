@@ -111,7 +111,7 @@ class View:
             self._search = SearchDialog(self)
             self._timeline = TimelineBar(self.client, self.post)
             self._tray = Tray(self.client, self.post, self._refresh_now)
-            self._lesson = LessonDock(self.client, self._gui, self.post, self.session.drafts)
+            self._lesson = LessonDock(self.client, self._gui, self.post, self.session.drafts, self.session.saved)
             yield
             yield from self._dock()
             commands.register(self)

@@ -12,6 +12,7 @@ from armlab.content.lessons import lessons
 from armlab.session.clock import now
 from armlab.teaching.assignment_commands import OpenTask, TakeUp
 from armlab.teaching.assignment_work import Work
+from armlab.teaching.hand_in import work_name
 from armlab.teaching.lesson_commands import CloseLesson, GoToStep, TakeLessonArm
 from armlab.teaching.lesson_places import kept_at, place_of, where_in
 from armlab.teaching.lesson_progress import Progress, step_names
@@ -110,9 +111,9 @@ class Clock:
         self._said: tuple[float, int] | None = None
 
     def markup(self, sheet: Sheet) -> Markup:
-        """Return what is left, or when it was handed in."""
+        """Return what is left, or when it was closed."""
         if sheet.work.handed is not None:
-            return tag("div.as-line", tag("span", f"Handed in on {said_date(sheet.work.handed)}"))
+            return tag("div.as-line", tag("span", f"Closed on {said_date(sheet.work.handed)}"))
         ends = sheet.of.ends(sheet.work.begun)
         if ends is None:
             due = f"Due on {said_date(sheet.of.due)}" if sheet.of.due is not None else "No date is set"
@@ -174,7 +175,7 @@ def foot(form: Form, sheet: Sheet, lesson: Lesson, hint: Inside) -> Markup:
 def hand_in_form(
     form: Form, sheet: Sheet, name: Markup, ask: Callable[[], Wish], save: Callable[[], Wish], now: float
 ) -> Markup:
-    """Return the name and the button to hand in; when that is done, the points, the file, and a further attempt."""
+    """Return the name and the button to hand in; when that is done, the file to give, and a further attempt."""
     work, of = sheet.work, sheet.of
     again = "Restore the arm of this step; your answers are kept"
     own = tag("div.row", tag("span", "Name"), tag("div.answer", name))
@@ -184,16 +185,26 @@ def hand_in_form(
             form.chip("lesson-setup", "Set up again", TakeLessonArm(), again),
         )
         return tag("div.as-hand-in", own, tag("div.chips", chips), tag("p.dim", _attempts(of, work)))
-    got, most = sheet.points
-    why = "The time is over, and your work has been handed in." if work.by_clock else "Your work has been handed in."
-    said = f"{_number(got)} of {_number(most)} points on screen; what counts is how your teacher judges the file."
     file = form.button("lesson-save", "Save the file", save, "main", "The file to give to your teacher")
     takes = work.left_over(of, now)
     more = form.chip("assignment-again", "Work on it again", TakeUp(), "For another attempt") if takes else None
-    late = tag("p", "It came late.") if of.due is not None and work.handed > of.due else None
     told = tag("p.dim", _attempts(of, work)) if takes else None
-    box = verdict_box("ok", why, said, late, role="status")
-    return tag("div.as-hand-in", box, own, tag("div.chips", file, more), told)
+    return tag("div.as-hand-in", _closed(sheet), own, tag("div.chips", file, more), told)
+
+
+def _closed(sheet: Sheet) -> Markup:
+    """Return what is left to do with work that is closed: the lab gives it to nobody."""
+    work, due = sheet.work, sheet.of.due
+    got, most = sheet.points
+    why = "The time is over, and your work is closed." if work.by_clock else "Your work is closed."
+    inside = [tag("p", why), tag("p", "Your teacher has it only when you have given them this file:")]
+    inside.append(tag("p", tag("code", work_name(sheet.part))))
+    if not sheet.part.student:
+        inside.append(tag("p", "Your name is missing in it: write it below, and save the file again."))
+    if due is not None and work.handed is not None and work.handed > due:
+        inside.append(tag("p", "It came late."))
+    said = f"{_number(got)} of {_number(most)} points on screen; what counts is how your teacher judges the file."
+    return verdict_box("todo", "Give the file to your teacher", inside, tag("p", said), role="status")
 
 
 def _attempts(of: Assignment, work: Work) -> str:

@@ -19,7 +19,7 @@ from armlab.session.state import Post, State
 from armlab.teaching.assignment_commands import LookAtClock
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.ui.widgets import Gui
-from armlab.window.lesson.page import Drafts, LessonPage
+from armlab.window.lesson.page import Attempt, Drafts, LessonPage
 
 log = logging.getLogger(__name__)
 
@@ -43,13 +43,20 @@ class LessonDock:
         Returns a new maker of controls.
     post : callable
     drafts : dict
-        Of the session; see `LessonPage`.
+    saved : set
+        Both of the session; see `LessonPage`.
     """
 
     def __init__(
-        self, client: viser.ClientHandle, make_gui: Callable[[], Gui], post: Post, drafts: dict[str, Drafts]
+        self,
+        client: viser.ClientHandle,
+        make_gui: Callable[[], Gui],
+        post: Post,
+        drafts: dict[str, Drafts],
+        saved: set[Attempt],
     ) -> None:
-        self._client, self._make_gui, self._post, self._drafts = client, make_gui, post, drafts
+        self._client, self._make_gui, self._post = client, make_gui, post
+        self._drafts, self._saved = drafts, saved
         self._panel: Any = None
         self._page: LessonPage | None = None
         self._open = ""
@@ -110,6 +117,6 @@ class LessonDock:
         self._shown = None
         self._panel = self._client.gui.add_panel()
         with self._panel.add_tab("Lesson", viser.Icon.BOOK):
-            self._page = LessonPage(self._make_gui(), self._post, self._drafts)
+            self._page = LessonPage(self._make_gui(), self._post, self._drafts, self._saved)
         self._panel.dock_left()
         self._panel.set_width(WIDTH)

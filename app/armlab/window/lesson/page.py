@@ -38,12 +38,15 @@ from armlab.ui.widgets import Gui
 from armlab.window.lesson import assigned
 from armlab.window.lesson.assigned import Sheet
 from armlab.window.lesson.end import with_end
-from armlab.window.lesson.missing import without_answer
+from armlab.window.lesson.missing import still_missing
 from armlab.window.lesson.text import step_text, with_values, words_of
 
 STEP = "lesson-step-"
 SOON = 5.0
 """Time within which a press has its work handed in, seconds; without a name, for one, it has not."""
+
+Attempt = tuple[str, float, int]
+"""Key of an assignment, when the work on it was begun, and the number of the attempt."""
 
 Drafts = dict[str, tuple[str, Answered, Draft]]
 """Drafts of the steps of a lesson, each with the answer given before and the kind of the question."""
@@ -60,10 +63,17 @@ class LessonPage:
     post : callable
     kept : dict, optional
         What was last chosen or typed on any page of the session, by place: this one begins with it.
+    saved : set, optional
+        The work of which some page of the session has saved the file as it was closed.
     """
 
-    def __init__(self, gui: Gui, post: Post, kept: dict[str, Drafts] | None = None) -> None:
+    def __init__(
+        self, gui: Gui, post: Post, kept: dict[str, Drafts] | None = None, saved: set[Attempt] | None = None
+    ) -> None:
         self._gui, self._post, self._kept = gui, post, {} if kept is None else kept
+        self._saved: set[Attempt] = set() if saved is None else saved
+        self._signed = ""  # the name sent last, which may not be in the state yet that was shown last
+        self._watched = ""  # the assignment that was worked on when it was shown last
         self._drafts: Drafts = {}
         self._drafts_of = ""
         self._asked_at = ""  # step whose question was shown last
@@ -108,13 +118,27 @@ class LessonPage:
         self._head.show(above, steps)
 
     def _show_hand_in(self, state: State, sheet: Sheet) -> None:
-        """Show how the assignment is handed in; the file is saved when it has been, by this page's button."""
-        name = _name(self._more, sheet.part)
+        """Show how the assignment is handed in."""
+        name = _name(self._more, sheet.part, self._sign)
         save = lambda: self._save(state)  # noqa: E731
         self._more.show(assigned.hand_in_form(self._more, sheet, name, lambda: self._hand_in(sheet), save, now()))
-        if sheet.part.rests and now() < self._saves:
-            self._saves = 0.0
+        self._save_closed(state, sheet)
+
+    def _save_closed(self, state: State, sheet: Sheet) -> None:
+        """Save the file of work that was closed by this page's button, or by the clock while this page was open."""
+        was, self._watched = self._watched, "" if sheet.part.rests else sheet.of.key
+        if not sheet.part.rests:
+            return
+        due = now() < self._saves or (sheet.work.by_clock and was == sheet.of.key)
+        attempt = sheet.of.key, sheet.work.begun, sheet.work.attempts
+        self._saves = 0.0
+        if due and attempt not in self._saved:
+            self._saved.add(attempt)
             self._save(state)
+
+    def _sign(self, name: str) -> SignAs:
+        self._signed = name.strip()
+        return SignAs(name)
 
     def fail(self) -> None:
         """Show that the lesson has failed, and remove the fields, which may be outdated."""
@@ -193,10 +217,15 @@ class LessonPage:
             self._saves = now() + SOON
             self._post(HandIn())
 
-        says = "Your work can then not be changed any more in this attempt, and a file is saved for your teacher."
+        says = (
+            "Your work can then not be changed any more in this attempt, and a file is saved: give it to your teacher."
+        )
         # An answer that was sent just now may not be in the state yet that was shown last.
         sent = {name: draft.whole for name, (_, _, draft) in self._drafts.items() if draft.whole}
-        self._gui.confirm("Hand in?", says, "Hand in", hand_in_now, without_answer(sheet, self._drafts_of, sent))
+        named = sheet.part.student or self._signed
+        unsigned = None if named else tag("p", "Your name is missing: write it at “Name” first.")
+        more = unsigned, still_missing(sheet, self._drafts_of, sent)
+        self._gui.confirm("Hand in?", says, "Hand in", hand_in_now, more)
         return ()
 
     def _save(self, state: State) -> Wish:
@@ -336,13 +365,13 @@ def _more(form: Form, lesson: Lesson, part: LessonPart, save: Callable[[], Wish]
         "details.lesson-more",
         summary,
         variant,
-        tag("div.row", tag("span", "Name"), tag("div.answer", _name(form, part))),
+        tag("div.row", tag("span", "Name"), tag("div.answer", _name(form, part, SignAs))),
         chips,
     )
 
 
-def _name(form: Form, part: LessonPart) -> Markup:
+def _name(form: Form, part: LessonPart, sign: Callable[[str], SignAs]) -> Markup:
     """Return the field of the name with which the work is signed."""
     return form.field(
-        "lesson-name", part.student, "Your name", SignAs, inputmode="", placeholder="your name", maxlength="80"
+        "lesson-name", part.student, "Your name", sign, inputmode="", placeholder="your name", maxlength="80"
     )

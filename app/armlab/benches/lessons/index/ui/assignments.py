@@ -58,5 +58,5 @@ def _standing(found: Assignment, work: Work | None) -> str:
     due = f"due on {said_date(found.due)}" if found.due is not None else ""
     stands = "" if work is None else "begun"
     if work is not None and work.handed is not None:
-        stands = f"handed in on {said_date(work.handed)}"
+        stands = f"closed on {said_date(work.handed)}"
     return ", ".join(filter(None, (kind, opens, due, stands)))
