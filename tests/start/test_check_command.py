@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import os
+import re
 
 import pytest
 
@@ -173,6 +174,8 @@ def test_the_list_of_students_says_whose_variant_it_is(typed, work, place):
     asked = ("check", "v", "--lessons", "mine", "--students", "class.txt", "--state", *files)
     status, out, _ = typed(*asked)
     assert status == 0
-    assert "2 of 3" in out.splitlines()[1]
-    assert "0 of 3  This is variant 3; the one given was 1." in out.splitlines()[2]
+    bob, eve, ada = out.splitlines()[1:]
+    assert "0 of 3  This is variant 3; the one given was 1." in bob
+    assert re.fullmatch("Eve +Nothing handed in.", eve)
+    assert "2 of 3" in ada
     assert "gone.txt" in typed("check", "v", "--lessons", "mine", "--students", "gone.txt", "--state", *files)[2]

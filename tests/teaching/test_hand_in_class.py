@@ -13,7 +13,7 @@ from armlab.session.state import State, apply
 from armlab.teaching.assignment_commands import HandIn, OpenTask, TakeUp
 from armlab.teaching.hand_in import hand_in, judge
 from armlab.teaching.hand_in_assignment import judge_assignment
-from armlab.teaching.hand_in_class import looked_at_together
+from armlab.teaching.hand_in_class import by_list, looked_at_together
 from armlab.teaching.hand_in_reports import Judged, gradescope, rows, table
 from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson, SignAs
 from armlab.teaching.parts.lesson import LessonPart
@@ -76,6 +76,25 @@ def test_two_students_of_one_name_are_told_apart_by_their_variants(fresh, folder
     assert [one.problem for one in marked] == ["Another attempt counts: b.", "", ""]
     assert [one.points for one in marked] == [0.0, 8.5, 8.5]
     assert [one.same_as for one in marked] == [("c",), ("c",), ("a", "b")]
+
+
+def test_the_table_has_one_row_for_each_name_of_the_list_in_its_order_and_the_others_behind(fresh, folder):
+    anna, twin, stranger = (exam(fresh, number, name) for number, name in ((3, "Anna"), (6, "anna"), (5, "Zoe")))
+    again = assigned(assigned(anna, HandIn()), TakeUp(), HandIn(), at=NOON + 60)
+    works = {"z": stranger, "t": twin, "a1": anna}
+    texts = {**{key: hand_in(assigned(state, HandIn())) for key, state in works.items()}, "a2": hand_in(again)}
+    names = {2: "Carla", 3: "Anna", 4: "Dario", 6: "Anna"}
+    files = [Judged(key, judge_assignment(text, "exam")) for key, text in texts.items()]
+    listed = by_list(looked_at_together([*files, Judged("x", None, "it is not JSON")], names), names)
+    assert [one.file for one in listed] == ["", "a2", "", "t", "z", "a1", "x"]
+    lines = [line.split() for line in table(listed).splitlines()[1:]]
+    assert lines[0] == ["Carla", "Nothing", "handed", "in."]
+    assert [line[0] for line in lines] == ["Carla", "Anna", "Dario", "anna", "Zoe", "Anna"]
+    read = list(csv.DictReader(io.StringIO(rows(listed))))
+    assert [row["student"] for row in read] == ["Carla", "Anna", "Dario", "anna", "Zoe", "Anna", ""]
+    assert [row["problem"] for row in read][:4] == ["Nothing handed in.", "", "Nothing handed in.", ""]
+    nobody = by_list([], {1: "=Carla"})
+    assert table(nobody).splitlines()[1].split() == ["=Carla", "Nothing", "handed", "in."]
 
 
 def test_work_in_the_variant_of_another_does_not_count(fresh, own):

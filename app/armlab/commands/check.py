@@ -42,7 +42,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--students",
         type=Path,
         metavar="FILE",
-        help="names, one a line, as for `lesson sheet`: the first was given variant 1; other work does not count",
+        help="names, one a line, as for `lesson sheet`: the first was given variant 1; other work does not count; "
+        "the table has one row for each name, in this order",
     )
     parser.add_argument("--verbose", action="store_true", help="in the table, also what is missing to each step")
     add_lessons_option(parser)
@@ -52,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
     """Judge the files; return 0 when all of them could be."""
     from armlab.commands._found import Place
     from armlab.commands._lesson_sheet import names_of
-    from armlab.teaching.hand_in_class import looked_at_together
+    from armlab.teaching.hand_in_class import by_list, looked_at_together
 
     judged_as = _judge_of(Place(options.lessons), options.lesson)
     students = names_of(options.students) if options.students else None
@@ -68,7 +69,8 @@ def run(options: argparse.Namespace) -> int:
     if options.format == "gradescope":
         _gradescope(judged, names, options.out, {path.resolve() for path, _ in files})
     else:
-        _text(judged, options, {path.resolve() for path, _ in files})
+        listed = judged if students is None else by_list(judged, students)
+        _text(listed, options, {path.resolve() for path, _ in files})
     return 0 if all(one.report for one in judged) else 1
 
 

@@ -10,6 +10,9 @@ from dataclasses import replace
 from armlab.teaching.hand_in import Report
 from armlab.teaching.hand_in_reports import Judged
 
+NOTHING_HANDED_IN = "Nothing handed in."
+"""The reason why there is no work of a student of the list."""
+
 
 def looked_at_together(judged: Sequence[Judged], students: Mapping[int, str] | None = None) -> list[Judged]:
     """Return the verdicts with marks: work that agrees with another's to the last digit, and another's variant.
@@ -37,6 +40,34 @@ def looked_at_together(judged: Sequence[Judged], students: Mapping[int, str] | N
             problem = problem or (_not_assigned(one.report, students) if students is not None else "")
         marked.append(replace(one, problem=problem, same_as=tuple(judged[k].file for k in others)))
     return _last_attempts(marked, shared)
+
+
+def by_list(judged: Sequence[Judged], students: Mapping[int, str]) -> list[Judged]:
+    """Return one verdict for each student of a list, in its order, and behind them all others in theirs.
+
+    Who has handed in nothing has a verdict, too. Of several files of one student the one that counts has the place in
+    the list; where none does, the last attempt.
+
+    Parameters
+    ----------
+    judged : sequence of Judged
+        As `looked_at_together` returns them.
+    students : mapping of int to str
+        Names by the variant that each was given.
+    """
+    shared = _shared(students)
+    found: dict[tuple[str, int | None], Judged] = {}
+    for one in judged:
+        if one.report is not None and one.report.student:
+            who = _who(one.report, shared)
+            found[who] = max(found.get(who, one), one, key=lambda each: (not each.problem, _attempt(each)))
+    listed = []
+    for number, student in students.items():
+        name = _plain(student)
+        of_list = found.get((name, number if name in shared else None))
+        listed.append(of_list or Judged("", None, NOTHING_HANDED_IN, student=student))
+    taken = {id(one) for one in listed}
+    return [*listed, *(one for one in judged if id(one) not in taken)]
 
 
 def _attempts_of_one(one: Report | None, other: Report | None, shared: Set[str]) -> bool:

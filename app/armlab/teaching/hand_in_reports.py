@@ -40,17 +40,20 @@ class Judged:
         Why it cannot be judged, or does not count: nothing of it is done then.
     same_as : tuple of str
         Files with which it agrees to the last digit.
+    student : str
+        The student of a list of whom there is no file.
     """
 
     file: str
     report: Report | None
     problem: str = ""
     same_as: tuple[str, ...] = ()
+    student: str = ""
 
     @property
     def name(self) -> str:
         """The student's name, or the file name of unsigned work."""
-        return (self.report.student if self.report else "") or self.file
+        return (self.report.student if self.report else self.student) or self.file
 
     @property
     def passed(self) -> int:
@@ -75,26 +78,35 @@ class Judged:
 def table(judged: Sequence[Judged], details: bool = False) -> str:
     """Return one line for each student with a mark for each step, and what is missing if ``details``; plain text.
 
-    The table of an assignment holds the attempt, the hints that were shown, and the score in points, too.
+    The table of an assignment holds the attempt, the hints that were shown, and the score in points, too. Who has
+    handed in nothing has a line; a file that cannot be judged has none.
     """
     found = [(one, one.report) for one in judged if one.report is not None]
-    if not found:
+    if not any(one.report is not None or one.student for one in judged):
         return ""
-    labels = max(([step.label for step in report.steps] for _, report in found), key=len)
+    labels = max(([step.label for step in report.steps] for _, report in found), key=len, default=[])
     whole = any(report.handed is not None for _, report in found)
     lines = [["student", "variant", *labels, *(("attempt", "hints") if whole else ()), "score", ""]]
-    for one, report in found:
-        marks = [_mark(step) for step in report.steps] + [""] * (len(labels) - len(report.steps))
-        noted = [str(report.handed.attempt), str(report.hints)] if report.handed else [""] * 2 * whole
-        lines.append([one.name, str(report.variant), *marks, *noted, _score(one, report), one.remark])
+    for one in judged:
+        if one.report is not None:
+            lines.append([one.name, *_line(one, one.report, len(labels), whole), one.remark])
+        elif one.student:
+            lines.append([one.student, *[""] * (len(lines[0]) - 2), one.remark])
     text = _aligned(lines) + _on_hints([report for _, report in found])
     if details:
         text += "".join(f"\n{''.join(_details(one.name, report))}" for one, report in found)
     return text
 
 
+def _line(one: Judged, report: Report, most: int, whole: bool) -> list[str]:
+    """Return what stands in the table between the name and the remark."""
+    marks = [_mark(step) for step in report.steps] + [""] * (most - len(report.steps))
+    noted = [str(report.handed.attempt), str(report.hints)] if report.handed else [""] * 2 * whole
+    return [str(report.variant), *marks, *noted, _score(one, report)]
+
+
 def rows(judged: Sequence[Judged]) -> str:
-    """Return comma-separated values, one row a file, that are safe to open in a spreadsheet.
+    """Return comma-separated values that are safe to open in a spreadsheet, one row a file or student without one.
 
     Columns: `COLUMNS` with the score in whole percent, of an assignment `OF_ASSIGNMENT` with times in UTC, then for
     each step `OF_STEP` (``passed`` is empty where there is nothing to do), of an assignment with its points, then
@@ -108,7 +120,7 @@ def rows(judged: Sequence[Judged]) -> str:
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow([*columns, *(f"{label} {name}" for label in labels for name in of_step), "problem"])
     for one in judged:
-        cells = [one.file, *(_cells(one, one.report) if one.report else [])]
+        cells = [one.file, *(_cells(one, one.report) if one.report else [one.student])]
         cells += [""] * (len(columns) + len(of_step) * len(labels) - len(cells))
         writer.writerow([_safe(cell) for cell in (*cells, one.problem)])
     return out.getvalue()
