@@ -67,6 +67,17 @@ def test_an_arm_that_undo_brings_back_counts_as_it_stands(fresh):
         assert points(done(student.state, HandIn())) == worth
 
 
+def test_undo_ends_where_a_task_began(fresh):
+    student = session(fresh)
+    for i, command in enumerate((MoveJoint(0, 0.3), OpenAssignment("exam", 3), Undo(), OpenTask(1), Undo())):
+        student.apply(command, NOON + 10.0 * i)
+        if i:
+            assert student.refusal(student.history.undone) == "Undo ends where this task began."
+            assert student.robot.key == "planar_2r"
+    assert student.state[LessonPart].where == "exam:t"
+    assert student.notice.text == "Undo ends where this task began."
+
+
 # --- Time, attempts and variants
 
 

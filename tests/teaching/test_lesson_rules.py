@@ -242,10 +242,8 @@ def test_an_undo_does_not_go_round_a_lock(own):
     session = Session.fresh("token", PUMA)
     session.apply(OpenLesson("t"), 0.0)
     opened = session.state
-    assert "keeps the Planar 2R" in session.refusal(session.history.undone)
     session.apply(Undo(), 1.0)
     assert session.state is opened
-    assert "keeps the Planar 2R" in session.notice.text
     assert session.history.undo_label == OpenLesson.label  # the step is still there, for when the lesson is closed
     session.apply(CloseLesson(), 2.0)
     assert session.refusal(session.history.undone) == ""

@@ -201,7 +201,7 @@ def test_a_lesson_opened_over_a_shared_state_is_at_home(session):
     applied(session, OpenShared(SCARA), OpenLesson("first_arm"))
     assert session.state[Shelf].place == HOME
     assert not session.state[Shelf].parked
-    applied(session, Undo())
+    applied(session, CloseLesson(), Undo())
     assert session.robot is own
 
 

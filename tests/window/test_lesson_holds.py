@@ -132,7 +132,7 @@ def test_what_is_locked_is_refused_and_shown_as_it_is(url):
     async def main():
         browser = await in_lesson(url, "locked")
         undo = re.search('<button[^>]*data-cell="undo"[^>]*>', browser.html())[0]
-        assert re.search('title="This lesson keeps the Planar 2R[.].* disabled', undo)
+        assert re.search('title="Undo ends where this lesson began[.]".* disabled', undo)
         await browser.set_value(browser.slider(1), 80.0)
         await browser.until(lambda: len(browser.notices) == 1)
         assert "keeps the joints as they are; drag the handle" in browser.notices[0]

@@ -217,10 +217,10 @@ class Session:
     def _stepped(self, step: Callable[[State], State], back: Callable[[State], State], at: float) -> State:
         """Return the state after undo or redo; a refused one stays in the history."""
         found = step(self.state)
-        restored = _with_kept(self._let_go(found), self.state)
-        if restored is self.state:
-            return restored
         try:
+            restored = _with_kept(self._let_go(found), self.state)
+            if restored is self.state:
+                return restored
             guard(self.state, restored)
             now = restored.dated(at)
             adapted = [(part, part.after(self.state, now)) for part in restored.with_own("looks_at_undo")]

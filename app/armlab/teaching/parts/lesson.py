@@ -229,9 +229,19 @@ class LessonPart(Part):
                 raise InputError(f"{error}{own}") from None
 
     def for_undo(self, found: State) -> State:
-        """Return a state that undo has found with the joints free that another lesson held, or one closed since."""
+        """Return a state that undo has found with the joints free that another lesson held, or one closed since.
+
+        Raises
+        ------
+        InputError
+            It is from before the open lesson, or another task: its arm would stand there. The step stays, for when the
+            lesson is closed.
+        """
         was = found[LessonPart]
-        return found if was.open == self.open else freed(found, was.lesson)
+        same = (was.open, was.assignment) == (self.open, self.assignment)
+        if self.open and not same:
+            raise InputError(f"Undo ends where this {'task' if self.assignment else 'lesson'} began.")
+        return found if same else freed(found, was.lesson)
 
     def after(self, before: State, now: State) -> Self:
         """Return the part with events noted: start of a step, clips watched, an answer, a check that is met."""
