@@ -12,6 +12,7 @@ from types import MappingProxyType
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lesson_fields import Fields
 from armlab.content.lesson_lines import LessonError, line_of, located
+from armlab.content.names import named
 from armlab.content.reader import Table, shown
 from armlab.content.robots import KEY
 from armlab.errors import ContentError, suggestion
@@ -299,16 +300,16 @@ def amiss(found: Assignment, text: str, lessons: Mapping[str, Lesson], known: Co
     for i, task in enumerate(found.tasks, start=1):
         where = f"tasks[{i}].lesson"
         if task.lesson not in lessons:
-            problem = f"unknown lesson {task.lesson!r}{suggestion(task.lesson, lessons)}"
+            problem = f"unknown lesson {named(task.lesson)!r}{suggestion(task.lesson, map(named, lessons))}"
             if task.lesson in known:
-                problem = f"the lesson {task.lesson!r} cannot be used; its own file has a mistake"
+                problem = f"the lesson {named(task.lesson)!r} cannot be used; its own file has a mistake"
             yield LessonError(found.file, where, problem, line_of(text, where) or 1)
             continue
         lesson = lessons[task.lesson]
         if isinstance(task.points, Mapping):
             yield from _unknown_steps(found, text, i, task.points, lesson)
         if not sum(task.points_of(lesson)):
-            problem = f"the lesson {task.lesson!r} has nothing to do, and so no points to give"
+            problem = f"the lesson {named(task.lesson)!r} has nothing to do, and so no points to give"
             yield LessonError(found.file, where, problem, line_of(text, where) or 1)
 
 
@@ -319,9 +320,11 @@ def _unknown_steps(
     for title in points:
         step, where = titles.get(title), f"tasks[{i}].points"
         if step is None:
-            problem = f"the lesson {lesson.key!r} has no step {title!r}{suggestion(title, titles)}"
+            problem = f"the lesson {named(lesson.key)!r} has no step {title!r}{suggestion(title, titles)}"
         elif step.check is None and step.question is None:
-            problem = f"the step {title!r} of the lesson {lesson.key!r} has nothing to do, and so no points to give"
+            problem = (
+                f"the step {title!r} of the lesson {named(lesson.key)!r} has nothing to do, and so no points to give"
+            )
         else:
             continue
         yield LessonError(found.file, f"{where}.{title}", problem, _line_of_step(text, where, title))

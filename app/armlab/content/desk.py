@@ -8,7 +8,7 @@ import os
 import shutil
 import tempfile
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 
@@ -67,15 +67,15 @@ class Desk:
         ----------
         upload : Upload
         loaded : mapping of str to str
-            Files of the lessons that whoever puts it there has loaded, by their names in a course.
+            Files of the lessons that whoever puts it there has loaded, by their names in a course or an assignment.
 
         Raises
         ------
         ContentError
             It cannot be used: nothing changes.
         InputError
-            Something elsewhere has its name, a lesson of a course is not there for everybody, the folder is full, or it
-            cannot be written.
+            Something elsewhere has its name, a lesson that it names is not there for everybody, the folder is full, or
+            it cannot be written.
         """
         _refuse_unusable(upload, loaded)
         if len(list(self._folder.iterdir())) >= 2 * MOST_LESSONS:
@@ -154,18 +154,26 @@ def _refuse_unusable(upload: Upload, loaded: Mapping[str, str]) -> None:
         hold_lesson(upload)
     elif upload.kind == ASSIGNMENT:
         found = parse_assignment(upload.name, upload.text, upload.file)
+        _refuse_ones_own(upload, found.lessons, loaded, known)
         for problem in amiss(found, upload.text, there.lessons, known):
             raise problem
     elif upload.kind == COURSE_KIND:
         course = parse_course("", upload.text, upload.file)
-        own = [key for key in course.lessons if key in loaded and key not in known]
-        if own:
-            files, them = ", ".join(loaded[key] for key in own), "it" if len(own) == 1 else "them"
-            raise InputError(f"{upload.file}: only you see {files} so far; put {them} there for everybody first")
+        _refuse_ones_own(upload, course.lessons, loaded, known)
         for error in misplaced(course, upload.text, upload.file, known, there.needs):
             raise error
     else:
         raise InputError(f"{upload.name}{OF_ASSIGNMENT}: an arm is not put into a folder of lessons")
+
+
+def _refuse_ones_own(
+    upload: Upload, lessons_named: Iterable[str], loaded: Mapping[str, str], known: Collection[str]
+) -> None:
+    """Raise `InputError` where a course or an assignment names lessons that nobody else sees yet."""
+    own = dict.fromkeys(loaded[key] for key in lessons_named if key in loaded and key not in known)
+    if own:
+        them = "it" if len(own) == 1 else "them"
+        raise InputError(f"{upload.file}: only you see {', '.join(own)} so far; put {them} there for everybody first")
 
 
 _desks: list[Desk] = []

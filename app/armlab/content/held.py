@@ -13,10 +13,8 @@ from weakref import WeakValueDictionary
 from armlab.content.assignment import Assignment, parse_assignment
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_file import parse_lesson
+from armlab.content.names import MARK, named
 from armlab.content.upload import Upload
-
-MARK = "-"
-"""Character in the key of everything that is held."""
 
 _DIGITS = 20
 
@@ -101,15 +99,6 @@ def held_assignment(key: str) -> Assignment | None:
 def is_held(key: str) -> bool:
     """Return whether a key is one of those, held or not."""
     return MARK in key
-
-
-def named(key: str) -> str:
-    """Return the name in a key: that of its file.
-
-    >>> named("reach_up-0123456789abcdef0123"), named("first_arm")
-    ('reach_up', 'first_arm')
-    """
-    return key.partition(MARK)[0]
 
 
 def _parsed(upload: Upload, key: str) -> Lesson:

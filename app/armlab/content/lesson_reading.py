@@ -8,10 +8,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from threading import Lock
 
-from armlab.content.held import named
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_file import parse_lesson
 from armlab.content.lesson_folder import Source, Stamp
+from armlab.content.names import named
 from armlab.content.robots import Catalogue
 from armlab.errors import ContentError
 

@@ -14,9 +14,9 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from armlab.content.assignment import Assignment
-from armlab.content.held import named
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lesson
+from armlab.content.names import named
 from armlab.content.observation import same_table
 from armlab.errors import ArmlabError, InputError
 from armlab.session.share import STAYS

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from armlab.content.assignment import Assignment, said_date
-from armlab.content.held import named
+from armlab.content.names import named
 from armlab.errors import InputError
 from armlab.session.state import Json
 from armlab.teaching.assignment_work import Work

@@ -121,6 +121,7 @@ def test_only_with_the_key_something_is_put_there_for_everybody(url, folder):
         assert KEY not in browser.html()
         await browser.press("give mine.md")
         await browser.until(lambda: "mine.md is there for everybody." in browser.html())
+        assert f'data-copy="{url}lesson/mine"' in browser.html()
         assert [path.name for path in folder.iterdir()] == ["mine.md"]
         await browser.press("load-file", 'hw.toml\ntitle = "H"\npages = ["jionts"]\n[[tasks]]\nlesson = "first_arm"\n')
         await browser.press("give hw.toml")

@@ -49,6 +49,23 @@ def test_of_two_lessons_with_one_name_that_of_the_lab_stands_in_the_course(own):
     assert "My own" not in page.text.partition("Order of the course")[2]
 
 
+def test_an_assignment_is_there_for_everybody_once_its_lessons_are_and_has_an_address(own, tmp_path):
+    close = open_desk(Desk(tmp_path / "mine", "the key of this teacher"))
+    try:
+        page = page_with(("mine.md", MINE), ("hw.toml", 'title = "H"\n[[tasks]]\nlesson = "mine"\n'))
+        page.do(LetIn())
+        page.fill("give hw.toml")
+        assert "hw.toml: only you see mine.md so far; put it there for everybody first" in page.text
+        page.fill("give mine.md")
+        assert "http://127.0.0.1:8080/lesson/mine" in page.text
+        changed()
+        page.fill("give hw.toml")
+        assert "hw.toml is there for everybody." in page.text
+        assert "http://127.0.0.1:8080/assignment/hw" in page.text
+    finally:
+        close()
+
+
 def test_the_course_is_there_for_everybody_once_its_lessons_are(own, tmp_path):
     close = open_desk(Desk(tmp_path / "mine", "the key of this teacher"))
     try:

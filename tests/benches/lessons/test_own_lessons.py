@@ -171,6 +171,11 @@ def test_the_exam_of_the_lab_is_seen_with_the_key_alone(own, tmp_path):
         ("mine.md", VARIED.replace("## Turn", "## Turn\n$\\foo$"), "mine.md, line "),
         ("self.md", TWO_STEPS.replace('chapter = "1"', 'chapter = "1"\nafter = ["self"]'), "the lesson needs itself"),
         ("hw.toml", HOMEWORK.replace('"v"', '"w"'), "hw.toml, line 7: tasks[2].lesson: unknown lesson 'w'"),
+        (
+            "hw.toml",
+            HOMEWORK.replace('"mine"\n', '"mine"\n[tasks.points]\n"Predcit" = 2\n'),
+            "the lesson 'mine' has no step 'Predcit'; did you mean 'Predict'?",
+        ),
         ("hw.toml", f"due = 2029-01-01\n{HOMEWORK}", "hw.toml, line 1: due: expected a moment after opens"),
         ("course.toml", "[[chapters]]\ntitle = 3\n", "course.toml, line 1: title: missing"),
         ("arm.toml", "[[joints]]\ntype = 'R'", "arm.toml, line 1: name: missing"),

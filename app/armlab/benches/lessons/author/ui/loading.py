@@ -10,7 +10,7 @@ from armlab.content.assignment import parse_assignment
 from armlab.content.desk import desk
 from armlab.content.held import HeldLesson
 from armlab.content.lessons import lessons
-from armlab.content.upload import ASSIGNMENT, MOST_SENT, MOST_ZIP, Upload, read_upload
+from armlab.content.upload import ASSIGNMENT, LESSON_KIND, MOST_SENT, MOST_ZIP, Upload, read_upload
 from armlab.errors import ArmlabError, InputError
 from armlab.session.state import Command, Post, State
 from armlab.teaching.assignment_commands import refuse_unknown_pages
@@ -46,7 +46,8 @@ class Loading:
         gui.heading("Load, and see it as a student")
         self._gui = gui
         self._form, self._more = gui.form(post, MOST_SENT), gui.form(post, MOST_SENT)
-        self._pasted, self._given = "", ""
+        self._pasted = ""
+        self._given: Inside = None  # what is said of the file put there last
 
     def show(self, state: State) -> None:
         """Show what is loaded in a state."""
@@ -64,7 +65,7 @@ class Loading:
             tag("p", LOAD),
             tag("div.bar", tag("label.chip.al-load", "Load a file", chosen, title=hint)),
             [self._entry(upload, state) for upload in state[OwnLessons].files],
-            tag("p", self._given, role="status") if self._given else None,
+            self._given,
         )
         self._more.show(self._paste(), self._preview(state), self._key(state))
 
@@ -81,13 +82,13 @@ class Loading:
         give = None
         if state[Teacher].let_in and desk() is not None:
             say = "Put it into the folder of the class"
-            give = self._form.chip(f"give {file}", "For everybody", partial(self._give, upload), say)
+            give = self._form.chip(f"give {file}", "For everybody", partial(self._give, upload, own), say)
         away = f"Remove {file}"
         remove = self._form.button(f"forget {file}", "✕", ForgetFile(file), "chip", away, away)
         problem = tag("p.no", f"✕ {why}") if why is not None else None
         return tag("div.al-own", tag("div", inside), tag("div.chips", look, give, remove), problem)
 
-    def _give(self, upload: Upload) -> None:
+    def _give(self, upload: Upload, own: OwnLessons) -> None:
         """Put a file into the folder for everybody."""
         found = desk()
         if found is None:
@@ -95,10 +96,20 @@ class Loading:
         try:
             if upload.kind == ASSIGNMENT:
                 refuse_unknown_pages(parse_assignment(upload.name, upload.text, upload.file))
-            name = found.put(upload)
+            name = found.put(upload, {key: lesson.file for key, lesson in own.lessons.items()})
         except ArmlabError as refusal:
             raise InputError(str(refusal)) from None
-        self._given = f"✓ {name} is there for everybody."
+        there = tag("p", f"✓ {name} is there for everybody.", role="status")
+        self._given = there, self._address(upload, own)
+
+    def _address(self, upload: Upload, own: OwnLessons) -> Inside:
+        """Return the address under which students find a file, with the button that copies it; None for none."""
+        lesson = own.lessons.get(upload.name) if upload.kind == LESSON_KIND else None
+        if upload.kind != ASSIGNMENT and (lesson is None or not lesson.listed):
+            return None
+        address = f"{self._gui.origin}/{upload.kind}/{upload.name}"
+        copy = tag("button.chip", "Copy link", data_copy=address)
+        return tag("p", "Give your students this address:"), tag("div.bar", tag("code", address), copy)
 
     def _paste(self) -> Markup:
         """Return the field for a text, with its button."""
