@@ -4,7 +4,8 @@
 ArmlabError
 ├── InputError (also a ValueError)      a caller's argument is wrong
 │   ├── UnknownName (also a KeyError)   a name that does not exist; lists those that do
-│   └── Outdated                        asked of something that is not shown any more
+│   ├── Outdated                        asked of something that is not shown any more
+│   └── DeadLink                        a link leads nowhere
 ├── ContentError                        a robot or lesson file is wrong: file, key, problem
 └── PluginError                         a module found by folder cannot be used
 ```
@@ -40,6 +41,10 @@ class UnknownName(InputError, KeyError):
 
 class Outdated(InputError):
     """A wish belongs to something that is not shown any more, so that it cannot be refused there."""
+
+
+class DeadLink(InputError):
+    """A link leads nowhere; what is said of it stands until it is closed, since it may be read late."""
 
 
 class ContentError(ArmlabError):

@@ -1,6 +1,7 @@
 """What links bring: arms, lessons, shared states."""
 
 import asyncio
+import re
 import urllib.request
 from urllib.parse import urlsplit
 
@@ -16,11 +17,13 @@ from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.panels import Panels
 from armlab.session.parts.robot import ChooseRobot, RobotPart
+from armlab.session.session import Session
 from armlab.session.share import from_short, short
 from armlab.session.state import State, apply
 from armlab.teaching.errata_links import LookUp
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.parts.shelf import BackToLesson, OpenShared, ToSandbox
+from armlab.ui.speech import speech_in
 from armlab.window.wished import panel_of, wished
 from support.done import done
 from support.fake_browser import cookie_of
@@ -101,6 +104,29 @@ def test_the_link_of_a_lesson_that_waits_leads_back_to_it():
     assert wished(state, "lesson/first_arm") == BackToLesson()
 
 
+@pytest.mark.parametrize(
+    ("wish", "says"),
+    [
+        ("lesson/nope", "There is no lesson 'nope'."),
+        ("lesson/frist_arm/3", "There is no lesson 'frist_arm'. Did you mean /lesson/first_arm?"),
+        ("page/incremental", "There is no page 'incremental'. Did you mean /page/incremental_encoder?"),
+        ("robot/puma", "There is no arm 'puma'. Did you mean /robot/puma560?"),
+        ("assignment/speed", "There is no assignment 'speed'. Did you mean /assignment/speeds?"),
+        ("erratum/5.999", "There is no erratum '5.999'."),
+        ("example/laws/triangel", "There is no example 'laws/triangel'. Did you mean "),
+    ],
+)
+def test_a_link_that_leads_nowhere_names_the_nearest_addresses_alone(wish, says):
+    session = Session.fresh("one", PUMA)
+    session.apply(wished(session.state, wish), 0.0)
+    assert session.notice.text.startswith(says)
+    assert len(session.notice.text) < 160
+    assert session.notice.heading == "Not found"
+    assert "There is no" not in speech_in("it").text(session.notice.text)
+    assert "Did you" not in speech_in("it").text(session.notice.text)
+    assert all(address in speech_in("it").text(session.notice.text) for address in re.findall("/[^ ,?]+", says))
+
+
 # -- in the page -------------------------------------------------------------------------------------------------
 
 
@@ -149,9 +175,8 @@ def test_a_link_to_an_erratum_opens_its_page(url):
         ("state/1AAAA", "copy the whole link again"),
         ("state/9" + SHARED[1:], "another version of the lab"),
         ("state/" + SHARED[:-3], "copy the whole link again"),
-        ("lesson/no_such_lesson/3", "unknown name"),
-        ("robot/no_such_arm", "unknown name"),
-        ("erratum/5.999", "unknown name"),
+        ("lesson/no_such_lesson/3", "There is no lesson 'no_such_lesson'."),
+        ("page/incremental", "There is no page 'incremental'. Did you mean /page/incremental_encoder?"),
     ],
 )
 def test_what_cannot_be_granted_is_said_on_a_page_that_works(url, path, says):

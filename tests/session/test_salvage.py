@@ -145,7 +145,7 @@ def test_a_student_is_told_once_which_page_begins_anew_and_the_file_is_kept(tmp_
     session = store.get("a student")
     assert session.state[Joints].q[0] == 0.25
     assert "begins anew: Motion › Plan · Motion › Path geometry. Everything else is as it was." in session.notice.text
-    assert session.notice.of_files
+    assert session.notice.heading
     assert [record.levelname for record in caplog.records] == ["WARNING"] * 2
     assert "'space_curve'" in caplog.text
     assert "Traceback" not in caplog.text

@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from armlab.content.robots import Robot
-from armlab.errors import ArmlabError, InputError, Outdated, in_one_line
+from armlab.errors import ArmlabError, DeadLink, InputError, Outdated, in_one_line
 from armlab.session.history import HEAVIEST, History
 from armlab.session.mailbox import Mailbox
 from armlab.session.parts.panels import Panels
@@ -52,6 +52,17 @@ class Refuse(Command):
 
 
 @dataclass(frozen=True)
+class RefuseLink(Command):
+    """Refuse a link that leads nowhere, with a sentence."""
+
+    text: str
+
+    def apply(self, state: State) -> State:
+        """Raise the refusal."""
+        raise DeadLink(self.text)
+
+
+@dataclass(frozen=True)
 class Asked(Command):
     """A request by one field or button: all of it is done, or nothing, and refusals are shown there.
 
@@ -78,13 +89,13 @@ class Notice:
     number : int
         Increases with each.
     text : str
-    of_files : bool
-        Whether it is about saved work, and stays until it is closed; otherwise it is a refusal.
+    heading : str
+        Heading of one that stays until it is closed; the others are refusals.
     """
 
     number: int
     text: str
-    of_files: bool = False
+    heading: str = ""
 
 
 @dataclass(eq=False)
@@ -168,7 +179,7 @@ class Session:
                 self._take(asked, at, window)
         except ArmlabError as refusal:
             if isinstance(refusal, Outdated) or not refused(cut(str(refusal))):
-                self.tell(str(refusal))
+                self.tell(str(refusal), "Not found" if isinstance(refusal, DeadLink) else "")
         except Exception as error:
             # In one line: strangers send commands, too. The trace is for debugging.
             name = ", ".join(type(each).__name__ for each in asked)
@@ -250,9 +261,9 @@ class Session:
             return str(refusal)
         return ""
 
-    def tell(self, text: str, of_files: bool = False) -> None:
+    def tell(self, text: str, heading: str = "") -> None:
         """Show a notice to the student; see `Notice`."""
-        self.notice = Notice(1 if self.notice is None else self.notice.number + 1, cut(text), of_files)
+        self.notice = Notice(1 if self.notice is None else self.notice.number + 1, cut(text), heading)
 
 
 def stand_of(state: State) -> Stand:

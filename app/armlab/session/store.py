@@ -43,6 +43,9 @@ computed again."""
 KEPT = ".kept"
 """Ending of files that could not be read."""
 
+NOT_RESTORED = "Not restored"
+"""Heading of what is told of work that is lost."""
+
 UNREADABLE = (
     "Your saved work cannot be read or does not fit this version of the lab; this is a fresh start. The old file is "
     "kept beside the others: whoever runs the lab finds it by the name {name}."
@@ -200,7 +203,7 @@ class Store:
             # Nobody can list what a damaged file may raise, and it must not keep its student out.
             self._unread.add(token)
             log.warning("the session %s is not usable, and is kept: %r", path.stem, error)
-            session.tell(UNREADABLE.format(name=path.stem[:8]), of_files=True)
+            session.tell(UNREADABLE.format(name=path.stem[:8]), heading=NOT_RESTORED)
             return session
         if lost:
             # It is saved without them the next time, so that the student is told once.
@@ -237,7 +240,7 @@ def _tell_of_lost(session: Session, name: str, lost: Lost) -> None:
     for kind, reason in lost.items():
         log.warning("the session %s is kept: its part %r is not usable, and begins anew: %s", name, kind.key, reason)
     if words := told(lost):
-        session.tell(words, of_files=True)
+        session.tell(words, heading=NOT_RESTORED)
 
 
 def _clear_up(folder: Path) -> None:

@@ -29,8 +29,8 @@ class Notices:
         notice = self._session.notice
         if notice is not None and notice.number > self._told:
             self._told = self._session.notice_seen = notice.number
-            if notice.of_files:
-                self._say("Not restored", notice.text, "orange", None)
+            if notice.heading:
+                self._say(notice.heading, notice.text, "orange", None)
             else:
                 self._say("Not done", notice.text, "orange")
 

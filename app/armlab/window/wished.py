@@ -17,6 +17,7 @@ from armlab.session.bench import page_of
 from armlab.session.example_links import LookAt
 from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.robot import ChooseRobot, RobotPart
+from armlab.session.session import RefuseLink
 from armlab.session.share import short
 from armlab.session.state import Command, State
 from armlab.teaching.assignment_commands import OpenAssignment
@@ -24,12 +25,16 @@ from armlab.teaching.errata_links import PAGE, LookUp
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.shelf import BackToLesson, OpenShared, Shelf
+from armlab.window.dead_link import leads_nowhere
 
 
 def wished(state: State, wish: str) -> Command | None:
     """Return the command for a request, or None if it is met already, so that a reload resets nothing."""
     kind, _, what = wish.partition("/")
-    return KINDS[kind](state, what) if kind in KINDS else None
+    if kind not in KINDS:
+        return None
+    nowhere = leads_nowhere(state, kind, what)
+    return RefuseLink(nowhere) if nowhere else KINDS[kind](state, what)
 
 
 def panel_of(wish: str) -> str:
