@@ -57,7 +57,7 @@ def test_a_student_sits_an_exam(visit):
 
     # A reload finds the assignment as it was; another attempt goes on from it.
     page.reload()
-    dock.get_by_text("Your teacher has it only when you have given them this file").wait_for()
+    dock.get_by_text("Your teacher has it only when you have given them the file").wait_for()
     student.press("assignment-again")
     page.locator(".as-clock").wait_for()
     student.press("assignment-leave")

@@ -328,21 +328,17 @@ def test_undo_takes_back_motions_and_no_answer():
 
 def test_undo_ends_where_a_lesson_began_and_goes_on_to_ones_own_work_when_it_is_closed():
     session = Session.fresh("token", PUMA)
-    for k, command in enumerate([MoveJoint(0, 0.3), OpenLesson("first_arm", variant=0)]):
-        session.apply(command, 2.0 * k)
+    session.apply(MoveJoint(0, 0.3), 0.0)
+    session.apply(OpenLesson("first_arm"), 1.0)
     opened = session.state
-    assert session.refusal(session.history.undone) == "Undo ends where this lesson began."
     for k, command in enumerate([Undo(), MoveJoint(0, 0.5), Undo(), Undo()], start=2):
         session.apply(command, 2.0 * k)
     np.testing.assert_array_equal(session.state[Joints].q, opened[Joints].q)
-    assert session.robot is PLANAR
-    assert session.notice.text == "Undo ends where this lesson began."
+    assert session.refusal(session.history.undone) == session.notice.text == "Undo ends where this lesson began."
     assert session.history.redo_label == MoveJoint.label
     for k, command in enumerate([OpenLesson("joint_types"), Undo(), CloseLesson(), Undo(), Undo()], start=6):
         session.apply(command, 2.0 * k)
-        assert session.robot is not PUMA or command == Undo()
-    assert session.robot is PUMA
-    assert session.state[Joints].q[0] == 0.3
+    assert (session.robot, session.state[Joints].q[0]) == (PUMA, 0.3)
 
 
 def test_no_undo_takes_away_what_a_step_has_put_in_place(own):

@@ -45,8 +45,8 @@ def looked_at_together(judged: Sequence[Judged], students: Mapping[int, str] | N
 def by_list(judged: Sequence[Judged], students: Mapping[int, str]) -> list[Judged]:
     """Return one verdict for each student of a list, in its order, and behind them all others in theirs.
 
-    Who has handed in nothing has a verdict, too. Of several files of one student the one that counts has the place in
-    the list; where none does, the last attempt.
+    A student who has handed in nothing has a verdict, too. The place in the list belongs to the file that counts; where
+    none of a student does, to the last attempt.
 
     Parameters
     ----------

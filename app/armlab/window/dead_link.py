@@ -15,7 +15,7 @@ from armlab.session.state import State
 from armlab.teaching.parts.lesson import LessonPart
 
 CALLED = {"robot": "arm"}
-"""What a kind of link leads to, where it has another name than the kind."""
+"""Names of things to which links lead, by the kind of link, where they are not those of the kinds."""
 
 MOST = 3
 """Largest number of addresses that are named."""

@@ -214,9 +214,8 @@ class LessonPart(Part):
     def refuse_forgetting(self) -> None:
         """Raise `InputError` while an assignment is worked on, of which everything would be lost."""
         if self.assigned is not None and not self.rests:
-            raise InputError(
-                f"The assignment “{self.assigned.title}” is open. Leave it before everything is forgotten."
-            )
+            title = self.assigned.title
+            raise InputError(f"The assignment “{title}” is open. Leave it before everything is forgotten.")
 
     def guard(self, before: State, now: State) -> None:
         """Refuse a change that the open lesson has locked."""
@@ -229,17 +228,10 @@ class LessonPart(Part):
                 raise InputError(f"{error}{own}") from None
 
     def for_undo(self, found: State) -> State:
-        """Return a state that undo has found with the joints free that another lesson held, or one closed since.
-
-        Raises
-        ------
-        InputError
-            It is from before the open lesson, or another task: its arm would stand there. The step stays, for when the
-            lesson is closed.
-        """
+        """Return a state that undo has found with the joints free that a lesson held; refuse one from before this."""
         was = found[LessonPart]
         same = (was.open, was.assignment) == (self.open, self.assignment)
-        if self.open and not same:
+        if self.open and not same:  # the step stays in the history, for when the lesson is closed
             raise InputError(f"Undo ends where this {'task' if self.assignment else 'lesson'} began.")
         return found if same else freed(found, was.lesson)
 

@@ -197,8 +197,8 @@ def _closed(sheet: Sheet) -> Markup:
     work, due = sheet.work, sheet.of.due
     got, most = sheet.points
     why = "The time is over, and your work is closed." if work.by_clock else "Your work is closed."
-    inside = [tag("p", why), tag("p", "Your teacher has it only when you have given them this file:")]
-    inside.append(tag("p", tag("code", work_name(sheet.part))))
+    given = f"Your teacher has it only when you have given them the file {work_name(sheet.part)}."
+    inside = [tag("p", why), tag("p", given)]
     if not sheet.part.student:
         inside.append(tag("p", "Your name is missing in it: write it below, and save the file again."))
     if due is not None and work.handed is not None and work.handed > due:

@@ -1,4 +1,4 @@
-"""What an assignment still lacks, which is named before it is handed in."""
+"""The steps that an assignment still lacks, which are named before it is handed in."""
 
 from __future__ import annotations
 
