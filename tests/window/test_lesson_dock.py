@@ -258,7 +258,7 @@ def test_a_link_to_a_lesson_that_is_not_there_says_so(url):
         load(url, cookie, "lesson/frist_arm")
         browser = await student(url, cookie, "/lesson/frist_arm")
         await browser.until(lambda: bool(browser.notices))
-        assert "did you mean 'first_arm'" in browser.notices[0]
+        assert browser.notices == ["There is no lesson 'frist_arm'. Did you mean /lesson/first_arm?"]
         assert "lesson-head" not in browser.html()
         await browser.close()
 
