@@ -64,6 +64,11 @@ def reference_of(arm: Arm) -> NDArray[np.float64]:
     return np.eye(4) if np.array_equal(arm.base[:3, :3], np.eye(3)) else arm.base
 
 
+def frame_of_places(arm: Arm) -> str:
+    """Return in words in which frame positions are typed; empty for the world."""
+    return "in frame 0" if reference_of(arm) is arm.base else ""
+
+
 def pose_form(
     form: Form, arm: Arm, pose: Floats, units: Units, action: Callable[[Floats], Wish], prefix: str = ""
 ) -> Markup:
@@ -89,7 +94,7 @@ def pose_form(
 
         return form.field(prefix + name, value, f"{name} in {unit}", taken, off=off)
 
-    where = "position" if reference is not arm.base else "in frame 0"
+    where = frame_of_places(arm) or "position"
     axes = [
         field(axis, units.text(float(local[k, 3]), False), units.length_unit, axis not in task.position)
         for k, axis in enumerate(AXES)

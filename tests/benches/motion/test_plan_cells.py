@@ -1,7 +1,10 @@
 """What a cell of the page Plan asks for, and what is refused in words: text, and joints another arm has not."""
 
 import math
+import re
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove
@@ -19,6 +22,9 @@ from armlab.benches.motion.plan.ui.move import move_markup
 from armlab.benches.motion.plan.ui.points import points_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.rotations import rotation_about
+from armlab.kin.transforms import transform
 from armlab.session.state import State, apply
 from support.forms import BareForm, asked
 
@@ -121,3 +127,19 @@ ALL_NAMES = (
     "Cartesian: straight line · Move L",
     "Move C, or CIRC",
 )
+
+
+def test_the_list_and_the_fields_of_an_arm_whose_base_is_turned_are_both_in_frame_0():
+    robot = catalogue()["planar_2r"]
+    base = transform(rotation_about("x", np.pi / 2), [0.2, -0.1, 0.5])
+    wall = replace(robot, arm=Arm.from_dh(robot.arm.rows, base=base, limits=robot.arm.limits, task=robot.arm.task))
+
+    def said(arm):
+        form = BareForm()
+        page = str(points_markup(form, State.initial(arm)))
+        return re.findall(r'mo-at">([^<]*)<', page), page
+
+    (flat, _), (places, page) = said(robot), said(wall)
+    assert places == flat
+    assert "Waypoints in frame 0, mm" in page
+    assert "in frame 0,\xa0mm" in page

@@ -22,6 +22,7 @@ from armlab.benches.motion.plan.points import (
 from armlab.benches.motion.plan.question import Recorded
 from armlab.benches.motion.plan.state import Plan
 from armlab.benches.motion.plan.ui.move import industrial
+from armlab.kin.transforms import inverse
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
@@ -30,7 +31,7 @@ from armlab.ui.form import Form
 from armlab.ui.format import lowered
 from armlab.ui.html import Markup, classes, joined, tag
 from armlab.ui.option_form import option_form
-from armlab.ui.pose_fields import pose_form
+from armlab.ui.pose_fields import frame_of_places, pose_form, reference_of
 from armlab.ui.units import Units, units_of
 
 MADE = 12
@@ -50,7 +51,8 @@ def points_markup(form: Form, state: State) -> Markup:
     hint = "Add the current pose of the arm after the selected waypoint"
     add = form.button("add", "+ Current pose", AddWaypoint(), "chip", hint)
     rows = [_row(form, state, k) for k in range(len(part.waypoints))]
-    title = f"Waypoints, {units_of(state).length_unit}"
+    where = frame_of_places(state[Joints].arm)
+    title = f"Waypoints{f' {where}' if where else ''}, {units_of(state).length_unit}"
     return joined(tag("h3", title, tag("span.copies", add)), tag("div.mo-list", rows), _selected(form, state))
 
 
@@ -102,8 +104,9 @@ def does_markup(point: Waypoint) -> Markup | None:
 
 
 def _place(state: State, k: int, units: Units) -> str:
-    """Return the place of the tool at a waypoint, in one line, in the unit of the heading."""
-    place = state[Plan].waypoints[k].wanted(state[Joints].arm)[:3, 3]
+    """Return the place of the tool at a waypoint, in one line, in the unit and the frame of the heading."""
+    arm = state[Joints].arm
+    place = (inverse(reference_of(arm)) @ state[Plan].waypoints[k].wanted(arm))[:3, 3]
     return ", ".join(units.text(float(value), False) for value in place)
 
 
