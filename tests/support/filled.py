@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from html import unescape
+
 from armlab.content.robots import catalogue
 from armlab.session.session import Undo
 from armlab.session.state import Command, State
@@ -50,6 +53,12 @@ class Filled:
         fields = next(each for each in self._page._gui.has if f'data-cell="{cell}" data-pick="drag"' in content(each))
         for x in places:
             self._page.send(fields, cell, f"{x},0.5,{self._drags}")
+
+    def value(self, cell: str) -> str:
+        """Return what stands in a field."""
+        shown = "".join(map(content, self._page._gui.has))
+        (found,) = re.findall(rf'<input[^>]* value="([^"]*)"[^>]* data-cell="{cell}"', shown)
+        return unescape(found)
 
     @property
     def text(self) -> str:

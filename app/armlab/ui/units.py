@@ -84,6 +84,23 @@ class Units:
         """Return the unit of a joint variable."""
         return self.angle_unit if revolute else self.length_unit
 
+    @property
+    def turn_in_latex(self) -> str:
+        """A whole turn in formulas."""
+        return r"360\text{°}" if self.in_degrees else r"2\pi"
+
+    def turned_by(self, quarters: int) -> str:
+        """Return some quarters of a turn as a text.
+
+        >>> Units(Notation()).turned_by(1), [Units(Notation(angle="rad")).turned_by(k) for k in (1, 2, 3, 4)]
+        ('90°', ['π/2', 'π', '3π/2', '2π'])
+        """
+        if self.in_degrees:
+            return f"{90 * quarters}°"
+        halves, odd = divmod(quarters, 2)
+        times = quarters if odd else halves
+        return f"{times if times != 1 else ''}π{'/2' if odd else ''}"
+
     def factor(self, revolute: bool) -> float:
         """Return the factor from a joint variable on screen to radians or metres."""
         if revolute:

@@ -249,6 +249,16 @@ def test_moves_are_read_in_the_unit_of_the_person():
         read_moves("90 x", UNITS)
 
 
+def test_in_radians_the_buttons_turn_by_a_part_of_pi_and_moves_have_a_few_figures():
+    page = Filled("incremental_encoder")
+    assert "+90°" in page.text
+    page.do(Set(Notation, "angle", "rad"))
+    assert "+π/2" in page.text
+    assert "90°" not in page.text
+    page.do(SetMoves((1.0 / 3.0, -1.0e-4 / 3.0)))
+    assert page.value("moves") == "0.3333  −0.00003333"
+
+
 @pytest.mark.parametrize(
     ("cell", "text", "words"),
     [

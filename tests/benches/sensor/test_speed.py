@@ -2,6 +2,7 @@
 
 import math
 import re
+from html import unescape
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from armlab.benches.sensor.speed.examples import EXAMPLES, ChooseSpeedExample
 from armlab.benches.sensor.speed.facts import FACTS
 from armlab.benches.sensor.speed.state import EncoderSpeed
 from armlab.benches.sensor.speed.ui.errors import errors, large, percents, speeds
-from armlab.benches.sensor.speed.ui.words import readings_markup, seconds, verdict
+from armlab.benches.sensor.speed.ui.words import formulas, readings_markup, seconds, verdict
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
@@ -48,6 +49,25 @@ def test_the_page_opens_with_the_example_of_the_notes(truth):
     assert math.degrees(fact(state, "quantum")) == pytest.approx(3.6)
     assert fact(state, "error_by_counts") == pytest.approx(0.005)
     assert fact(state, "delay_by_counts") == pytest.approx(0.05)
+
+
+def test_one_tick_more_and_one_less_change_the_reading_by_different_amounts():
+    """One less is the farther of both, as far as the largest error is."""
+    part = opened()[EncoderSpeed]
+    table = str(readings_markup(part, UNITS))
+    assert "−1.437 °/s<br>+1.443 °/s" in table
+    assert 0.01 * 0.2004 * 720.0 == pytest.approx(1.443, abs=1e-3)
+    assert "0.2004 %" in table
+    assert "−360 °/s<br>+∞" in str(readings_markup(opened(Set(EncoderSpeed, "clock", 2000.0))[EncoderSpeed], UNITS))
+    fine = opened(Set(EncoderSpeed, "clock", 1e9))[EncoderSpeed]
+    assert "∓0.00144 °/s" in str(readings_markup(fine, UNITS))
+
+
+def test_a_whole_turn_is_written_in_the_unit_of_the_person():
+    degrees, radians = (str(formulas(Units(Notation(angle=unit)))) for unit in ("deg", "rad"))
+    assert "360" in degrees
+    assert "360" not in radians
+    assert "π" in unescape(radians)
 
 
 def test_the_other_examples_read_as_their_sentences_say():

@@ -86,11 +86,7 @@ def _head(form: Form, part: Absolute, units: Units) -> Markup:
 
 def _resolution(part: Absolute, units: Units) -> Markup:
     count = 2**part.tracks
-    turn = (
-        r"\frac{360\text{°}}{2^{" + str(part.tracks) + "}}"
-        if units.in_degrees
-        else r"\frac{2\pi}{2^{" + str(part.tracks) + "}}"
-    )
+    turn = rf"\frac{{{units.turn_in_latex}}}{{2^{{{part.tracks}}}}}"
     width = units.constant(part.disk.width, True, 3)
     return tag("span.ab-width", mathml(turn), f" = {width}, {count} sectors", title="Width of a sector⟦; notes 2.40⟧")
 

@@ -31,9 +31,11 @@ from armlab.session.state import Post, State
 from armlab.ui.colours import BLUE, GREY
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
+from armlab.ui.format import readable
 from armlab.ui.html import Markup, joined, tag
 from armlab.ui.large import LargeChart
 from armlab.ui.markup import row
+from armlab.ui.option_text import DECIMALS
 from armlab.ui.playing import play_button
 from armlab.ui.plot import TIME, Curve, Plot
 from armlab.ui.plugin import Panel, Show
@@ -55,7 +57,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         part, found = state[Incremental], state.derived(now)
         head.show(_head(head, part, found, units))
-        disk.show(_disk(disk, state, found, grip))
+        disk.show(_disk(disk, state, found, grip, units))
         chart.show(part, partial(large, part))
         rules.show(
             tag("h3", "Signals ", tag("small", _time(part, found)), tag("span.copies", chart.button(rules))),
@@ -77,14 +79,19 @@ def _head(form: Form, part: Incremental, found: Now, units: Units) -> Markup:
     unit = units.angle_unit
     moves = form.field(
         "moves",
-        "  ".join(units.entry(move, True, 2) for move in part.moves),
+        "  ".join(readable(move / units.factor(True), DECIMALS) for move in part.moves),
         f"Moves in {unit}, one after the other",
         lambda text: SetMoves(read_moves(text, units)),
     )
     return joined(
         examples(form, EXAMPLES, part.example, ChooseIncrementalExample),
         row("PPR", tag("div.se-line", typed(form, part, "pulses", units), resolution_markup(part, found, units))),
-        row(f"Moves, {unit}", tag("div.se-line.in-moves", moves), hint="Angles one after the other, such as 90 −45 10"),
+        tag(
+            "label.option.wide",
+            tag("span", f"Moves, {unit}"),
+            moves,
+            title="Angles one after the other, such as 90 −45 10",
+        ),
         row(
             "Speed",
             tag("div.se-line.in-speed", typed(form, part, "speed", units), tag("i", f"{unit}/s")),
@@ -99,7 +106,7 @@ def _head(form: Form, part: Incremental, found: Now, units: Units) -> Markup:
                 typed(form, part, "shake", units),
                 tag("i", f"{unit} of a period"),
             ),
-            hint="The disk trembles to and fro, by an angle of which 360° are one period of A",
+            hint=f"The disk trembles to and fro, by an angle of which {units.turned_by(4)} are one period of A",
         ),
     )
 
@@ -110,7 +117,7 @@ def read_moves(text: str, units: Units) -> tuple[float, ...]:
     return tuple(units.read(word, True, f"move {k}") for k, word in enumerate(words, 1))
 
 
-def _disk(form: Form, state: State, found: Now, grip: Grip) -> Markup:
+def _disk(form: Form, state: State, found: Now, grip: Grip, units: Units) -> Markup:
     """Return the tracks under the sensors, which can be dragged, and the buttons that turn the disk."""
     part, window = state[Incremental], window_of(state[Incremental])
 
@@ -119,7 +126,8 @@ def _disk(form: Form, state: State, found: Now, grip: Grip) -> Markup:
         moved = grip.moved(x, drag, end)
         return DragTo(grip.value - moved * window.span / window.part(), drag)
 
-    hint, end = "Turn the disk by 90° electrical", part.motion.duration
+    quarter, end = units.turned_by(1), part.motion.duration
+    hint = f"Turn the disk by {quarter} electrical"
     return joined(
         tag(
             "div.ab-hold",
@@ -130,8 +138,8 @@ def _disk(form: Form, state: State, found: Now, grip: Grip) -> Markup:
         tag(
             "div.bar.kit-clock",
             play_button(form, state, CLIP_KEY, "moves", off=end == 0.0),
-            form.chip("back", "−90°", StepQuarter(-1), hint),
-            form.chip("on", "+90°", StepQuarter(1), hint),
+            form.chip("back", f"−{quarter}", StepQuarter(-1), hint),
+            form.chip("on", f"+{quarter}", StepQuarter(1), hint),
             form.chip(
                 "again", "Begin here", BeginAgain(), "The count is 0 where the disk stands, and there are no moves"
             ),

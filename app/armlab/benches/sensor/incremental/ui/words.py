@@ -42,17 +42,17 @@ def rules_markup(form: Form, part: Incremental, found: Now, units: Units) -> Mar
             key == part.decoder,
         )
         gaps = "/".join(dict.fromkeys(units.entry(gap, True) for gap in decoder.gaps))
-        cells = [str(counted.per_period), units.constant(counted.resolution, True, 2), gaps, signed(counted.count)]
+        cells = [str(counted.per_period), units.entry(counted.resolution, True, 2), gaps, signed(counted.count)]
         wrong = tag(classes("td", **{"ab-wrong": counted.missed != 0}), signed(counted.missed))
         rows.append(tag(classes("tr", now=key == part.decoder), tag("td", chip), [tag("td", c) for c in cells], wrong))
-    head = head_line("counted", "D", "AR", f"gaps, {units.angle_unit} el.", "count", "wrong by")
+    head = head_line("counted", "D", f"AR, {units.angle_unit}", f"gaps, {units.angle_unit} el.", "count", "wrong by")
     return tag("table.kit-table.in-rules", head, rows)
 
 
 def resolution_markup(part: Incremental, found: Now, units: Units) -> Markup:
     """Return the angle of a count by its formula."""
     counted = found.counted[part.decoder]
-    turn = r"360\text{°}" if units.in_degrees else r"2\pi"
+    turn = units.turn_in_latex
     formula = rf"AR=\frac{{{turn}}}{{\mathrm{{PPR}}\cdot D}}=\frac{{{turn}}}{{{part.pulses}\cdot {counted.per_period}}}"
     value = units.constant(counted.resolution, True, 3)
     said = "Angle of one count⟦; notes 2.45. The text before 2.44 calls it pulses per round⟧"

@@ -14,7 +14,7 @@ from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, number
-from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.markup import row, verdict_box
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.tables import head_line, line
@@ -79,28 +79,23 @@ def _key(part: Throws) -> Markup:
 
 def _estimates(part: Throws, units: Units) -> Markup:
     """Return estimated bias and spread, with their confidence, beside the true ones."""
-    found = part.found
-    centre = f"({units.text(found.mean[0], False)}, {units.text(found.mean[1], False)}) {units.length_unit}"
-    bias, length = part.bias, units.length
-    rows: list[tuple[str, Inside, Inside, Inside]] = [
-        (
-            "centre",
-            centre,
-            f"± {length(found.radius)}",
-            f"({units.text(bias[0], False)}, {units.text(bias[1], False)})",
-        ),
-        ("its distance", length(found.distance), "", length(float((bias @ bias) ** 0.5))),
-        (
-            "spread",
-            length(found.spread),
-            f"{units.text(found.low, False)} to {length(found.high)}",
-            length(part.spread),
-        ),
+    found, bias = part.found, part.bias
+
+    def said(value: float) -> str:
+        return units.text(value, False)
+
+    def point(x: float, y: float) -> str:
+        return f"({said(x)}, {said(y)})"
+
+    rows: list[tuple[str, str, str, str]] = [
+        ("centre", point(found.mean[0], found.mean[1]), f"± {said(found.radius)}", point(bias[0], bias[1])),
+        ("its distance", said(found.distance), "", said(float((bias @ bias) ** 0.5))),
+        ("spread", said(found.spread), f"{said(found.low)} to {said(found.high)}", said(part.spread)),
     ]
     sure = f"{number(100.0 * CONFIDENCE, 0)} %"
-    head = head_line(None, "estimated", sure, "true" if part.told else "")
+    head = head_line(units.length_unit, "estimated", sure, "true" if part.told else "")
     lines = [line(value, range_, true if part.told else "", name=name) for name, value, range_, true in rows]
-    return tag("table.kit-points", head, lines)
+    return tag("table.kit-points.th-found", head, lines)
 
 
 def _verdict(part: Throws, units: Units) -> Markup:

@@ -68,7 +68,7 @@ def _head(form: Form, part: EncoderSpeed, units: Units) -> Markup:
     rules = {key: RULES[key] for key in HONEST}
     return joined(
         examples(form, EXAMPLES, part.example, ChooseSpeedExample),
-        formulas(),
+        formulas(units),
         row(
             "PPR",
             tag(

@@ -37,7 +37,7 @@ def rate(speed: float, units: Units) -> str:
     return amount(speed / units.factor(True), f"{units.angle_unit}/s") if math.isfinite(speed) else "no tick"
 
 
-def formulas() -> Markup:
+def formulas(units: Units) -> Markup:
     """Return both formulas."""
     return tag(
         "div.eq.small",
@@ -45,7 +45,7 @@ def formulas() -> Markup:
         "\N{EM SPACE}",
         mathml(r"\omega=\frac{f}{n}\,AR"),
         "\N{EM SPACE}",
-        mathml(r"AR=\frac{360\text{°}}{\mathrm{PPR}\cdot D}"),
+        mathml(rf"AR=\frac{{{units.turn_in_latex}}}{{\mathrm{{PPR}}\cdot D}}"),
         title="By C counts in a window T, and by n ticks of the clock f between two counts⟦; notes 2.42, 2.45⟧",
     )
 
@@ -58,7 +58,7 @@ def readings_markup(part: EncoderSpeed, units: Units) -> Markup:
     rows: list[tuple[str, Inside, Inside]] = [
         ("counted", f"C = {part.counts}", f"n = {ticks}"),
         ("speed that is read", tag("b", rate(part.by_counts, units)), tag("b", read)),
-        ("one more or less", f"±{rate(meter.quantum, units)}", f"±{_one_tick(part, units)}"),
+        ("one more or less", f"±{rate(meter.quantum, units)}", _one_tick(part, units)),
         (
             "largest error",
             percent(float(meter.error_by_counts(part.speed))),
@@ -74,12 +74,14 @@ def readings_markup(part: EncoderSpeed, units: Units) -> Markup:
     )
 
 
-def _one_tick(part: EncoderSpeed, units: Units) -> str:
-    """Return by how much the second reading changes with one more tick."""
-    mean = float(np.mean(part.ticks))
+def _one_tick(part: EncoderSpeed, units: Units) -> Inside:
+    """Return by how much the second reading changes with one more tick, and with one less, which is farther."""
+    mean, per_tick = float(np.mean(part.ticks)), part.meter.resolution * part.clock
     if mean < 1.0:
-        return "∞"
-    return rate(part.meter.resolution * part.clock * (1.0 / mean - 1.0 / (mean + 1.0)), units)
+        return "±∞"
+    more = rate(per_tick * (1.0 / mean - 1.0 / (mean + 1.0)), units)
+    less = rate(per_tick * (1.0 / (mean - 1.0) - 1.0 / mean), units) if mean > 1.0 else "∞"
+    return f"∓{more}" if less == more else (f"−{more}", tag("br"), f"+{less}")
 
 
 def verdict(part: EncoderSpeed, units: Units) -> Markup:
@@ -89,7 +91,8 @@ def verdict(part: EncoderSpeed, units: Units) -> Markup:
         return verdict_box(
             "warn",
             "Uneven counts",
-            "The gaps between the counts are 90° and 270° electrical: the time between two of them is half of what AR "
+            f"The gaps between the counts are {units.turned_by(1)} and {units.turned_by(3)} electrical: the time between "
+            "two of them is half of what AR "
             "stands for, or one and a half times as long. No clock helps.",
         )
     first = part.finer == "counts"
