@@ -211,7 +211,9 @@ def test_a_row_that_cannot_be_read_says_so_where_it_stands_and_nothing_is_made(u
         rows = dialog(browser).split("<tr>")
         first = next(i for i, row in enumerate(rows) if 'data-cell="new-0-a"' in row)
         assert "✕ joint 1: link length: expected a number in mm, got &#39;long&#39;" in rows[first + 1]
-        assert "✕ joint 2: link twist: expected at most 360° either way, got 720°" in rows[first + 3]
+        assert (
+            "✕ joint 2: link twist: expected a number in degrees from −360 to 360, got &#39;720&#39;" in rows[first + 3]
+        )
         assert rows[first].count('aria-invalid="true"') == 1
         await browser.press("new-make")
         await browser.press("new-0-a", "0.3 m")
@@ -276,7 +278,7 @@ def test_what_is_wrong_in_a_row_is_said_anew_in_another_unit():
     draft = Draft(Notation())
     draft.set_unit("angle", "rad")
     draft.write(0, "alpha", "90")
-    assert draft.rows[0].wrong == "link twist: expected at most 360° either way, got 5156.62°"
+    assert draft.rows[0].wrong == "link twist: expected a number in rad from −6.2832 to 6.2832, got '90'"
     draft.set_unit("angle", "deg")
     assert (draft.rows[0].wrong, draft.rows[0].where) == ("", "")
     draft.set_unit("angle", "rad")

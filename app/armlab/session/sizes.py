@@ -38,6 +38,12 @@ def check_cell(i: int, field: str, value: float) -> None:
     check_size(f"row {i + 1}, {LETTERS.get(field, field)}", value, LARGEST_ANGLE if field in ANGLES else None)
 
 
+def widest(turns: bool) -> tuple[float, float]:
+    """Return the range of an angle of the table, radians, or of a length, metres."""
+    most = LARGEST_ANGLE if turns else LONGEST
+    return -most, most
+
+
 def check_size(where: str, value: float, turned: float | None = None, longest: float = LONGEST) -> None:
     """Refuse a length of more than ``longest`` metres either way, or an angle of more than ``turned`` radians."""
     most, turns = longest if turned is None else turned, turned is not None

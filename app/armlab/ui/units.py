@@ -220,7 +220,7 @@ class Units:
         if not low - ROUNDING <= value <= high + ROUNDING:
             least, most = (readable(bound / self.factor(revolute), 4) for bound in (low, high))
             raise InputError(f"{where}: expected a number in {unit} from {least} to {most}, got {text.strip()[:40]!r}")
-        return value
+        return min(max(value, low), high)
 
 
 _ANGLES = {"deg": math.pi / 180.0, "°": math.pi / 180.0, "rad": 1.0}

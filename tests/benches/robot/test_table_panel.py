@@ -230,9 +230,10 @@ def test_a_cell_is_edited_undone_and_kept(url):
     ("cell", "text", "words"),
     [
         ("dh-2-a", "abc", "row 2, a: expected a number in mm, got 'abc'"),
-        ("dh-2-a", "1e9", "row 2, a: expected at most 100 m"),
+        ("dh-2-a", "1e9", "row 2, a: expected a number in mm from −100000 to 100000, got '1e9'"),
+        ("dh-2-alpha", "400", "row 2, α: expected a number in degrees from −360 to 360, got '400'"),
         ("base-x", "<b>", "base, x: expected a number in mm"),
-        ("point-y", "1e9", "tool point, y: expected at most 100 m"),
+        ("point-y", "1e9", "tool point, y: expected a number in mm from −100000 to 100000, got '1e9'"),
     ],
 )
 def test_wrong_input_stays_marked_with_the_reason_below_until_the_next(url, cell, text, words):

@@ -9,10 +9,10 @@ from typing import Any, cast
 from armlab.content.tables import parse_table
 from armlab.errors import InputError
 from armlab.kin.arm import MAX_JOINTS
-from armlab.kin.dh import LARGEST_ANGLE, Convention, Kind, Row
+from armlab.kin.dh import Convention, Kind, Row
 from armlab.session.edits import LONGEST_NAME, NewArm
 from armlab.session.parts.notation import Notation
-from armlab.session.sizes import ANGLES, LENGTHS, check_size
+from armlab.session.sizes import ANGLES, LENGTHS, widest
 from armlab.ui.tables import is_variable, without_symbol
 from armlab.ui.units import NAMES, Units
 
@@ -127,8 +127,8 @@ class Draft:
             text = typed.texts[name]
             text = without_symbol(text) if is_variable(row, name) else text.strip()
             try:
-                value = self.units.read(text or "0", name in ANGLES, NAMES[name])
-                check_size(NAMES[name], value, LARGEST_ANGLE if name in ANGLES else None)
+                turns = name in ANGLES
+                value = self.units.read(text or "0", turns, NAMES[name], within=widest(turns))
             except InputError as error:
                 typed.wrong, typed.where = str(error), name
                 return None

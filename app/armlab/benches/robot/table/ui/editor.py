@@ -7,6 +7,7 @@ from functools import partial
 from armlab.kin.arm import MAX_JOINTS, Arm
 from armlab.kin.dh import Row
 from armlab.session.edits import AddJoint, RemoveJoint, ReorderJoint, SetCell, SetKind, SetLimits
+from armlab.session.sizes import ANGLES, LONGEST, MOST_TURNED, widest
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form, Pressed, Wish
 from armlab.ui.format import MINUS, dot
@@ -51,13 +52,15 @@ class DhEditor:
         if is_variable(row, field):
             text = without_symbol(text) or "0"
         where = f"row {i + 1}, {self._units.book.symbols[field]}"
-        return SetCell(i, field, self._units.read(text, field in ("alpha", "theta"), where))
+        turns = field in ANGLES
+        return SetCell(i, field, self._units.read(text, turns, where, within=widest(turns)))
 
     def _limit_typed(self, i: int, arm: Arm, name: str, text: str) -> Wish:
         revolute, (low, high) = arm.rows[i].revolute, arm.limits[i].tolist()
         if text == self._limit(low if name == "low" else high, revolute):
             return None
-        value = self._units.read(text, revolute, f"limits of joint {i + 1}")
+        most = MOST_TURNED if revolute else LONGEST
+        value = self._units.read(text, revolute, f"limits of joint {i + 1}", within=(-most, most))
         return SetLimits(i, value, high) if name == "low" else SetLimits(i, low, value)
 
     def _choose(self, i: int) -> None:

@@ -13,6 +13,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.rotations import euler_zyx, rotation_from_sequence
 from armlab.session.edits import SetEnd
 from armlab.session.parts.robot import RobotPart
+from armlab.session.sizes import widest
 from armlab.session.state import State
 from armlab.ui.form import Form, Wish
 from armlab.ui.format import MINUS, mathml, pairs
@@ -53,7 +54,8 @@ def _typed(state: State, which: str, axis: str, units: Units, text: str) -> Wish
     if text == _texts(state, which, units)[axis]:
         return None
     turns = axis in ANGLES
-    value = units.read(text, turns, f"{'tool point' if which == 'point' else which}, {axis}")
+    where = f"{'tool point' if which == 'point' else which}, {axis}"
+    value = units.read(text, turns, where, within=None if turns else widest(turns))
     if which == "point":
         x, y, z = (value if name == axis else was for name, was in zip("xyz", state[Point].xyz, strict=True))
         return SetPoint((x, y, z))

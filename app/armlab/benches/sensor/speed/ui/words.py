@@ -91,9 +91,8 @@ def verdict(part: EncoderSpeed, units: Units) -> Markup:
         return verdict_box(
             "warn",
             "Uneven counts",
-            f"The gaps between the counts are {units.turned_by(1)} and {units.turned_by(3)} electrical: the time between "
-            "two of them is half of what AR "
-            "stands for, or one and a half times as long. No clock helps.",
+            f"The gaps between the counts are {units.turned_by(1)} and {units.turned_by(3)} electrical: the time "
+            "between two of them is half of what AR stands for, or one and a half times as long. No clock helps.",
         )
     first = part.finer == "counts"
     head = "Counting is finer here" if first else "The time between counts is finer here"
