@@ -16,7 +16,7 @@ DEG, MM = Scale("°", np.pi / 180.0), Scale("mm", 1e-3)
 class Form:
     """What is needed of `armlab.ui.form.Form`: cells that show their text."""
 
-    def field(self, cell, text, title, action):
+    def field(self, cell, text, title, action, off=False):
         return Markup(f"<input {cell}={text}>")
 
     def area(self, cell, text, title, lines, action):

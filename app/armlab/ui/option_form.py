@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -26,6 +26,7 @@ def option_form(
     action: Callable[[str, Any], Wish],
     scales: Sequence[Scale] = PLAIN,
     needed: bool = False,
+    off: Collection[str] = (),
 ) -> Markup:
     """Return fields and choices for the options that can be used with those given.
 
@@ -44,6 +45,8 @@ def option_form(
         in the first (`armlab.benches.motion.plan.paths.joint_scales`).
     needed : bool
         Whether a field that was emptied is refused.
+    off : collection of str
+        Keys of the numbers that do not count now, whose fields are grey.
     """
 
     def made(kind: Field) -> Markup:
@@ -52,12 +55,12 @@ def option_form(
         def taken(text: str) -> Wish:
             return action(kind.key, option_value(kind, text, value, scales, needed))
 
-        return _bound(form, prefix + kind.key, kind, value, taken, scales)
+        return _bound(form, prefix + kind.key, kind, value, taken, scales, kind.key in off)
 
     return joined(map(made, seen_fields(kinds, given)))
 
 
-def _bound(form: Form, cell: str, kind: Field, value: Any, taken: Typed, scales: Sequence[Scale]) -> Markup:
+def _bound(form: Form, cell: str, kind: Field, value: Any, taken: Typed, scales: Sequence[Scale], off: bool) -> Markup:
     title = capitalised(kind.title)
     if kind.kind == "choice":
         chooser = form.select(cell, title, dict(kind.choices), str(value), taken)
@@ -71,7 +74,7 @@ def _bound(form: Form, cell: str, kind: Field, value: Any, taken: Typed, scales:
         lines = min(max(text.count("\n") + 1, 2), MOST_LINES)
         typed = form.area(cell, text, title, lines, taken)
         return tag("label.option.wide.rows", tag("span", f"{head} ", unit), typed)
-    typed = form.field(cell, text, title, taken)
+    typed = form.field(cell, text, title, taken, off=off)
     wide = kind.kind == "list" or (kind.kind == "vector" and len(scales) > 1)
     symbol = named(kind.symbol) if kind.symbol else tag("span", title)
     return tag(classes("label.option", wide=wide), symbol, typed, unit, title=title)

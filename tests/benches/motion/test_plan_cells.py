@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from armlab.benches.motion.plan.commands import AllMovesLike, SetMove
+from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption
 from armlab.benches.motion.plan.limits import LastFor, LimitJoint, LimitTool, UseShare
 from armlab.benches.motion.plan.points import (
     AddWaypoint,
@@ -26,6 +26,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.rotations import rotation_about
 from armlab.kin.transforms import transform
 from armlab.session.state import State, apply
+from support.done import done
 from support.forms import BareForm, asked
 
 STATE = State.initial(catalogue()["planar_2r"])
@@ -143,3 +144,27 @@ def test_the_list_and_the_fields_of_an_arm_whose_base_is_turned_are_both_in_fram
     assert places == flat
     assert "Waypoints in frame 0, mm" in page
     assert "in frame 0,\xa0mm" in page
+
+
+@pytest.mark.parametrize("law", ["trapezoidal", "double_s"])
+def test_ramps_that_do_not_count_are_grey_and_a_sentence_says_what_shapes_them(law):
+    def ramp(*commands):
+        form, state = BareForm(), done(STATE, SetMove(1, law=law), *commands)
+        page = str(move_markup(form, state))
+        (found,) = re.findall(r'<input[^>]*value="([^"]*)"[^>]*data-cell="law ramp"( disabled)?', page)
+        return found, page
+
+    field, page = ramp()
+    assert field == ("", " disabled")
+    assert "The limits shape the ramps of the fastest motion" in page
+    field, page = ramp(LastFor(4.0))
+    assert field == ("", "")
+    assert "they are those of the fastest motion" in page
+    field, page = ramp(LastFor(4.0), SetMoveOption(1, "law", "ramp", 0.2))
+    assert field == ("0.2", "")
+    assert "limits shape" not in page
+    assert "fastest motion" not in page
+    field, page = ramp(LastFor(4.0), SetMoveOption(1, "law", "ramp", 0.2), SetMove(1, apart=True))
+    assert field == ("0.2", " disabled")
+    assert "The limits shape the ramps of independent joints" in page
+    assert typed("law ramp", "0.3", done(STATE, SetMove(1, law=law))) == ()

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
-from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption
+from armlab.benches.motion.plan.laws import RAMPS, shaped_by_limits
 from armlab.benches.motion.plan.moves import TURNINGS, Move, Stretch
 from armlab.benches.motion.plan.state import Plan, planned_now
-from armlab.kin.field import Field
 from armlab.kin.motion import law_types, path_types
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
@@ -73,11 +72,11 @@ def move_markup(form: Form, state: State) -> Markup | None:
         _named(form, k, move),
         tag("div.bar", spaces, _stop(form, part, stretch)),
         _choice(form, "path", "Path", paths, move.path.key, lambda path: SetMove(k, path=path)),
-        _form(form, k, "path", move.kind.fields, move.path, state),
+        _path_form(form, k, move, state),
         _together(form, k, move),
         _turning(form, k, move, state),
         _choice(form, "law", "Law", laws, move.law.key, lambda law: SetMove(k, law=law)),
-        _form(form, k, "law", law_types()[move.law.key].fields, move.law, state),
+        _law_form(form, k, stretch, state),
         _bounds(state, stretch),
     )
 
@@ -103,11 +102,30 @@ def _choice(form: Form, cell: str, title: str, texts: dict[str, str], chosen: st
     return tag("div.option.wide", tag("span", title), form.select(cell, title, texts, chosen, action))
 
 
-def _form(
-    form: Form, k: int, of: Literal["path", "law"], kinds: tuple[Field, ...], chosen: Chosen, state: State
-) -> Markup | None:
-    found = option_form(form, f"{of} ", kinds, chosen.options, partial(SetMoveOption, k, of), scales(state))
+def _path_form(form: Form, k: int, move: Move, state: State) -> Markup | None:
+    found = option_form(
+        form, "path ", move.kind.fields, move.path.options, partial(SetMoveOption, k, "path"), scales(state)
+    )
     return tag("div.options", found) if found else None
+
+
+def _law_form(form: Form, k: int, stretch: Stretch, state: State) -> Inside:
+    """Return the options of the law; ramps that the limits shape are grey, and empty unless they are typed."""
+    law, timed = stretch.move.law, state[Plan].duration is not None
+    kinds, by_limits = law_types()[law.key].fields, not timed or shaped_by_limits(stretch)
+    given = {**dict.fromkeys(RAMPS), **law.options} if by_limits else law.options
+    off = () if timed and not stretch.move.independent else RAMPS
+    found = option_form(form, "law ", kinds, given, partial(SetMoveOption, k, "law"), scales(state), off=off)
+    ramps = by_limits and any(kind.key in RAMPS for kind in kinds)
+    return tag("div.options", found) if found else None, tag("p.dim", _why_by_limits(stretch, timed)) if ramps else None
+
+
+def _why_by_limits(stretch: Stretch, timed: bool) -> str:
+    if stretch.move.independent:
+        return "The limits shape the ramps of independent joints."
+    if timed:
+        return "While nothing is typed for the ramps, they are those of the fastest motion."
+    return "The limits shape the ramps of the fastest motion; typed ones count in a given time."
 
 
 def _turning(form: Form, k: int, move: Move, state: State) -> Markup | None:
