@@ -10,7 +10,7 @@ from armlab.benches.robot.taught.facts import FACTS
 from armlab.benches.robot.taught.state import TaughtGoal, VisitAgain
 from armlab.benches.robot.taught.ui.board import RINGS, board, ring_of
 from armlab.benches.robot.taught.ui.page import errors_markup, peg_markup, said_of
-from armlab.benches.robot.taught.ui.scene import factor_of
+from armlab.benches.robot.taught.ui.scene import LABEL, factor_of, label_place
 from armlab.benches.robot.taught.visits import visits_of
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -55,6 +55,15 @@ def test_without_scatter_every_visit_ends_at_the_same_point(robot, taught):
     assert (fact("repeatability", state), fact("ratio", state)) == (0.0, None)
     assert said_of(visits_of(state)) == "Every visit ends at the same point: no scatter at all."
     assert (fact("accuracy", state) == 0.0) == taught
+
+
+def test_the_label_of_the_deviations_is_beyond_them_on_the_side_away_from_the_wrist():
+    goal = np.array([1.0, 0.0, 1.0])
+    points = goal + np.array([[0.1, 0.0, 0.2], [0.1, 0.0, 0.1]])
+    hanging = label_place(points, goal, goal + np.array([0.0, 0.0, 0.3]), 1.0)
+    np.testing.assert_allclose(hanging, [1.1, 0.0, 1.0 - LABEL])
+    pointing_up = label_place(points, goal, goal - np.array([0.2, 0.0, 0.1]), 1.0)
+    np.testing.assert_allclose(pointing_up, [1.1, 0.0, 1.2 + LABEL])
 
 
 def test_longer_links_alone_make_an_error_that_is_known_by_hand():

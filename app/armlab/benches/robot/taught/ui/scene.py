@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import viser
+from numpy.typing import NDArray
 
 from armlab.benches.robot.taught.state import TaughtGoal
 from armlab.benches.robot.taught.visits import Visits, visits_of
@@ -17,8 +18,13 @@ from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.scene._nodes import move, write
 
+Floats = NDArray[np.floating]
+
 DRAWN = 0.16
 """Distance of the farthest position from the goal in the scene, in sizes of the arm."""
+
+LABEL = 0.05
+"""Distance of the label from the goal and from what is drawn about it, in sizes of the arm."""
 
 DOT, BALL = 0.005, 0.011
 """Size of a position, and radius of the ball at the goal, in sizes of the arm."""
@@ -28,6 +34,14 @@ def factor_of(visits: Visits, size: float) -> float:
     """Return how many times as large deviations are drawn: a round number; 1 where there are none."""
     farthest = float(np.linalg.norm(visits.points - visits.goal, axis=1).max())
     return max(round_below(DRAWN * size / farthest), 1.0) if farthest > 0.0 else 1.0
+
+
+def label_place(points: Floats, goal: Floats, wrist: Floats, size: float) -> Floats:
+    """Return where the label stands: beyond the goal and the drawn positions (n, 3), away from the wrist."""
+    around = np.vstack([points, goal])
+    beyond = LABEL * size
+    height = around[:, 2].max() + beyond if goal[2] > wrist[2] else around[:, 2].min() - beyond
+    return np.array([*points[:, :2].mean(axis=0), height])
 
 
 class Cloud:
@@ -40,7 +54,7 @@ class Cloud:
             f"{path}_goal", BALL * canvas.size, PURPLE, cast_shadow=False, receive_shadow=False
         )
         self._label: viser.LabelHandle = scene.add_label(
-            f"{path}_label", "", font_screen_scale=0.9, anchor="top-center"
+            f"{path}_label", "", font_screen_scale=0.9, anchor="center-center"
         )
         self._points: Any = None
         self._drawn: Visits | None = None
@@ -53,10 +67,10 @@ class Cloud:
         self._drawn = visits
         factor = factor_of(visits, self._canvas.size)
         move(self._ball, visits.goal)
-        # Below the goal, since the hand of the arm is above it.
-        move(self._label, visits.goal - np.array([0.0, 0.0, 0.2 * DRAWN * self._canvas.size]))
         write(self._label, f"deviations {factor:g} times as large" if factor > 1.0 else "deviations in true size")
-        points = (visits.goal + factor * (visits.points - visits.goal)).astype(np.float32)
+        drawn = visits.goal + factor * (visits.points - visits.goal)
+        move(self._label, label_place(drawn, visits.goal, state[Joints].frames[-2, :3, 3], self._canvas.size))
+        points = drawn.astype(np.float32)
         if self._points is None or len(self._points.points) != len(points):
             if self._points is not None:
                 self._points.remove()

@@ -35,6 +35,10 @@ DASH, DASHES = 0.0045, 11
 LEAST = 0.03
 """Share of a unit vector, or of the wish, below which nothing is drawn."""
 
+NAMED = 0.2
+"""Share of the length of the wish, or of the longest line, below which an arrow or a line at the tool has no name: it
+would lie over the names of the joints there, and the page says what the colours mean."""
+
 TOGETHER = 0.25
 """Distance of the tips of wish and reached velocity, in lengths of the wish, below which they share one name."""
 
@@ -71,6 +75,8 @@ class _Velocity:
 def names_of(wish: Array, reached: Array) -> tuple[tuple[str, str], tuple[str, str]]:
     """Return the names of wish and reached velocity, for translation and rotation; one name for both if they meet.
 
+    What is shorter than `NAMED` has none.
+
     Parameters
     ----------
     wish, reached : ndarray, shape (6,)
@@ -80,7 +86,12 @@ def names_of(wish: Array, reached: Array) -> tuple[tuple[str, str], tuple[str, s
     meet = [min(map(np.linalg.norm, each)) > LEAST and np.linalg.norm(each[0] - each[1]) < TOGETHER for each in halves]
     first, second = ("wanted, reached" if each else "wanted" for each in meet)
     third, fourth = ("" if each else "reached" for each in meet)
-    return (first, f"ω {second}"), (third, f"ω {fourth}" if fourth else "")
+    names = ((first, f"ω {second}"), (third, f"ω {fourth}" if fourth else ""))
+    (a, b), (c, d) = (
+        [name if np.linalg.norm(part) >= NAMED else "" for name, part in zip(each, (twist[:3], twist[3:]), strict=True)]
+        for each, twist in zip(names, (wish, reached), strict=True)
+    )
+    return (a, b), (c, d)
 
 
 class _Lost:
@@ -111,6 +122,7 @@ class _Lost:
             put(node, along(-part if part @ wish[3 * i : 3 * i + 3] > 0.0 else part, at))
             self._grow(i, round(LOST * self._size * size, LENGTH_DIGITS))
             what = "rotation" if i else "translation"
+            seen(self._names[i], size >= NAMED)
             write(self._names[i], f"lost: no {what}" if look.singular else f"slowest {what}")
 
     def _grow(self, i: int, half: float) -> None:
