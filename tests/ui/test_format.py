@@ -37,7 +37,7 @@ def test_a_number_in_a_field_reads_back_as_nearly_the_same(rng):
 
 def test_an_option_typed_again_as_it_is_shown_stays():
     field, scales = Field("v", "v", "speed", "vector", unit="q/s"), (Scale("°", np.pi / 180.0), Scale("mm", 1e-3))
-    form = SimpleNamespace(field=lambda cell, text, title, action: f"[{text}]")
+    form = SimpleNamespace(field=lambda cell, text, title, action, off: f"[{text}]")
     given = [1.0 / 6000.0 * np.pi / 180.0, -1e-3 / 6000.0]
     shown = option_form(form, "", (field,), {"v": given}, lambda key, value: (), scales)
     text = shown[shown.index("[") + 1 : shown.index("]")]

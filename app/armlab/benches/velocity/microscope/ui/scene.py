@@ -75,7 +75,7 @@ class _Velocity:
 def names_of(wish: Array, reached: Array) -> tuple[tuple[str, str], tuple[str, str]]:
     """Return the names of wish and reached velocity, for translation and rotation; one name for both if they meet.
 
-    What is shorter than `NAMED` has none.
+    A part shorter than `NAMED` has none.
 
     Parameters
     ----------
