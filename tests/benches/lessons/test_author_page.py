@@ -72,7 +72,7 @@ def test_questions_are_written_on_the_page_and_saved_with_the_lesson(url):
         await browser.until(lambda: "expected a text that says what is asked" in refusal(browser))
         await browser.press("ask-text", "How far is $p_x$?")
         await browser.press("ask-answer", "many")
-        await browser.until(lambda: "expected a number, got" in refusal(browser))
+        await browser.until(lambda: "answer: expected a number, got" in refusal(browser))
         for cell, text in (("ask-answer", "1/4"), ("ask-tolerance", "-0.01"), ("ask-unit", "m"), ("ask-add", "")):
             await browser.press(cell, text)
         await browser.until(lambda: "largest difference: expected a positive number, got -0.01" in refusal(browser))
@@ -89,6 +89,24 @@ def test_questions_are_written_on_the_page_and_saved_with_the_lesson(url):
         await browser.until(lambda: f"expected at most {MOST} questions" in refusal(browser))
         await browser.press("ask-remove 0")
         await browser.until(lambda: "0.25 ± 0.01 m" not in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+def test_a_question_is_not_added_with_another_answer_than_its_field_shows(url):
+    async def main():
+        browser = await at_the_page(url)
+        for cell, text in (("ask-text", "How far?"), ("ask-answer", "0.25"), ("ask-tolerance", "0.01")):
+            await browser.press(cell, text)
+        await browser.press("ask-answer", "half a metre")
+        await browser.press("ask-add")
+        await browser.until(lambda: "answer: expected a number, got" in refusal(browser))
+        assert "half a metre" in browser.html()
+        assert 'data-cell="ask-remove 0"' not in browser.html()
+        await browser.press("ask-answer", "0.5")
+        await browser.press("ask-add")
+        await browser.until(lambda: "0.5 ± 0.01" in browser.html())
         await browser.close()
 
     run(main())

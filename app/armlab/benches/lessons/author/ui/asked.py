@@ -24,6 +24,9 @@ ABOUT = "Each question becomes a step behind the pose. Write formulas between $ 
 PURE = "number"
 """The choice of no unit."""
 
+_SAID = {"answer": "answer", "tolerance": "largest difference"}
+"""Names of the numbers in refusals."""
+
 
 @dataclass(frozen=True)
 class _Draft:
@@ -73,11 +76,15 @@ class Questions:
 
     def _typed(self, name: str) -> Typed:
         def typed(text: str) -> None:
-            if name != "text" and text.strip():
-                plain_number(text, "question", "a number")
+            # Kept even where it is refused: what is added is what the fields show.
             self._draft = replace(self._draft, **{name: " ".join(text.split())[:LONGEST]})
+            if name in _SAID and text.strip():
+                self._number_in(name)
 
         return typed
+
+    def _number_in(self, name: str) -> float:
+        return plain_number(getattr(self._draft, name), _SAID[name], "a number")
 
     def _add(self) -> None:
         draft = self._draft
@@ -85,8 +92,7 @@ class Questions:
             raise InputError("question: expected a text that says what is asked")
         if len(self.asked) >= MOST:
             raise InputError(f"expected at most {MOST} questions; write more in the file")
-        answer = plain_number(draft.answer, "answer", "a number")
-        tolerance = plain_number(draft.tolerance, "largest difference", "a number")
+        answer, tolerance = self._number_in("answer"), self._number_in("tolerance")
         if tolerance <= 0.0:
             raise InputError(f"largest difference: expected a positive number, got {draft.tolerance}")
         self.asked = (*self.asked, NumberAsked(draft.text, answer, draft.unit, tolerance))
