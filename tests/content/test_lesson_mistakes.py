@@ -148,6 +148,33 @@ def test_a_block_of_the_introduction_that_swallows_the_first_step_is_told():
         parse_lesson("rich", text)
 
 
+STEPS = RICH[: RICH.index("```", RICH.index("## "))] + "BLOCK\n\n## Two\n\nWords.\n\n"
+"""The first step ends with a block."""
+
+
+@pytest.mark.parametrize(
+    ("block", "between", "end", "says"),
+    [
+        ("```hint\nLook.", "", "", "step 1.hint: the block goes on to the end of the file"),
+        ("```hint\nLook.", "", "\n\n", "step 1.hint: the block goes on to the end of the file"),
+        ("```hint", "```\nx\n```\n\n", "", "step 1.hint: the step 'Two' begins inside this one"),
+        ("```python\nx = 1", "", "", "step 1: the block goes on to the end of the file"),
+        ("~~~~reveal\nx", "", "\n```", "step 1.reveal: the block goes on to the end of the file"),
+    ],
+)
+def test_a_block_without_its_end_swallows_no_steps(block, between, end, says):
+    with pytest.raises(LessonError, match=rf"{says}; is its closing (```|~~~~) missing\?$"):
+        parse_lesson("rich", f"{STEPS.replace('BLOCK', block)}{between}## Three\n\nMore.{end}")
+
+
+@pytest.mark.parametrize(
+    "block",
+    ["```text\n## Title\n```", "````hint\n```python\n## A remark\n```\n````", "```hint\n```", "- ```\n  x\n  ```"],
+)
+def test_a_heading_in_a_block_of_code_begins_no_step(block):
+    assert len(parse_lesson("rich", STEPS.replace("BLOCK", block)).steps) == 2
+
+
 def test_a_block_is_shown_on_purpose_between_longer_fences():
     shown = "````text\n```hint\nLook.\n```\n````\n\n```python"
     assert "```hint" in parse_lesson("rich", RICH.replace("```python", shown)).steps[1].html

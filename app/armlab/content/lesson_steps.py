@@ -15,6 +15,7 @@ from armlab.content.lesson_fields import Fields, example_name
 from armlab.content.lesson_lines import LessonError, located
 from armlab.content.lesson_text import Prose
 from armlab.content.lesson_values import filled_data
+from armlab.content.markdown import tokens_of
 from armlab.content.question import Question, read_question
 from armlab.content.reader import Table
 from armlab.content.robots import Catalogue, Robot
@@ -149,24 +150,41 @@ def _sorted(setting: Setting, where: str, blocks: list[Token]) -> tuple[list[Tok
 
 
 def refuse_swallowed(setting: Setting, where: str, token: Token) -> None:
-    """Refuse a fenced block in which another block of a step begins: Markdown would take it for text.
+    """Refuse a fenced block that has no end, or in which another block or step begins: Markdown would take it for text.
 
-    A block that is shown on purpose stands between longer fences.
+    A block that is shown on purpose stands between longer fences, and a heading that is shown in a block of code.
 
     Raises
     ------
     LessonError
         With the line of the outer block.
     """
-    if token.type != "fence":
-        return
-    name = token.info.strip()
+    begins = _swallowed(token) if token.type == "fence" else ""
+    if begins:
+        name = token.info.strip()
+        at = f"{where}.{name}" if name in (*TABLES, *TEXTS) else where
+        raise LessonError(setting.file, at, f"{begins}; is its closing {token.markup} missing?", setting.line(token))
+
+
+def _swallowed(token: Token) -> str:
+    """Return what shows that the end of a fenced block is missing; empty where nothing does."""
     for line in token.content.split("\n"):
         inner = line.strip().removeprefix(token.markup).strip()
         if inner != line.strip() and inner in (*TABLES, *TEXTS):
-            at = f"{where}.{name}" if name in (*TABLES, *TEXTS) else where
-            problem = f"a block {inner!r} begins inside this one; is its closing {token.markup} missing?"
-            raise LessonError(setting.file, at, problem, setting.line(token))
+            return f"a block {inner!r} begins inside this one"
+    if not _is_closed(token):
+        return "the block goes on to the end of the file"
+    if token.info.strip() in TEXTS and "\n## " in f"\n{token.content}":
+        section = next(iter(sections_of(tokens_of(token.content))[1:]), None)
+        return "" if section is None else f"the step {section[1].content!r} begins inside this one"
+    return ""
+
+
+def _is_closed(token: Token) -> bool:
+    """Return whether a fenced block has a line at its end besides the first one and those of its content."""
+    first, end = token.map or (0, 0)
+    within = token.content.count("\n") + (token.content[-1:] not in ("", "\n"))
+    return end - first == within + 2
 
 
 def _read_start(table: Table, robot: Robot) -> Start:
