@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from difflib import get_close_matches
 from typing import Protocol
 
 from armlab.content.lesson_fields import Fields
@@ -14,6 +15,7 @@ from armlab.content.lesson_lines import LessonError, line_of, located
 from armlab.content.lesson_values import filled_data
 from armlab.content.reader import shown
 from armlab.content.variants import NoValue, Value, Variants
+from armlab.errors import suggestion
 
 MOST_MINUTES = 180
 """Longest lesson, minutes."""
@@ -168,13 +170,19 @@ def filled_front(key: str, file: str, toml: str, variant: int) -> tuple[Fields, 
     ContentError
     """
     top = Fields.parse(file, toml)
+    # Told first: without its values the names in all other keys are unknown.
+    for name in top.keys if not top.has("variants") else ():
+        if isinstance(top.data[name], dict) and get_close_matches(name, ["variants"], cutoff=0.75):
+            raise top.fail(name, f"unknown key{suggestion(name, ['variants'])}")
     variants = Variants.read(key, top.table("variants"))
     try:
         values = variants.draw(variant if variants.varies else 0)
     except NoValue as error:
         raise top.fail(f"variants.{error.name}", f"it has no value in variant {variant}: {error.problem}") from None
     data = {name: entry for name, entry in top.data.items() if name != "variants"}
-    return Fields(file, filled_data(data, values, file, "")), values, variants.varies
+    filled = Fields(file, filled_data(data, values, file, ""))
+    filled.has("variants")  # taken above; whoever misspells a key is told that there is this one
+    return filled, values, variants.varies
 
 
 def time_said(minutes: int) -> str:
