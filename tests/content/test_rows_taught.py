@@ -78,9 +78,10 @@ def test_a_core_that_is_not_there_is_noticed():
     assert not exists("robots/r2d2")
 
 
-def test_a_lesson_claims_rows_that_there_are():
+def test_each_lesson_that_is_listed_claims_rows_and_all_such_that_there_are():
     claimed = {(lesson.key, row) for lesson in lessons().lessons.values() for row in lesson.teaches}
     assert [each for each in claimed if each[1] not in rows()] == []
+    assert [lesson.key for lesson in lessons().listed if not lesson.teaches] == []
 
 
 @pytest.mark.parametrize("key", pages())
