@@ -233,7 +233,7 @@ def test_live_values_stand_between_words_and_are_collected():
         ("a\nb {{q2}}", 1, "unknown live value 'q2'. Available: q1"),
         ("a\n\n* b\n* {{w}}", 3, "the live value 'w' is not there for this arm: because"),
         ("| a |\n|---|\n| {{x}} |", 2, "unknown live value 'x'"),
-        ("$$\na\n$$\n\ntext $ {{q1}} $", 4, r"{{q1}} is a live value and cannot stand in a formula"),
+        ("$$\na\n$$\n\ntext ${{q1}}$", 4, r"{{q1}} is a live value and cannot stand in a formula"),
         ("a\n\n![b](c.png)", 2, "unknown picture 'c.png'"),
         ("a\nb\n$\\foo$", 2, "unknown command"),
     ],
@@ -247,6 +247,23 @@ def test_the_line_of_a_mistake(text, line, says):
 def test_braces_of_formulas_are_no_live_values():
     assert "<mn>60</mn>" in shown(r"${{-60}\text{°}}$", live={"q1": ""})
     assert "<mi>a</mi>" in shown(r"$x^{{a}}$", live={"q1": ""})
+
+
+@pytest.mark.parametrize(
+    ("text", "formulas"),
+    [
+        ("It costs $5 and $6.", 0),
+        (r"It costs \$5 and \$6.", 0),
+        ("It costs $5, and $q_1$ turns by 2$x$ from $5-$6.", 2),
+        ("$x$ is 5", 1),
+        ("a $ x $ b", 0),
+        ("Here $$x$$ stands.", 1),
+    ],
+)
+def test_a_price_is_no_formula(text, formulas):
+    html = shown(text)
+    assert html.count("<math") == formulas
+    assert formulas or html == f"<p>{text}</p>\n".replace("\\", "")
 
 
 def test_a_table_in_square_brackets_is_marked_as_a_matrix_and_no_other():

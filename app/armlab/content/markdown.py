@@ -11,7 +11,7 @@ from __future__ import annotations
 import html
 import re
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING, Any
@@ -294,16 +294,32 @@ def is_allowed(address: str) -> bool:
 def _parser() -> MarkdownIt:
     from markdown_it import MarkdownIt  # with the first text: the lab opens without one
     from mdit_py_plugins.dollarmath import dollarmath_plugin
+    from mdit_py_plugins.dollarmath.index import math_inline_dollar
 
     parser = MarkdownIt("commonmark", {"html": False}).enable("table")
     parser.validateLink = is_allowed  # type: ignore[method-assign, assignment]
     dollarmath_plugin(parser, allow_labels=False, allow_blank_lines=False, double_inline=True)
+    of_plugin = math_inline_dollar(allow_space=False, allow_double=True)
+    parser.inline.ruler.at("math_inline", lambda state, silent: _in_dollars(of_plugin, state, silent))
     parser.inline.ruler.after("escape", "live", _live)
     parser.add_render_rule("link_open", _link)
     parser.add_render_rule("live", _output)
     for kind in ("math_inline", "math_inline_double", "math_block"):
         parser.add_render_rule(kind, _formula)
     return parser
+
+
+def _in_dollars(of_plugin: Callable[[StateInline, bool], bool], state: StateInline, silent: bool) -> bool:
+    """Parse a formula between dollar signs; one before a digit ends none, since it is the sign of a price.
+
+    The plugin's own way to ask for this refuses a formula behind a digit, too.
+    """
+    first = state.pos
+    found = of_plugin(state, True)
+    price = found and state.src[state.pos : state.pos + 1].isdigit()
+    if found and (price or not silent):
+        state.pos = first
+    return found and not price and (silent or of_plugin(state, False))
 
 
 def _live(state: StateInline, silent: bool) -> bool:
