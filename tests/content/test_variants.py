@@ -54,6 +54,26 @@ def test_lessons_draw_for_themselves():
     assert any(variants().draw(number) != other.draw(number) for number in range(1, 10))
 
 
+@pytest.mark.parametrize(
+    ("text", "values", "whole"),
+    [
+        ("a = { choose = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14] }", 14, True),
+        ("a = { from = 1, to = 12, step = 1 }\nb = { choose = [1, 2, 1] }", 12, True),
+        ("a = { from = 1, to = 99, step = 1 }", 2, True),
+        (f"a = {{ choose = {list(range(90))} }}", 42, False),
+        ("a = { choose = [1] }", 1, True),
+    ],
+)
+def test_the_variants_to_try_have_all_values_that_matter_and_no_more_than_that_needs(text, values, whole):
+    of = variants(text)
+    numbers, enough = of.to_try(1, 40)
+    seen = {of.draw(number)["a"] for number in numbers}
+    assert enough is whole
+    assert len(numbers) <= len(seen) + 2
+    assert len(seen) >= values
+    assert not whole or {of.choices["a"][0], of.choices["a"][-1]} <= seen
+
+
 def test_what_varies():
     assert variants().varies
     assert not variants("a = { choose = [1] }\nb = 'a + 1'").varies

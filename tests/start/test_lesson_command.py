@@ -89,7 +89,7 @@ def test_a_file_or_a_folder_is_a_lesson(typed, place, typed_as):
     (place / "whole").mkdir()
     (place / "whole" / "lesson.md").write_text(VARIED, encoding="utf-8")
     key = "whole" if typed_as == "whole" else "v"
-    assert typed("lesson", "check", typed_as) == (0, f"{key}: 3 steps, no problems\n", "")
+    assert typed("lesson", "check", typed_as) == (0, f"{key}: 3 steps, no problems in 6 variants\n", "")
 
 
 def test_a_folder_of_lessons_is_all_of_them(typed, place):
@@ -97,7 +97,11 @@ def test_a_folder_of_lessons_is_all_of_them(typed, place):
     text = path.read_text(encoding="utf-8")
     solved = text.replace("tolerance_deg = 1\n```", "tolerance_deg = 1\n```\n```solution\nq_deg = [90, 20]\n```")
     path.write_text(solved, encoding="utf-8")
-    assert typed("lesson", "check", "mine") == (0, "t: 3 steps, no problems\nv: 3 steps, no problems\n", "")
+    assert typed("lesson", "check", "mine") == (
+        0,
+        "t: 3 steps, no problems\nv: 3 steps, no problems in 6 variants\n",
+        "",
+    )
 
 
 def test_a_problem_has_file_and_line(typed):
@@ -125,7 +129,7 @@ def test_what_leads_out_of_a_folder_is_told_and_the_others_are_checked(typed, pl
     (place / "outside" / "lesson.md").write_text(VARIED, encoding="utf-8")
     (place / "mine" / "linked").symlink_to(place / "outside", target_is_directory=True)
     line = f"{Path('mine') / 'linked'}: it leads out of the folder mine; put the files themselves there\n"
-    assert typed("lesson", "check", "mine") == (1, f"{line}v: 3 steps, no problems\n", "")
+    assert typed("lesson", "check", "mine") == (1, f"{line}v: 3 steps, no problems in 6 variants\n", "")
     status, out, _ = typed("lesson", "check", "--lessons", "mine", "--variants", "0")
     assert (status, out.splitlines(keepends=True)[0]) == (1, line)
     assert typed("lesson", "check", "mine/linked") == (1, "", f"armlab: {line}".replace("\\", "/"))
@@ -285,6 +289,18 @@ def test_a_problem_of_some_variants_names_the_first(typed, place):
     assert status == 1
     assert [line.split(": ")[1] for line in out.splitlines()] == ["step 1 (variant 1)", "step 1 (variant 2)"]
     assert typed("lesson", "check", "mine/v.md", "--variants", "0")[0] == 0
+
+
+def test_a_value_is_tried_that_the_first_variants_do_not_have(typed, place):
+    text = VARIED.replace("{ from = 30, to = 120, step = 1 }", "{ choose = [30, 40, 60, 80, 90, 100, 110, 0] }")
+    (place / "mine" / "g.md").write_text(text, encoding="utf-8")
+    status, out, _ = typed("lesson", "check", "mine/g.md")
+    assert status == 1
+    assert "step 1 (variant 13): its check is met already when the step begins" in out
+    assert typed("lesson", "check", "mine/g.md", "--variants", "5")[:2] == (
+        0,
+        "g: 3 steps, no problems in 6 variants\n",
+    )
 
 
 def test_a_problem_of_all_variants_is_told_once(typed, place):

@@ -14,8 +14,11 @@ if TYPE_CHECKING:
     from armlab.commands._found import Found, Place
     from armlab.content.lesson import Lesson
 
-VARIANTS = 5
+VARIANTS = 4
 MOST_VARIANTS = 1000
+
+MORE = 40
+"""Largest number of variants that are tried besides the first ones, for values that these do not have."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -26,7 +29,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "lesson", nargs="*", metavar="LESSON", help="names, files, folders or assignments; all when left out"
     )
     parser.add_argument(
-        "--variants", type=int, default=VARIANTS, metavar="N", help=f"how many variants to try ({VARIANTS})"
+        "--variants",
+        type=int,
+        metavar="N",
+        help=f"how many variants to try ({VARIANTS}, and up to {MORE} more for values that these do not have)",
     )
     add_lessons_option(parser)
 
@@ -35,7 +41,7 @@ def run(options: argparse.Namespace) -> int:
     """Print the problems of each lesson; return 0 when there are none."""
     from armlab.commands._found import Place
 
-    if not 0 <= options.variants <= MOST_VARIANTS:
+    if options.variants is not None and not 0 <= options.variants <= MOST_VARIANTS:
         raise InputError(f"--variants: expected 0 to {MOST_VARIANTS}, got {options.variants}")
     place = Place(options.lessons)
     chosen = [found for typed in options.lesson for found in _chosen(place, typed)] if options.lesson else place.all()
@@ -48,9 +54,24 @@ def run(options: argparse.Namespace) -> int:
         for line in problems:
             print(line)
         if not problems:
-            steps = len(found.lesson().steps)
-            print(f"{found.key}: {steps} step{'s' if steps > 1 else ''}, no problems", flush=True)
+            print(_without_problems(found, options.variants), flush=True)
     return 1 if count else 0
+
+
+def _without_problems(found: Found, variants: int | None) -> str:
+    lesson = found.lesson()
+    steps, (numbers, whole) = len(lesson.steps), _tried(found, variants)
+    where = f" in {len(numbers)} variants" if len(numbers) > 1 else ""
+    rest = "" if whole else "; not all values of [variants] came up in them"
+    return f"{found.key}: {steps} step{'s' if steps > 1 else ''}, no problems{where}{rest}"
+
+
+def _tried(found: Found, variants: int | None) -> tuple[Sequence[int], bool]:
+    """Return the variants to try, and whether they are enough: as many as were asked for, or with all values."""
+    from armlab.content.lesson_head import variants_of
+
+    of = variants_of(found.key, found.text())
+    return of.to_try(VARIANTS, MORE) if variants is None else (of.to_try(variants, 0)[0], True)
 
 
 def _chosen(place: Place, typed: str) -> list[Found]:
@@ -59,10 +80,11 @@ def _chosen(place: Place, typed: str) -> list[Found]:
     return place.some(typed) if assigned is None else [place.one(key) for key in assigned.lessons]
 
 
-def problems_of(found: Found, variants: int = VARIANTS) -> Iterator[str]:
+def problems_of(found: Found, variants: int | None = None) -> Iterator[str]:
     """Yield a line for each thing wrong with a lesson, ``file:line: step 2: ...``.
 
-    Its names are looked for, and it is played in its variant 0 and, if it varies, in variants 1 to ``variants``.
+    Its names are looked for, and it is played in its variant 0 and, if it varies, in variants 1 to ``variants``; when
+    left out, in the first ones and in as many as it takes until all values have come up, see `Variants.to_try`.
     """
     from armlab.commands import _references, _translated
     from armlab.content.lessons import lesson, lessons
@@ -85,7 +107,7 @@ def problems_of(found: Found, variants: int = VARIANTS) -> Iterator[str]:
         return  # what follows from a wrong name would be told once more, and elsewhere
     told: set[tuple[int, str]] = set()
     broken: dict[str, tuple[ContentError, list[int]]] = {}
-    for number in range(variants + 1 if first.varies else 1):
+    for number in _tried(found, variants)[0]:
         try:
             given = lesson(found.key, number)
         except ContentError as error:

@@ -162,6 +162,12 @@ def front_line(text: str, key: str) -> int:
     return line_of(toml, key) or 1
 
 
+def variants_of(key: str, text: str) -> Variants:
+    """Return what varies in a lesson file that can be used."""
+    toml, _, _ = split(key, text)
+    return Variants.read(key, Fields.parse(key, toml).table("variants"))
+
+
 def filled_front(key: str, file: str, toml: str, variant: int) -> tuple[Fields, Mapping[str, Value], bool]:
     """Return the table at the top with the values of the variant, these values, and whether the lesson varies.
 

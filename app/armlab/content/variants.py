@@ -20,6 +20,9 @@ Value = float | str
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,31}\Z")
 MOST_NAMES, MOST_VALUES, LONGEST_TEXT = 50, 10_000, 200
 
+SHORT_RANGE, LOOKED_AT = 12, 1000
+"""Largest number of values of a range that are all tried, and number of variants among which values are looked for."""
+
 
 class NoValue(InputError):
     """A name of a variant has no value.
@@ -48,12 +51,15 @@ class Variants:
         Expressions of earlier names, by name. A name is in one of the two.
     order : tuple of str
         All names as they stand in the file.
+    listed : frozenset of str
+        Names whose values are listed one by one, by ``choose``.
     """
 
     seed: str
     choices: Mapping[str, tuple[Value, ...]]
     expressions: Mapping[str, Expression]
     order: tuple[str, ...]
+    listed: frozenset[str] = frozenset()
 
     @property
     def varies(self) -> bool:
@@ -83,7 +89,8 @@ class Variants:
                     choices[name] = found
                 else:
                     expressions[name] = found
-        return cls(seed, choices, expressions, names)
+        listed = frozenset(name for name in choices if "choose" in Fields.of(table).value(name)) if table else ()
+        return cls(seed, choices, expressions, names, frozenset(listed))
 
     def draw(self, number: int) -> dict[str, Value]:
         """Return the values of a variant; number 0 has the first value of each.
@@ -101,11 +108,45 @@ class Variants:
         values: dict[str, Value] = {}
         for name in self.order:
             if name in self.choices:
-                options = self.choices[name]
-                values[name] = options[_place(f"{self.seed}/{name}/{number}", len(options)) if number else 0]
+                values[name] = self._chosen(name, number)
             else:
                 values[name] = self._follows(name, values)
         return values
+
+    def _chosen(self, name: str, number: int) -> Value:
+        options = self.choices[name]
+        return options[_place(f"{self.seed}/{name}/{number}", len(options)) if number else 0]
+
+    def to_try(self, first: int, most: int) -> tuple[tuple[int, ...], bool]:
+        """Return the variants in which a mistake would show, and whether they have all values that matter.
+
+        These are all values of lists and of short ranges, and both ends of others.
+
+        Parameters
+        ----------
+        first : int
+            The variants 0 to this one are among them in any case.
+        most : int
+            Largest number of others, each with a value that none before it has.
+        """
+        if not self.varies:
+            return (0,), True
+        found = list(range(first + 1))
+        missing = {(name, value) for name in self.choices for value in self._telling(name)}
+        missing -= {(name, self._chosen(name, number)) for name in self.choices for number in found}
+        for number in range(first + 1, first + 1 + LOOKED_AT):
+            if not missing or len(found) > first + most:
+                break
+            new = missing & {(name, self._chosen(name, number)) for name in self.choices}
+            if new:
+                found.append(number)
+                missing -= new
+        return tuple(found), not missing
+
+    def _telling(self, name: str) -> tuple[Value, ...]:
+        options = self.choices[name]
+        whole = name in self.listed or len(options) <= SHORT_RANGE
+        return options if whole else (options[0], options[-1])
 
     def _follows(self, name: str, values: Mapping[str, Value]) -> float:
         numbers = {each: value for each, value in values.items() if not isinstance(value, str)}
