@@ -107,6 +107,30 @@ def work_of(number):
     return hand_in(apply(state, HandIn(), 1e9 + 60.0))
 
 
+BESIDE = """rows => rows.filter(row => row.checkVisibility()).map(row => {
+  const words = document.createRange(), [label, inside] = row.children;
+  words.selectNodeContents(label);
+  const right = Math.max(...[...inside.children].map(each => each.getBoundingClientRect().right));
+  return [inside.getBoundingClientRect().left - words.getBoundingClientRect().right,
+          row.getBoundingClientRect().right - right];
+})"""
+"""The gaps in each row between its label and what is filled in, and from there to its end, in pixels."""
+
+
+def test_what_is_filled_in_stands_beside_its_label_and_a_text_begins_on_the_left(visit):
+    lab = visit("robot/planar_2r")
+    lab.open_tab("author")
+    lab.type_into("teacher-key", KEY)
+    for part in ("Ask for numbers, too", "A lesson of the course as a student sees it"):
+        lab.unfold(part)
+    lab.page.locator('select[data-cell="preview-set"]').scroll_into_view_if_needed()
+    gaps = lab.page.locator(".al .row").evaluate_all(BESIDE)
+    assert len(gaps) >= 5
+    assert all(between > 3 and behind > -0.5 for between, behind in gaps), gaps
+    question = lab.page.locator('textarea[data-cell="ask-text"]')
+    assert question.evaluate("field => getComputedStyle(field).textAlign") == "left"
+
+
 def test_the_evening_of_a_teacher(folder, visit, capsys, tmp_path):
     teacher = visit("robot/planar_2r")
     teacher.page.get_by_role("button", name="Right angle").click()
