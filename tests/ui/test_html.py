@@ -5,6 +5,7 @@ from html.parser import HTMLParser
 import numpy as np
 import pytest
 
+from armlab.content.as_written import AsWritten
 from armlab.ui.html import Markup, classes, joined, styles, tag
 
 LETTERS = [
@@ -35,6 +36,13 @@ class Reader(HTMLParser):
 
     def handle_data(self, data):
         self.texts.append(data)
+
+
+def test_a_text_that_stays_as_it_was_written_says_so():
+    stays = AsWritten("a < b")
+    assert tag("b.x", stays, title="c") == '<b class="x" translate="no" title="c">a &lt; b</b>'
+    assert tag("p", "c ", stays) == '<p>c <span translate="no">a &lt; b</span></p>'
+    assert tag("p", title=stays) == '<p title="a &lt; b"></p>'
 
 
 def test_what_is_typed_is_text_and_the_value_of_an_attribute_and_nothing_else():

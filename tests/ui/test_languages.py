@@ -8,19 +8,23 @@ from html import unescape
 import pytest
 from viser import _messages as viser_messages
 
+from armlab.benches.lessons.own_commands import LoadFile
 from armlab.commands._translated import compared, of_translations
+from armlab.content.held import hold_lesson
 from armlab.content.languages import ENGLISH, keys, languages, messages, preferred, words_in
 from armlab.content.lessons import lesson
 from armlab.content.po import Message, read_po, write_po
 from armlab.content.robots import catalogue
+from armlab.content.upload import read_upload
 from armlab.content.words import Words, placeholders
 from armlab.errors import ContentError
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.language import OF_BROWSER, LanguagePart, ReadIn
 from armlab.session.share import short
 from armlab.session.state import State, apply
-from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson
+from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson, UnlockHint
 from armlab.teaching.parts.shelf import BackFromShared, OpenShared
+from armlab.teaching.preview_commands import PreviewLesson
 from armlab.ui.door import Door
 from armlab.ui.speech import Speech, speech_in
 from armlab.window.script_words import SCRIPT_WORDS
@@ -157,6 +161,56 @@ def test_a_student_who_reads_italian_is_told_in_italian_what_is_not_right(key, d
     dock = BareDock(Listener(()))
     dock.do(OpenLesson(key), *done)
     assert says in unescape(speech_in("it").markup("".join(dock.shown)))
+
+
+OWN = """+++
+title = "Turn"
+chapter = "Space"
+can = ["Turn"]
+robot = "planar_2r"
++++
+Turn
+## Turn
+
+> > Turn
+>
+> Turn
+
+```question
+kind = "choice"
+text = "Turn"
+options = ["up", "down"]
+answer = 1
+
+[[wrong]]
+answer = 2
+says = "down"
+```
+```hint
+up
+```
+## Stop
+Open
+"""
+"""A lesson of which the lab knows each word."""
+
+
+def test_what_a_teacher_has_written_stays_as_it_is_beside_the_words_of_the_lab():
+    dock, loaded = BareDock(Listener(())), read_upload(f"turned.md\n{OWN}")
+    dock.do(LoadFile(loaded), PreviewLesson(hold_lesson(loaded).lesson.key, "author"), UnlockHint(), Answer("2"))
+    shown = "".join(dock.shown)
+    said = unescape(speech_in("it").markup(shown))
+    assert "Passo 1: \u2068Turn\u2069" in said
+    for each, least in (("Turn", 5), ("up", 2), ("down", 2)):
+        heard = re.findall(rf">\s*{each}\s*<", unescape(shown))
+        assert len(heard) == len(re.findall(rf">\s*{each}\s*<", said)) >= least, each
+    assert not re.search(r"(?i)>\s*(gira|giù|in verticale|apri|ferma|spazio)\s*<", said)
+
+
+def test_elements_whose_texts_stay_end_where_they_end():
+    inner = '<div title="Space">space<div>space</div> move joint 1<br><div></div></div>'
+    html = f'<p>space <b translate="no">space</b></p><div translate="no">{inner}</div><p>space</p>'
+    assert Speech(WORDS).markup(html) == html.replace("<p>space", "<p>spazio")
 
 
 def test_a_link_to_an_erratum_parts_no_sentence():

@@ -6,9 +6,10 @@ from collections.abc import Collection, Iterable, Mapping
 from functools import partial
 from importlib.resources.abc import Traversable
 
+from armlab.content.as_written import as_written
 from armlab.content.assignment import Assignment, amiss, parse_assignment
 from armlab.content.lesson import Lesson
-from armlab.content.lesson_folder import assignments_of
+from armlab.content.lesson_folder import Source, assignments_of
 from armlab.content.watched import Watched
 from armlab.errors import ContentError
 
@@ -45,7 +46,7 @@ class AssignmentFiles:
                 problem = f"the assignment {source.key!r} is there already, in {there}; rename this one"
                 twice.append(ContentError(source.file, "", problem))
                 continue
-            found[source.key] = Watched.read(source, self._files.get(source.key), partial(parse_assignment, source.key))
+            found[source.key] = Watched.read(source, self._files.get(source.key), partial(_parsed, source))
         changed = list(found.items()) != list(self._files.items()) or [*map(str, twice)] != [*map(str, self._twice)]
         self._gone |= {key: file.good for key, file in self._files.items() if key not in found and file.good}
         self._files, self._twice = found, twice
@@ -70,6 +71,11 @@ class AssignmentFiles:
             problems += wrong
         self._files = judged
         return {key: file.good for key, file in judged.items() if file.good is not None}, problems
+
+
+def _parsed(source: Source, text: str, file: str) -> Assignment:
+    found = parse_assignment(source.key, text, file)
+    return as_written(found, "title", "about") if source.own else found
 
 
 def assignments_in(

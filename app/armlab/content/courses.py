@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
+from dataclasses import replace
 from functools import partial
 from importlib.resources.abc import Traversable
 
+from armlab.content.as_written import as_written
 from armlab.content.course import Course, misplaced, parse_course
-from armlab.content.lesson_folder import course_of
+from armlab.content.lesson_folder import Source, course_of
 from armlab.content.watched import Watched
 from armlab.errors import ContentError
 
@@ -46,7 +48,7 @@ class CourseFiles:
                 continue
             key = _free(source.key, {OF_THE_LAB, *found}) if i else OF_THE_LAB
             self.places[key] = folder, label
-            found[key] = Watched.read(source, self._files.get(key), partial(parse_course, key))
+            found[key] = Watched.read(source, self._files.get(key), partial(_parsed, key, source))
         changed = list(found.items()) != list(self._files.items())
         self._files = found
         return changed
@@ -79,6 +81,14 @@ def mistakes_in(folder: Traversable, known: Collection[str], needs: Mapping[str,
     files = CourseFiles()
     files.look([(folder, "")])
     return files.judged(known, needs)[1]
+
+
+def _parsed(key: str, source: Source, text: str, file: str) -> Course:
+    course = parse_course(key, text, file)
+    if not source.own:
+        return course
+    chapters = tuple(as_written(chapter, "title", "about") for chapter in course.chapters)
+    return as_written(replace(course, chapters=chapters), "title", "about")
 
 
 def _free(key: str, taken: Collection[str]) -> str:

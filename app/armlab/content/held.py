@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from weakref import WeakValueDictionary
 
+from armlab.content.as_written import as_written
 from armlab.content.assignment import Assignment, parse_assignment
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_file import parse_lesson
@@ -69,7 +70,7 @@ def hold_assignment(upload: Upload, names: Mapping[str, str]) -> HeldAssignment:
     ContentError
         It cannot be used.
     """
-    found = parse_assignment(upload.name, upload.text, upload.file)
+    found = as_written(parse_assignment(upload.name, upload.text, upload.file), "title", "about")
     tasks = tuple(replace(task, lesson=names.get(task.lesson, task.lesson)) for task in found.tasks)
     return _held(replace(found, tasks=tasks), upload.name, upload.text)
 
@@ -102,7 +103,7 @@ def is_held(key: str) -> bool:
 
 
 def _parsed(upload: Upload, key: str) -> Lesson:
-    return replace(parse_lesson(upload.name, upload.text, upload.file, pictures=upload.pictures), key=key)
+    return replace(parse_lesson(upload.name, upload.text, upload.file, pictures=upload.pictures, own=True), key=key)
 
 
 def _key(name: str, *parts: str) -> str:

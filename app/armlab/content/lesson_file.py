@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping
+from dataclasses import replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from armlab.content import robots
+from armlab.content.as_written import as_written
 from armlab.content.bench_words import placed
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_front import read_front
@@ -42,6 +44,7 @@ def parse_lesson(
     catalogue: Catalogue | None = None,
     variant: int = 0,
     pictures: Mapping[str, str] | None = None,
+    own: bool = False,
 ) -> Lesson:
     """Read the text of a lesson file.
 
@@ -56,6 +59,8 @@ def parse_lesson(
         Number of the variant, from 0. A lesson that does not vary is always its variant 0.
     pictures : mapping of str to str, optional
         Names of the pictures beside it to ``data:`` addresses; a single file has None and can show none.
+    own : bool, optional
+        Whether it is none of the lab's: its texts are not translated.
 
     Raises
     ------
@@ -73,7 +78,7 @@ def parse_lesson(
     with located(file, "", toml, 1):
         top, values, varies = filled_front(key, file, toml, variant)
         front = read_front(key, top, catalogue or robots.catalogue())
-    prose = Prose.of(file, front.robot.arm, pictures)
+    prose = Prose.of(file, front.robot.arm, pictures, own)
     setting = Setting(file, before, front.robot, catalogue or robots.catalogue(), values, varies and variant > 0, prose)
     intro, *sections = sections_of(tokens_of(_filled_body(file, body, before, values)))
     if not sections:
@@ -84,7 +89,7 @@ def parse_lesson(
         raise LessonError(file, "", f"expected at most {MOST_STEPS} steps, got {len(sections)}", line)
     _only_text(setting, intro)
     intro_html = prose.html(intro, "introduction", before)
-    return Lesson(
+    lesson = Lesson(
         key=key,
         file=file,
         title=front.head.title,
@@ -114,6 +119,10 @@ def parse_lesson(
         live=prose.used,
         steps=tuple(read_step(setting, i + 1, section) for i, section in enumerate(sections)),
     )
+    if not own:
+        return lesson
+    steps = tuple(as_written(step, "title") for step in lesson.steps)
+    return as_written(replace(lesson, steps=steps), "title", "chapter", "can")
 
 
 def _only_text(setting: Setting, intro: list[Token]) -> None:

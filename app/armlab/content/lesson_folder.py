@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
+from armlab import resources
 from armlab.content.pictures import MOST_BYTES, MOST_PICTURES, TYPES, picture
 from armlab.errors import ContentError
 
@@ -53,6 +54,14 @@ class Source:
     pictures: tuple[Traversable, ...] | None
     root: Path | None
     stamp: Stamp
+
+    @property
+    def own(self) -> bool:
+        """Whether it lies in a teacher's folder, not in one of the lab's."""
+        of_the_lab = resources.folder("lessons")
+        return self.root is not None and not (
+            isinstance(of_the_lab, Path) and self.root.resolve().is_relative_to(of_the_lab.resolve())
+        )
 
     def read(self) -> tuple[str, dict[str, str] | None]:
         """Return the text, and the pictures by name as ``data:`` addresses.

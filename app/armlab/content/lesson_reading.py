@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from threading import Lock
 
+from armlab.content.as_written import AsWritten
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_file import parse_lesson
 from armlab.content.lesson_folder import Source, Stamp
@@ -121,7 +122,8 @@ class Readings:
     def _variant(self, key: str, good: Good, variant: int) -> Lesson | ContentError:
         """Return a variant, or why it cannot be used, which is not read again and again either."""
         try:
-            made = parse_lesson(named(key), good.text, good.lesson.file, self._catalogue, variant, good.pictures)
+            own = isinstance(good.lesson.title, AsWritten)
+            made = parse_lesson(named(key), good.text, good.lesson.file, self._catalogue, variant, good.pictures, own)
         except ContentError as error:
             return error
         return replace(made, key=key)
@@ -138,7 +140,7 @@ class Readings:
             content = source.read()
             if before is not None and (before.content, before.file) == (content, source.file):
                 return replace(before, stamp=source.stamp)
-            lesson = parse_lesson(source.key, content[0], source.file, self._catalogue, 0, content[1])
+            lesson = parse_lesson(source.key, content[0], source.file, self._catalogue, 0, content[1], source.own)
         except ContentError as error:
             return Reading(source.stamp, source.file, content, error)
         except Exception as error:

@@ -31,14 +31,14 @@ class Prose:
     extras: Extras
 
     @classmethod
-    def of(cls, file: str, arm: Arm, pictures: Mapping[str, str] | None) -> Prose:
-        """Return the converter for a lesson about an arm."""
+    def of(cls, file: str, arm: Arm, pictures: Mapping[str, str] | None, own: bool = False) -> Prose:
+        """Return the converter for a lesson about an arm; what is said in an ``own`` one is not translated."""
         missing = {name: value.missing(arm) for name, value in all_live_values(MAX_JOINTS).items()}
-        return cls(file, Extras(missing, pictures))
+        return cls(file, Extras(missing, pictures, stays=own))
 
     def anew(self) -> Prose:
         """Return a copy in which no live value has been used yet."""
-        return Prose(self.file, Extras(self.extras.live, self.extras.pictures))
+        return Prose(self.file, Extras(self.extras.live, self.extras.pictures, stays=self.extras.stays))
 
     @property
     def used(self) -> tuple[str, ...]:

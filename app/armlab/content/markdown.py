@@ -17,6 +17,7 @@ from functools import cache, lru_cache
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
+from armlab.content.as_written import STAYS
 from armlab.content.bench_words import is_word
 from armlab.content.formula_room import NAMESPACE, add_room, without_namespace
 from armlab.errors import ContentError, InputError, suggestion
@@ -157,11 +158,14 @@ class Extras:
         Names of files to ``data:`` addresses; None where there can be none.
     used : set of str
         Gets the names of the live values that are used.
+    stays : bool
+        Whether no text is translated; see `armlab.content.as_written`.
     """
 
     live: Mapping[str, str] = field(default_factory=dict)
     pictures: Mapping[str, str] | None = None
     used: set[str] = field(default_factory=set)
+    stays: bool = False
 
 
 def html_of(tokens: Sequence[Token], extras: Extras | None = None) -> str:
@@ -183,6 +187,9 @@ def html_of(tokens: Sequence[Token], extras: Extras | None = None) -> str:
                 _embed(token, extras)
         except InputError as error:
             raise TextError(str(error), line) from None
+    for token in tokens if extras.stays else ():
+        if token.level == 0 and token.nesting == 1:
+            token.attrSet(*STAYS)
     parser = _parser()
     rendered: str = parser.renderer.render(tokens, parser.options, {})
     return rendered
@@ -251,7 +258,7 @@ def _embed(token: Token, extras: Extras) -> None:
 
 def text_html(text: str, extras: Extras | None = None) -> str:
     """Return the HTML of a Markdown text; see `html_of`."""
-    if extras is not None and ("{{" in text or "![" in text):
+    if extras is not None and (extras.stays or "{{" in text or "![" in text):
         return html_of(tokens_of(text), extras)
     return _html_of_plain(text)
 

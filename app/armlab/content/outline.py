@@ -8,6 +8,7 @@ from functools import cache, cached_property
 from importlib.resources.abc import Traversable
 
 from armlab import resources
+from armlab.content.as_written import as_written
 from armlab.content.course import Chapter, Course, by_chapters, ordered, parse_course, sound
 from armlab.content.courses import OF_THE_LAB, CourseFiles
 from armlab.content.lesson_folder import Source, Stamp, course_of, lesson_of, sources_of
@@ -89,6 +90,7 @@ class Outlines:
             return before
         try:
             head = head_of(source.key, source.read()[0], source.file)
+            head = as_written(head, "title", "chapter", "can") if source.own else head
         except ContentError:
             head = None
         return source.file, source.stamp, head

@@ -26,6 +26,7 @@ import re
 from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
+from armlab.content.as_written import is_part
 from armlab.content.po import Message
 
 NUMBER = re.compile(
@@ -181,6 +182,8 @@ class Words:
         """Return the translation of a text without its numbers; None where there is none."""
         if text in self._known:
             return self._known[text]
+        if is_part(text):
+            return text
         found = self._find(text) if len(text) <= LONGEST and has_words(text) else None
         if len(self._known) >= MOST_KEPT:
             self._known.clear()

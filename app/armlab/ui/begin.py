@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from armlab.content.as_written import as_part
 from armlab.content.assignment import Assignment, said_date
 from armlab.content.lesson_head import time_said
 from armlab.session.state import Post
@@ -28,7 +29,7 @@ def ask_to_begin(gui: Gui, post: Post, found: Assignment, number: int | None = N
     callable
         Takes the question away, if it is still there.
     """
-    says = f"“{found.title}” takes {time_said(found.minutes)}. It can be begun only once."
+    says = f"“{as_part(found.title)}” takes {time_said(found.minutes)}. It can be begun only once."
     more = [tag("p", sentence) for sentence in (_CLOCK, *_dates(found), _NOT_YET)]
     # The page keeps the address as long as it asks, so that it asks again when it is loaded anew.
     path = f"/assignment/{found.key}" + ("" if number is None else f"/{number}")

@@ -12,10 +12,13 @@ from functools import lru_cache
 
 from markupsafe import Markup, escape
 
+from armlab.content.as_written import STAYS, AsWritten
+
 __all__ = ["Attribute", "Inside", "Markup", "classes", "joined", "styles", "tag"]
 
 Inside = str | Iterable["Inside"] | None
-"""Content of an element: a text, which is escaped; markup; several of these in a row; or nothing."""
+"""Content of an element: a text, which is escaped; markup; several of these in a row; or nothing. An `AsWritten` is
+not translated."""
 
 Attribute = str | int | bool | None
 """Value of an attribute: a text, which is escaped; True for one without a value; False and None for one that is
@@ -27,6 +30,8 @@ _VOID = frozenset({"br", "hr", "img", "input", "meta"})
 
 SHORT = 40
 """Largest number of characters of a text whose escaped form is kept: most names, signs and numbers come again."""
+
+_STAYS = ' {}="{}"'.format(*STAYS)
 
 _new = str.__new__  # three times as quick as `Markup`, which first asks what it was given
 
@@ -55,6 +60,8 @@ def tag(kind: str, /, *inside: Inside, **attributes: Attribute) -> Markup:
     <p class="dim" title="&#34;">a &lt; b, <b>c</b></p>
     """
     start, end = _ends(kind)
+    if len(inside) == 1 and type(inside[0]) is AsWritten:
+        start, inside = f"{start}{_STAYS}", (str(inside[0]),)
     if attributes:
         start += "".join(
             [
@@ -121,6 +128,8 @@ def _text(inside: Inside) -> str:
     if type(inside) is Markup:
         return inside
     if isinstance(inside, str):
+        if type(inside) is AsWritten:
+            return f"<span{_STAYS}>{escape(str(inside))}</span>"
         return _known_text(inside) if type(inside) is str and len(inside) <= SHORT else escape(inside)
     return "" if inside is None else "".join([_text(each) for each in inside])
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
+from armlab.content.as_written import as_part
 from armlab.content.words import UNIT
 from armlab.ui.html import Inside, Markup, classes, joined, tag
 from armlab.ui.paper import address
@@ -102,7 +103,7 @@ def options(texts: Mapping[str, str], chosen: str) -> Markup:
 def groups(texts: Mapping[str, Mapping[str, str]], chosen: str) -> Markup:
     """Return the options of a choice in groups, title to value to text; an empty title makes no group."""
     made = {title: options(of, chosen) for title, of in texts.items()}
-    return joined([tag("optgroup", of, label=title) if title else of for title, of in made.items()])
+    return joined([tag("optgroup", of, label=as_part(title)) if title else of for title, of in made.items()])
 
 
 def field(channel: str, cell: str, value: str, label: str, off: bool = False, **more: str) -> Markup:

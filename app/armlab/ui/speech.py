@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 from markupsafe import escape
 
+from armlab.content.as_written import STAYS
 from armlab.content.languages import ENGLISH, words_in
 from armlab.content.words import HELD, NUMBER, Words, has_words, with_numbers, without_numbers
 
@@ -26,6 +27,9 @@ _HELD = re.compile(r"\{(\d+)\}|<(\d+)/>|<(\d+)>(.*?)</\3>", re.DOTALL)
 
 _SPOKEN = re.compile(rf'((?: lang="|[?]lang=)){ENGLISH}\b')
 """The language of an element, or of the page to which an address leads."""
+
+_STAYS = ' {}="{}"'.format(*STAYS)
+"""Attribute of an element whose texts are not translated."""
 
 _DATA = re.compile(r' (data-(?:pages|notes|bring|tray|picture))="([^"]*)"')
 _LINES = re.compile(r"\s*\n\s*")
@@ -81,8 +85,7 @@ class Speech:
         made: list[str] = []
         run: list[str] = []
         linked = False
-        for found in _TOKEN.finditer(html):
-            token = found[0]
+        for token in _tokens(html):
             name = _NAME.match(token)
             button = name is not None and name[1] == "button"
             begins, ends = button and LINK in token, button and linked
@@ -93,7 +96,7 @@ class Speech:
             if run:
                 made.append(self._run("".join(run)))
                 run.clear()
-            made.append(self._attributes(token))
+            made.append(token if _stays(token) else self._attributes(token))
         if run:
             made.append(self._run("".join(run)))
         return "".join(made)
@@ -262,5 +265,26 @@ def _pieces(run: str, speech: Speech) -> tuple[_Piece, ...]:
     return tuple(stack[0][1])
 
 
-def _tokens(run: str) -> Iterator[str]:
-    return (found[0] for found in _TOKEN.finditer(run))
+def _tokens(html: str) -> Iterator[str]:
+    """Yield texts, and starts and ends of elements; one whose texts stay is yielded as a whole."""
+    end = 0
+    for found in _TOKEN.finditer(html):
+        if found.start() < end:
+            continue
+        end = _end_of(html, found) if _stays(found[0]) else found.end()
+        yield html[found.start() : end]
+
+
+def _stays(token: str) -> bool:
+    return _STAYS in token and token.startswith("<")
+
+
+def _end_of(html: str, start: re.Match[str]) -> int:
+    """Return the end of an element, behind its own end and those of elements of its kind in it."""
+    name, depth = _NAME.match(start[0]), 1
+    same = re.compile(rf"<(/?){name[1] if name else ''}\b[^>]*>")
+    for found in same.finditer(html, start.end()):
+        depth += -1 if found[1] else 1
+        if not depth:
+            return found.end()
+    return start.end()

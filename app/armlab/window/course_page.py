@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from armlab.content.as_written import as_part
 from armlab.content.course import Chapter, Course
 from armlab.content.lesson_head import Head, time_said
 from armlab.content.outline import Outline
@@ -67,7 +68,7 @@ def _chapter(chapter: Chapter, outline: Outline, course: Course) -> Markup:
 
 def _needed(head: Head, outline: Outline, course: Course) -> list[str]:
     """Return the titles of the lessons of the course that a lesson needs."""
-    return [outline.heads[key].title for key in outline.needs[head.key] if key in course.chapter_of]
+    return [as_part(outline.heads[key].title) for key in outline.needs[head.key] if key in course.chapter_of]
 
 
 def _lesson(head: Head, needed: Sequence[str]) -> Markup:

@@ -6,6 +6,7 @@ from typing import Literal
 
 import viser
 
+from armlab.content.as_written import as_part
 from armlab.content.lesson import Lesson
 from armlab.session.parts.robot import RobotPart
 from armlab.session.session import Session
@@ -42,7 +43,7 @@ class Notices:
 
     def elsewhere(self, lesson: Lesson | None) -> None:
         """Tell that another page of this browser has opened a lesson, or closed it."""
-        now = "has closed the lesson" if lesson is None else f"has opened the lesson “{lesson.title}”"
+        now = "has closed the lesson" if lesson is None else f"has opened the lesson “{as_part(lesson.title)}”"
         self._say("Another tab", f"Another tab of this browser {now}. All of them show the same work.", "blue", 12.0)
 
     def not_drawn(self) -> None:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import viser
 
+from armlab.content.as_written import as_part
 from armlab.session.panel_commands import hidden_tabs
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import Target, verdict
@@ -181,7 +182,7 @@ class Overlay:
         name, lesson = name_of(state[RobotPart]), state[LessonPart].lesson
         if lesson is not None and "robot" in lesson.locked:
             own = "" if state[LessonPart].assignment else " Its button “My sandbox” lets you choose any arm."
-            why = f"The lesson “{lesson.title}” is about this arm.{own}"
+            why = f"The lesson “{as_part(lesson.title)}” is about this arm.{own}"
             return tag("span.arm-name", tag("b", name), tag("small", "set by the lesson"), title=why)
         inside = tag("b", name), tag("span", "▾", aria_hidden="true")
         about = f"{name}: choose another arm, or make a new one"

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from armlab.content.as_written import as_part
 from armlab.content.assignment import Assignment, said_date
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
@@ -96,7 +97,7 @@ def head(form: Form, sheet: Sheet) -> Inside:
     here = sheet.task
 
     def entry(i: int) -> Markup:
-        said = f"Task {i + 1}: {lessons()[sheet.of.tasks[i].lesson].title}"
+        said = f"Task {i + 1}: {as_part(lessons()[sheet.of.tasks[i].lesson].title)}"
         return form.chip(f"{TASK}{i}", str(i + 1), OpenTask(i), said, i == here)
 
     tasks = [entry(i) for i in range(len(sheet.of.tasks))]
@@ -132,7 +133,7 @@ def strips(form: Form, sheet: Sheet, lesson: Lesson) -> Markup:
     def strip(i: int, title: str) -> Markup:
         done = ", answered" if i in answered else ""
         kind = " ".join(["strip"] + ["answered"] * (i in answered))
-        said = f"Step {i + 1}{done}: {title}"
+        said = f"Step {i + 1}{done}: {as_part(title)}"
         here = "step" if i == sheet.part.index else ""
         return form.button(f"lesson-step-{i}", "", GoToStep(i), kind, said, said, aria_current=here)
 

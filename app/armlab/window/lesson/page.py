@@ -7,6 +7,7 @@ from collections.abc import Callable
 from copy import deepcopy
 from functools import partial
 
+from armlab.content.as_written import as_part
 from armlab.content.lessons import Lesson, lessons_read
 from armlab.content.question import Choices, Question
 from armlab.content.question import Form as Answered
@@ -274,7 +275,7 @@ def _strips(form: Form, lesson: Lesson, part: LessonPart) -> Markup:
         done = ", done" if i in passed else ""
         kind = " ".join(["strip"] + ["done"] * (i in passed))
         shown = "step" if i == part.index else ""
-        title = f"Step {i + 1}{done}: {step.title}"
+        title = f"Step {i + 1}{done}: {as_part(step.title)}"
         strips.append(form.button(f"{STEP}{i}", "", GoToStep(i), kind, title, title, aria_current=shown))
     return tag("div.strips", strips)
 

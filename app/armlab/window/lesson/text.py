@@ -44,7 +44,7 @@ def step_text(state: State, lesson: Lesson, i: int) -> Markup:
     part = state[LessonPart]
     step, progress, name = lesson.steps[i], part.progress, part.name
     about = _about(lesson, part, i) if lesson.intro_html else None
-    title = tag("h2", tag("small", f"{i + 1} of {len(lesson.steps)}"), f" {step.title}")
+    title = tag("h2", tag("small", f"{i + 1} of {len(lesson.steps)}"), " ", step.title)
     hints = [
         tag("div.hint", tag("b", f"Hint {k} of {len(step.hints)}"), Markup(hint))
         for k, hint in enumerate(step.hints[: progress.hints.get(name, 0)], start=1)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import partial
 
+from armlab.content.as_written import as_part
 from armlab.content.assignment import Assignment, said_date
 from armlab.content.lesson_head import time_said
 from armlab.session.state import Post
@@ -37,7 +38,7 @@ def _entry(form: Form, gui: Gui, post: Post, found: Assignment, part: LessonPart
     )
     action = partial(_open, gui, post, found) if work is None and found.minutes else OpenAssignment(found.key)
     shown = "true" if here else ""
-    hint = found.about or found.title
+    hint = as_part(found.about or found.title)
     return form.button(f"assignment:{found.key}", inside, action, "pick lm-lesson", hint, aria_current=shown)
 
 

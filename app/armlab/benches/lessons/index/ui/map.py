@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from armlab.content.as_written import as_part
 from armlab.content.course import Chapter
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_head import time_said
@@ -78,7 +79,7 @@ class Map:
         begun = lesson.key in self._way.standings
         line = tag("p", tag("small", "Next"), tag("b", lesson.title), tag("i", time_said(lesson.minutes)))
         word = "Go on" if begun else "Begin"
-        label = f"{word}: {lesson.title}"
+        label = f"{word}: {as_part(lesson.title)}"
         go = self._form.button("lesson-begin", word, OpenLesson(lesson.key), "main", label=label) if free else None
         return line, go
 
@@ -102,12 +103,12 @@ class Map:
         passed, steps = self._way.standings.get(lesson.key, (0, len(lesson.steps)))
         minutes = time_said(lesson.minutes)
         count = f"{passed} of {steps}" if 0 < passed < steps else ""
-        lacks = [self._found[key].title for key in self._way.lacks(lesson.key)] if state == "early" else []
+        lacks = [as_part(self._found[key].title) for key in self._way.lacks(lesson.key)] if state == "early" else []
         first = f"first: {', '.join(lacks)}" if lacks else ""
         hint = f"{lesson.robot_used.name}, {so_many(steps, 'step')}"
         done = "done" if lesson.key in self._way.done else state
         words = dict.fromkeys((WORDS.get(done, ""), WORDS.get(state, "")))
-        said = ", ".join(filter(None, (lesson.title, *words, first, count, minutes)))
+        said = ", ".join(filter(None, (as_part(lesson.title), *words, first, count, minutes)))
         inside = (
             tag("u", SIGNS[done], aria_hidden="true"),
             tag("b", lesson.title),
