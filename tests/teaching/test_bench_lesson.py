@@ -159,7 +159,7 @@ def test_only_facts_a_step_asks_for_are_looked_at(benches):
 
 def test_a_mistake_of_the_lesson_speaks(benches):
     state = done(opened(), GoToStep(1), SetSpeed(0, -math.radians(120)))
-    assert check_line(state) == (False, "<p>The other way round.</p>\n")
+    assert check_line(state) == (False, '<p translate="no">The other way round.</p>\n')
 
 
 def test_what_is_still_being_worked_out_is_not_known_yet(benches):
