@@ -17,6 +17,8 @@ from armlab.content.typed_formula import typed_formula
         (r"1\,\text{m}^2", "1 m^2"),
         (r"{}^wT_0\,{}^0T_2", "^wT0 ^0T2"),
         (r"l_1 \,\cos\, q_1", "l1 cos q1"),
+        (r"{}^Ap_{EA}", "^Ap_EA"),
+        (r"\dot q_1+\ddot r_x", "q\u03071+r\u0308_x"),
         (r"x < 1", "x<1"),
         (r"\begin{bmatrix} 1 & 0 \\ 0 & -1 \end{bmatrix}", "[1 0; 0 −1]"),
         (r"\sqrt[3]{8}", "8^(1/3)"),

@@ -1,12 +1,19 @@
 """``armlab lesson sheet``, as a teacher types it."""
 
+import math
+import re
+
+import numpy as np
 import pytest
 
 from armlab.cli import main
 from armlab.commands._found import Place
 from armlab.commands._lesson_sheet import names_of, numbers_of
 from armlab.commands._sheet import escaped
+from armlab.commands._sheet_answers import right_answer
 from armlab.content import lessons as library_module
+from armlab.content.question import Choices
+from armlab.content.questions.matrix import MatrixQuestion
 from armlab.errors import ArmlabError
 from support.motion_lesson import MOTION
 from support.small_lessons import VARIED
@@ -26,7 +33,7 @@ def test_a_sheet_has_a_row_a_variant(typed, work):
         expected = library_module.lesson("v", int(number)).values["goal"]
         assert float(goal) == expected
         assert move == f"q = ({goal}°, 20°)"
-        assert float(half.split(" ±")[0]) == expected / 2
+        assert float(half.split(" ±")[0]) == pytest.approx(expected / 2)
         assert float(double.split(" ±")[0]) == expected * 2
     assert "- Step 3, Double, in variant 0: Twice?" in out
 
@@ -52,6 +59,23 @@ def test_every_lesson_of_the_lab_has_a_sheet(capsys, found):
     assert err == ""
     widths = {line.replace(r"\|", "").count("|") for line in out.splitlines() if line.startswith("|")}
     assert len(widths) == 1
+
+
+@pytest.mark.parametrize("found", Place().all(), ids=lambda found: found.key)
+def test_an_answer_of_a_sheet_that_is_typed_is_right(found):
+    first = found.lesson()
+    for lesson in (library_module.lesson(found.key, number) for number in (range(4) if first.varies else [0])):
+        for question in (step.question for step in lesson.steps if step.question is not None):
+            if not isinstance(question.form, Choices):
+                said = right_answer(question)
+                assert question.judge(said.partition(" ± ")[0]).right, said
+                assert not re.search(r"e-\d|\.\d{9}", said) or "±" not in said
+
+
+def test_rounding_is_no_digit_of_a_sheet():
+    question = MatrixQuestion("", np.array([[-0.9, -0.5], [0.4 * math.sqrt(3.0), 3e-17]]), 0.004, "m")
+    assert right_answer(question) == "−0.9 −0.5; 0.69282 0 m ± 0.004 m"
+    assert question.right_answer.endswith(" 0")
 
 
 def test_a_variant_that_cannot_be_used_leaves_the_others(typed, place):
@@ -88,7 +112,7 @@ MOTION_WORDS = (
     ('kind = "duration"\nseconds = 10', "duration 10 s"),
     ('kind = "duration"', "as fast as allowed"),
     ('kind = "limits"\nvelocity_percent = 60\ntool_speed_m_s = 0.5', "limits: velocity 60 %, tool speed 0.5 m/s"),
-    ('kind = "example"\nname = "motion/corner_stop"', "example motion/corner\\_stop"),
+    ('kind = "example"\nname = "motion/corner_stop"', "example motion/corner_stop"),
     ('kind = "motion"', "play the motion"),
     ('kind = "film"\nname = "laws"', "play laws"),
     ('kind = "film"', "play the film"),

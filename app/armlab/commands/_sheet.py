@@ -9,18 +9,18 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.commands._sheet_answers import right_answer
 from armlab.commands._sheet_bench import bench_words, facts_asked
 from armlab.content import actions
 from armlab.content.bench_words import BenchWord
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lesson_head import time_said
 from armlab.content.lesson_values import written
-from armlab.content.question import Choices, Question
-from armlab.content.questions.number import NumberQuestion
 from armlab.content.vocabulary import vocabularies
 from armlab.teaching.plain_text import plain, printable
 
-_MEANS_SOMETHING = re.compile(r"([\\`*_{}\[\]<>#|~&$])")
+_MEANS_SOMETHING = re.compile(r"([\\`*{}\[\]<>#|~&$]|(?<!\w)_|_(?!\w))")
+"""Signs of Markdown; a line between two letters is none."""
 
 
 def sheet(first: Lesson, variants: Sequence[tuple[int, Lesson]], students: Mapping[int, str], level: int = 1) -> str:
@@ -57,18 +57,6 @@ def escaped(text: str) -> str:
     'a\\\\|b'
     """
     return _MEANS_SOMETHING.sub(r"\\\1", printable(" ".join(text.split())))
-
-
-def right_answer(question: Question) -> str:
-    """Return the right answer to a question, to be read: with its tolerance, or with the words of its option."""
-    if isinstance(question, NumberQuestion):
-        unit = f" {question.unit}" if question.unit else ""
-        return f"{written(question.answer)}{unit} ± {written(question.tolerance)}{unit}"
-    if isinstance(question.form, Choices):
-        options = question.form.options
-        chosen = (int(number) for number in re.findall(r"\d+", question.right_answer))
-        return "; ".join(f"{number}: {plain(options[number - 1])}" for number in chosen)
-    return question.right_answer
 
 
 def solution(lesson: Lesson, step: Step) -> str:

@@ -17,6 +17,9 @@ _FORM = re.compile(r"\+?(\.\d{1,2})?[fg]|d")
 _DIGITS = 6
 """Significant digits of a number without a given format."""
 
+_ROUNDING = 1e-12
+"""Magnitude below which a number is what rounding left of zero, such as the cosine of 90 degrees."""
+
 TYPED = ("answer",)
 """Keys with texts as a student would type them, in which a minus sign is a hyphen."""
 
@@ -42,14 +45,15 @@ def evaluated(expression: str, values: Mapping[str, Value]) -> Value:
 def written(value: Value, form: str = "", minus: str = "\u2212") -> str:
     """Return a value as text; a number without a form has six significant digits and no zeros at its end.
 
-    >>> written(0.1 + 0.2), written(-2.0), written(0.5, ".2f"), written("elbow up")
-    ('0.3', '−2', '0.50', 'elbow up')
+    >>> written(0.1 + 0.2), written(-2.0), written(6e-17), written(0.5, ".2f"), written("elbow up")
+    ('0.3', '−2', '0', '0.50', 'elbow up')
     """
     if isinstance(value, str):
         if form:
             raise InputError(f"{value!r} is a text and takes no form, got {form!r}")
         return value
     if not form:
+        value = 0.0 if abs(value) < _ROUNDING else value
         text = np.format_float_positional(float(f"{value:.{_DIGITS}g}") + 0.0, trim="-")
     elif not _FORM.fullmatch(form):
         raise InputError(f"expected a form such as .2f, .3g or d after the colon, got {form!r}")

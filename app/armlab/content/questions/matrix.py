@@ -19,6 +19,9 @@ from armlab.errors import InputError
 Matrix = NDArray[np.float64]
 
 MOST_ROWS, MOST_COLUMNS = 6, 12
+DUST = 1e-12
+"""Part of the largest entry below which an entry is what rounding left of zero."""
+
 MOST_PERMUTED = 4
 """Largest number of rows or columns for which every order is tried, beyond exchanging two."""
 
@@ -128,10 +131,12 @@ class MatrixQuestion:
 def typed(matrix: Matrix) -> str:
     """Return a matrix as a person would type it, without the rounding errors of computed entries.
 
-    >>> typed(np.array([[1.0, 0.5], [-2.0, 0.3 - 0.1]]))
-    '1 0.5; -2 0.2'
+    >>> typed(np.array([[1.0, 0.5], [-2.0, 0.3 - 0.1]])), typed(np.array([[2.0, 6e-17]]))
+    ('1 0.5; -2 0.2', '2 0')
     """
-    return "; ".join(" ".join(shortest(float(f"{entry:.12g}")) for entry in row) for row in matrix)
+    least = DUST * float(np.abs(matrix).max())
+    cleaned = np.where(np.abs(matrix) < least, 0.0, matrix)
+    return "; ".join(" ".join(shortest(float(f"{entry:.12g}")) for entry in row) for row in cleaned)
 
 
 def _size(rows: int, columns: int) -> str:
