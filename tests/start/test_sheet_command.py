@@ -104,6 +104,29 @@ def test_nothing_means_anything_in_an_escaped_text():
     assert escaped("a|b\n*c* `d` <e>") == r"a\|b \*c\* \`d\` \<e\>"
 
 
+ON_BENCHES = (
+    ("encoder_speed", "true speed: 36 deg/s", "0.628"),
+    ("encoder_speed", "window in which counts are counted: 0.01 s", "encoder_speed ("),
+    ("encoder_speed", "the true speed: 720 deg/s ± 1 deg/s", "rad/s"),
+    ("kernel_axis", "(joint 1, value 0.5)", "joint 0"),
+    ("best_ratio", "number of teeth (wheel 1, teeth 20)", "wheel 0"),
+    ("statics", "(kind force, axis x, value 3)", "axis 0"),
+    ("two_robots", "kind of robot B: 3R, pose; solution of robot B: elbow down; length of the links", "three_links"),
+    ("two_robots", "the kind of robot B: 2R, position only", "two_links"),
+    ("two_orders", "(law 1, piece 1, rate, value 6 deg/s)", "what 3"),
+    ("same_formula", "entry of a product (row 1, column 3)", "column 4"),
+)
+
+
+@pytest.mark.parametrize(("lesson", "said", "unsaid"), ON_BENCHES)
+def test_a_sheet_speaks_of_benches_as_the_screen_does(capsys, lesson, said, unsaid):
+    assert main(["lesson", "sheet", lesson, "--variants", "0"]) == 0
+    out = capsys.readouterr().out
+    assert said in out
+    assert unsaid not in out.replace(f"Lesson `{lesson}`", "")
+    assert r"\_" not in out
+
+
 MOTION_WORDS = (
     ('kind = "waypoint"\nafter = 1', "add the configuration of the arm as a waypoint behind waypoint 1"),
     ('kind = "waypoint"\nset = 2', "waypoint 2 goes to where the arm is"),

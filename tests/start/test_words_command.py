@@ -93,7 +93,7 @@ def test_the_sheet_says_what_to_do_and_what_is_asked(typed, place):
     assert status == 0
     lines = out.splitlines()
     assert "- Step 1, Less torque, in variant 0, is to have the largest torque of a joint: at most 5 N m" in lines
-    turned = "the angular velocity of the tool, in world axes: (0, 0, 1.571) rad/s ± 0.01745 rad/s"
+    turned = "the angular velocity of the tool, in world axes: (0, 0, 90) deg/s ± 1 deg/s"
     assert f"- Step 2, Turn, in variant 0, is to have {turned}" in lines
     row = lines[-1]
     assert "on the page Statics: wrench (kind force, axis 1, value 2)" in row

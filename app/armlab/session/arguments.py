@@ -14,6 +14,7 @@ import numpy as np
 from armlab.content.reader import Table, shown
 from armlab.content.robots import read_pose
 from armlab.errors import ContentError, InputError, suggestion
+from armlab.kin.field import Field
 from armlab.kin.task import Task, task_named
 
 FACTORS = {"_deg": math.pi / 180.0, "_mm": 1e-3}
@@ -58,12 +59,15 @@ class Argument:
         Whether it has to be there.
     about : str
         Meaning and unit, where they are declared.
+    field : Field, optional
+        The declared field that it sets.
     """
 
     name: str
     kind: Kind
     needed: bool
     about: str = ""
+    field: Field | None = None
 
 
 def arguments_of(command: type) -> tuple[Argument, ...] | None:

@@ -26,7 +26,11 @@ def field_arguments(part: type[FieldPart]) -> tuple[Argument, ...]:
     """Return the fields of a part as arguments, all optional. The field for the example cannot be set."""
     specs = (each.spec for each in declarations(part).values())
     found = ((field, _kind(field)) for field in specs if field.key != EXAMPLE)
-    return tuple(Argument(field.key, kind, False, _about(field)) for field, kind in found if kind is not None)
+    return tuple(
+        Argument(field.key, kind, False, _about(field), field if isinstance(field, Field) else None)
+        for field, kind in found
+        if kind is not None
+    )
 
 
 def _kind(field: Field | Own) -> Kind | None:

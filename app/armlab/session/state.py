@@ -7,7 +7,7 @@ new part, in ``state.py`` of its folder, and touches no other.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import Any, ClassVar, Self, TypeVar
@@ -303,6 +303,11 @@ class Command:
         Name of the change that an undo takes back.
     reacts : bool
         Whether parts guard against it and react to it; a whole state that is put in place fits together already.
+    places : mapping of str to tuple of str
+        Names of what an argument counts from 0, where a number from 1 does not tell a person which one it is; an empty
+        tuple of an argument that counts from 1 already.
+    units : mapping of str to str
+        Units of arguments as files write them, where they are not those that their names tell: ``value_deg``.
     """
 
     snapshot: ClassVar[bool] = False
@@ -310,6 +315,8 @@ class Command:
     undoable: ClassVar[bool] = True
     label: ClassVar[str] = "change"
     reacts: ClassVar[bool] = True
+    places: ClassVar[Mapping[str, tuple[str, ...]]] = {}
+    units: ClassVar[Mapping[str, str]] = {}
 
     def apply(self, state: State) -> State:
         """Return the new state. Pure: no clock but `State.at`, no randomness, no I/O. Raise `ArmlabError` to refuse."""

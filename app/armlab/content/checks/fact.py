@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
 from armlab.content.bench_words import fact_name
 from armlab.content.check import PLAIN, CheckType, Words
 from armlab.content.fact_words import said
@@ -69,7 +71,7 @@ class FactIs:
         if seen is None or value is None:
             return f"{title[:1].upper()}{title[1:]}: {_why_unknown(seen)}."
         asked = "" if self.is_met(observation) else f" Required: {self.asked(seen.unit, words)}."
-        return f"{title[:1].upper()}{title[1:]}: {said(value, seen.unit, words)}.{asked}"
+        return f"{title[:1].upper()}{title[1:]}: {self._said(value, seen.unit, words)}.{asked}"
 
     def titled(self, title: str) -> str:
         """Return the subject of the check, by the title of the fact."""
@@ -78,10 +80,17 @@ class FactIs:
     def asked(self, unit: str, words: Words = PLAIN) -> str:
         """Return the required value in words."""
         if self.value is not None:
-            within = f" ± {said(self.tolerance, unit, words)}" if self.tolerance else ""
-            return f"{said(self.value, unit, words)}{within}"
+            within = f" ± {self._said(self.tolerance, unit, words)}" if self.tolerance else ""
+            return f"{self._said(self.value, unit, words)}{within}"
         ends = (("at least", self.at_least), ("at most", self.at_most))
-        return " and ".join(f"{name} {said(end, unit, words)}" for name, end in ends if end is not None)
+        return " and ".join(f"{name} {self._said(end, unit, words)}" for name, end in ends if end is not None)
+
+    def _said(self, value: Value | None, unit: str, words: Words) -> str:
+        """Return a value in words: an angular speed in the unit in which the file gives it."""
+        if not self.degrees or unit != "rad/s" or value is None or isinstance(value, str):
+            return said(value, unit, words)
+        numbers = np.degrees(value)
+        return said(tuple(numbers.tolist()) if isinstance(value, tuple) else float(numbers), "deg/s", words)
 
     def _now(self, observation: Observation) -> Value | None:
         seen = observation.facts.get(self.fact)

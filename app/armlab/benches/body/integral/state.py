@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
@@ -125,6 +125,8 @@ class SetPiece(Command):
     what: int
     value: float
     label: ClassVar[str] = "piece of a time law of ω"
+    places: ClassVar[Mapping[str, tuple[str, ...]]] = {"what": ("x", "y", "z", "rate", "duration")}
+    units: ClassVar[Mapping[str, str]] = {"value_deg": "deg/s"}
 
     def apply(self, state: State) -> State:
         """Return the state with this number."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -88,6 +89,7 @@ class SelectEntry(Command):
     row: int
     column: int
     label: ClassVar[str] = "entry of a product"
+    places: ClassVar[Mapping[str, tuple[str, ...]]] = {"row": (), "column": ()}
 
     def apply(self, state: State) -> State:
         """Return the state with this entry selected."""

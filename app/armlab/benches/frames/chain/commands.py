@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
@@ -223,6 +223,7 @@ class SetFrameAngle(Command):
     index: int
     value: float
     label: ClassVar[str] = "orientation of a frame"
+    places: ClassVar[Mapping[str, tuple[str, ...]]] = {"index": ("roll", "pitch", "yaw")}
 
     def apply(self, state: State) -> State:
         """Return the state with the frame turned so."""

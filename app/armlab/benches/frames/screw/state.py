@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -134,6 +134,7 @@ class SetPoseAngle(Command):
     index: int
     value: float
     label: ClassVar[str] = "orientation of a pose"
+    places: ClassVar[Mapping[str, tuple[str, ...]]] = {"index": ("roll", "pitch", "yaw")}
 
     def apply(self, state: State) -> State:
         """Return the state with the pose turned so."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -28,6 +28,7 @@ class SetSpeed(Command):
 
     joint: int
     value: float
+    units: ClassVar[Mapping[str, str]] = {"value_deg": "deg/s"}
     snapshot: ClassVar[bool] = True
     undoable: ClassVar[bool] = False
 
