@@ -106,6 +106,19 @@ def test_a_window_turns_by_itself_and_the_others_stay():
     assert state[Panels].open() == ("joints", "table")
 
 
+def test_the_panel_beside_one_is_seen_with_it_or_was_in_front_before_it():
+    def beside(state):
+        return state[Panels].windows[1].beside("author", hidden_panels(state))
+
+    state = windows("joints")
+    assert beside(state) == "joints"
+    state = told(apply(state, OpenPanel("incremental_encoder", 1)), 1, "incremental_encoder")
+    state = told(apply(state, OpenPanel("author", 1)), 1, "author")
+    assert beside(state) == "incremental_encoder"
+    assert beside(apply(state, OpenPanel("lessons", 1))) == "incremental_encoder"
+    assert beside(told(state, 1, "author", "newton_1d")) == "iterations"
+
+
 def test_without_a_window_a_panel_opens_in_all_of_them():
     state = apply(windows("joints", "film"), OpenPanel("table"))
     assert [each.page_of("robot") for each in state[Panels].windows.values()] == ["table", "table"]

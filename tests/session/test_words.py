@@ -19,8 +19,8 @@ from armlab.content.lesson_lines import LessonError
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, UnknownName
 from armlab.session.arguments import kind_of
+from armlab.session.begun import begun_as
 from armlab.session.fields import fields_of
-from armlab.session.put_words import begun_as
 from armlab.session.state import Command, State, apply
 from armlab.session.words import command_of, pages_with_words, snake_case, word, words_of
 
@@ -222,7 +222,7 @@ def test_a_bench_is_put_as_it_was_saved():
     begun = State.initial(catalogue()["planar_2r"])
     worked = apply(begun, command_of(written("velocity.statics.set_component", kind="moment", axis=2, value=3)))
     ((name, given),) = begun_as(worked)
-    assert name == "velocity.statics.put"
+    assert name == "velocity.statics.set"
     assert apply(begun, command_of(written(name, **given))).to_json() == worked.to_json()
     assert list(begun_as(begun)) == []
 

@@ -88,7 +88,7 @@ class BareGui(Gui):
     """Controls that are nowhere."""
 
     def __init__(self) -> None:
-        client: Any = SimpleNamespace(gui=Maker())
+        client: Any = SimpleNamespace(gui=Maker(), client_id=1)
         camera: Any = SimpleNamespace(look_from=print, as_view=lambda: None)
         super().__init__(client, camera, lambda key: None)
         self.has: list[Fields] = []

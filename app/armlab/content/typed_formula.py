@@ -43,7 +43,7 @@ def _text(element: ElementTree.Element) -> str:
 
 
 def _decorated(tag: str, parts: list[str]) -> str:
-    """Return a letter with a dot or a hat, or with an index: one of letters behind a line, as ``p_EA`` is no product."""
+    """Return a letter with a dot or a hat, or with an index; an index of letters stands behind a line: ``p_EA``."""
     letter, index = parts[:2]
     if tag == "mover":
         return letter + _ABOVE.get(index, index)

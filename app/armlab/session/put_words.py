@@ -1,11 +1,10 @@
-"""A saved part of a bench as a command in files, and the start of a lesson as such commands."""
+"""A saved part of a bench as a command in files."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from armlab.errors import InputError
 from armlab.plugins import BENCHES
@@ -43,19 +42,3 @@ def put_words(page: str) -> dict[str, type[Part]]:
     """Return the parts of a page such as ``velocity.statics`` by the words of the commands that restore them."""
     parts = [kind for kind in part_types() if kind.__module__.startswith(f"{BENCHES}.{page}.")]
     return {f"{page}.put" if len(parts) == 1 else f"{page}.put_{kind.key}": kind for kind in parts}
-
-
-def begun_as(state: State) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Yield words and their arguments that put the benches of a fresh state as those of a state are.
-
-    Only of benches that differ from how they open with the arm on the table.
-    """
-    robot = state[RobotPart].robot
-    for kind in part_types():
-        page = ".".join(kind.__module__.removeprefix(f"{BENCHES}.").split(".")[:2])
-        if not kind.__module__.startswith(f"{BENCHES}."):
-            continue
-        saved = state[kind].to_json()
-        if saved != kind.initial(robot).to_json():
-            word = next(name for name, part in put_words(page).items() if part is kind)
-            yield word, {"saved": json.dumps(saved, ensure_ascii=False)}

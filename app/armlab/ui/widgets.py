@@ -195,6 +195,11 @@ class Gui:
         self._drawing: set[asyncio.Task[None]] = set()
 
     @property
+    def window(self) -> int:
+        """The number of the window of the browser in which the controls are."""
+        return self._client.client_id
+
+    @property
     def origin(self) -> str:
         """The address under which this browser knows the lab, without a slash at its end."""
         return adapter.said_by_front(self._client, adapter.ORIGIN_HEADER)

@@ -67,7 +67,10 @@ def test_a_loaded_lesson_is_text_nobody_elses_and_there_again(url, folder):
 
 def test_questions_are_written_on_the_page_and_saved_with_the_lesson(url):
     async def main():
-        browser = await at_the_page(url)
+        browser = await student(url, cookie_of(url))
+        await browser.open("newton_1d")
+        await browser.open("author")
+        await browser.until(lambda: "load-file" in browser.html())
         await browser.press("ask-add")
         await browser.until(lambda: "expected a text that says what is asked" in refusal(browser))
         await browser.press("ask-text", "How far is $p_x$?")
@@ -81,7 +84,9 @@ def test_questions_are_written_on_the_page_and_saved_with_the_lesson(url):
         await browser.until(lambda: "0.25 ± 0.01 m" in browser.html())
         await browser.press("save-lesson")
         await browser.until(lambda: bool(browser.downloads.get("my_lesson.md")))
-        step = parse_lesson("my_lesson", browser.downloads["my_lesson.md"].decode()).steps[1]
+        saved = parse_lesson("my_lesson", browser.downloads["my_lesson.md"].decode())
+        assert saved.panel == "newton_1d"
+        step = saved.steps[1]
         assert step.question.judge("25 cm").right
         assert not step.question.judge("0.3").right
         for cell in (*("ask-text", "ask-answer", "ask-tolerance", "ask-add") * MOST,):

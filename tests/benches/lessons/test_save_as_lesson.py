@@ -5,13 +5,16 @@ import json
 import numpy as np
 import pytest
 
+from armlab.benches.lessons.author.ui.page import page_beside
 from armlab.benches.lessons.author.write_lesson import lesson_text
 from armlab.content.bench_words import BenchWord
 from armlab.content.lesson_file import parse_lesson
 from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
+from armlab.session.begun import begun_as
+from armlab.session.panel_commands import OpenPanel, OpenWindow, SeeTabs
 from armlab.session.parts.joints import Joints, MoveJoint
-from armlab.session.put_words import begun_as
+from armlab.session.parts.panels import Window
 from armlab.session.state import State, apply
 from armlab.session.words import command_of
 from armlab.teaching.lesson_commands import OpenLesson
@@ -67,6 +70,23 @@ def test_the_benches_begin_as_they_were(own):
         (one,) = (part.to_json() for part in opened if part.key == kind)
         (other,) = (part.to_json() for part in state if part.key == kind)
         assert json.dumps(one) == json.dumps(other), kind
+
+
+def test_only_the_fields_that_were_set_are_written():
+    set_one = ("sensor.incremental.set", {"pulses": 16})
+    state = apply(State.initial(catalogue()["planar_2r"]), command_of(BenchWord(*set_one, "f.md", "", "")))
+    assert list(begun_as(state)) == [set_one]
+    assert 'command = "sensor.incremental.set"\npulses = 16\n' in text_of(apply(state, MoveJoint(0, 0.7)))
+
+
+@pytest.mark.parametrize(
+    ("panel", "opens"), [("incremental_encoder", "incremental_encoder"), ("share", "joints"), ("help", "joints")]
+)
+def test_a_lesson_opens_on_the_page_that_was_open_before_that_for_teachers(panel, opens):
+    state = apply(State.initial(catalogue()["planar_2r"]), OpenWindow(1, Window.on(panel)))
+    state = apply(apply(state, OpenPanel("author", 1)), SeeTabs(1, frozenset({"lessons"})))
+    assert page_beside(state, 1) == opens
+    assert page_beside(state, 2) == "joints"
 
 
 def test_a_lab_as_it_opens_writes_no_commands():

@@ -28,12 +28,15 @@ class Window:
         Key of the tab that the browser was last asked to bring to the front.
     asked : int
         How often it was asked.
+    before : str
+        Key of the panel that was in front before the tab that is now; empty where there was none.
     """
 
     seen: tuple[str, ...]
     pages: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     wanted: str = ""
     asked: int = 0
+    before: str = ""
 
     @classmethod
     def on(cls, panel: str) -> Self:
@@ -50,18 +53,29 @@ class Window:
         """Return the keys of the panels that are seen in it and not hidden now, the one that came last first."""
         return tuple(page for tab in self.seen if (page := self.page_of(tab, hidden)) not in hidden)
 
+    def beside(self, panel: str, hidden: Collection[str] = NONE) -> str:
+        """Return the panel beside one: of another tab that is seen, or else the one that was in front before."""
+        others = (each for each in self.panels(hidden) if tab_of(each) != tab_of(panel))
+        return next(others, "" if self.before in hidden else self.before)
+
+    def _left_by(self, seen: tuple[str, ...]) -> str:
+        """Return the panel that was in front before when other tabs are seen."""
+        return self.page_of(self.seen[0]) if self.seen and seen[:1] != self.seen[:1] else self.before
+
     def opening(self, panel: str) -> Self:
         """Return the window with a panel turned to, and its browser asked to bring the tab to the front."""
         tab = tab_of(panel)
         first = tuple(each for each in self.seen if each == tab)
         seen = (*first, *(each for each in self.seen if each != tab))
         pages = MappingProxyType({**self.pages, tab: panel})
-        return replace(self, seen=seen, pages=pages, wanted=tab, asked=self.asked + 1)
+        before = self._left_by(seen)
+        return replace(self, seen=seen, pages=pages, wanted=tab, asked=self.asked + 1, before=before)
 
     def seeing(self, seen: Collection[str]) -> Self:
         """Return the window with other tabs seen."""
         new = (tab for tab in tabs() if tab in seen and tab not in self.seen)
-        return replace(self, seen=(*new, *(tab for tab in self.seen if tab in seen)))
+        seen = (*new, *(tab for tab in self.seen if tab in seen))
+        return replace(self, seen=seen, before=self._left_by(seen))
 
 
 @dataclass(frozen=True)

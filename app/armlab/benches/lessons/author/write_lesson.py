@@ -7,6 +7,7 @@ import math
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -66,7 +67,7 @@ def lesson_text(
     target: ArrayLike | None = None,
     camera: Camera | None = None,
     answers: Sequence[NumberAsked] = (),
-    begin: Sequence[tuple[str, Mapping[str, str]]] = (),
+    begin: Sequence[tuple[str, Mapping[str, Any]]] = (),
 ) -> str:
     """Return a complete lesson file whose goal is the arm at q.
 
@@ -86,7 +87,7 @@ def lesson_text(
         Initial pose of the handle, in the world.
     camera : Camera, optional
     answers : sequence of NumberAsked, optional
-    begin : sequence of (str, mapping of str to str), optional
+    begin : sequence of (str, mapping of str to object), optional
         Words of benches and their arguments, done when the lesson opens.
 
     Raises
@@ -143,7 +144,7 @@ def _front(
     overlays: Sequence[str],
     target: ArrayLike | None,
     camera: Camera | None,
-    begin: Sequence[tuple[str, Mapping[str, str]]],
+    begin: Sequence[tuple[str, Mapping[str, Any]]],
 ) -> str:
     known = robots.catalogue().robots.get(robot.key) is robot
     lines = ["+++", f"title = {_text(title.strip() or 'My lesson')}", f"chapter = {_text(CHAPTER)}"]
@@ -158,7 +159,7 @@ def _front(
     if camera is not None:
         lines += ["", "[camera]", *(f"{key} = {shortest(value)}" for key, value in vars(camera).items())]
     for word, arguments in begin:
-        lines += ["", "[[do]]", f"command = {_text(word)}", *(f"{key} = {_text(v)}" for key, v in arguments.items())]
+        lines += ["", "[[do]]", f"command = {_text(word)}", *(f"{key} = {_value(v)}" for key, v in arguments.items())]
     if not known:
         lines += ["", "[arm]", _own_arm(robot)]
     return "\n".join([*lines, "+++", ""])
@@ -248,6 +249,13 @@ def _rounded(value: float) -> str:
 def _plain(text: str) -> str:
     """Return a text in which a lesson file finds no expressions."""
     return re.sub(r"\{(?=\{)", "{ ", text).lstrip("= ")
+
+
+def _value(value: Any) -> str:
+    """Return a text, a number, a truth value or a list of these in TOML."""
+    if isinstance(value, list):
+        return f"[{', '.join(map(_value, value))}]"
+    return _text(value) if isinstance(value, str) else json.dumps(value)
 
 
 def _text(text: str) -> str:

@@ -13,11 +13,14 @@ from armlab.benches.lessons.author.write_lesson import NumberAsked, lesson_text
 from armlab.content.course import Course
 from armlab.content.lessons import lessons, lessons_read
 from armlab.errors import ArmlabError, InputError
+from armlab.session.begun import begun_as
+from armlab.session.pages import FIRST, pages, place_of, tab_of
+from armlab.session.panel_commands import hidden_panels
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
+from armlab.session.parts.panels import Panels
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
-from armlab.session.put_words import begun_as
 from armlab.session.state import Post, State
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.own_lessons import OwnLessons
@@ -33,6 +36,9 @@ from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
 GUIDE_HINT = "Goals, what to show, common mistakes, homework, by chapter; opens a page of its own"
+
+OWN, NOT_TAUGHT = "author", ("lessons", "picture")
+"""Key of this page, and the tabs on which no lesson opens."""
 
 GOAL = "Bring the arm to where the students are to bring it. The lesson begins in another pose and asks for this one."
 
@@ -71,7 +77,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         present = state
         paper.show(_paper(lessons().course(state[LessonPart].course)))
         held = None if made is None else fold(f"What {made[0]} says", tag("pre.al-file", made[1]), key="file")
-        form.show(_form(form, title, state, named, save, questions), held)
+        form.show(_form(form, title, state, gui.window, named, save, questions), held)
         loading.show(state)
         order.show(state)
         problems.show(broken_files("lesson", lessons().problems))
@@ -85,17 +91,20 @@ def _paper(course: Course) -> Inside:
     return tag("div.bar", on_paper("Guide to the course", "guide", course.key, GUIDE_HINT), sheet)
 
 
-def _form(form: Form, title: str, state: State, named: Typed, save: Pressed, questions: Questions) -> Inside:
+def _form(
+    form: Form, title: str, state: State, window: int, named: Typed, save: Pressed, questions: Questions
+) -> Inside:
     line = form.field("title", title, "Title of the lesson", named, inputmode="", maxlength="80")
     hint = "A lesson file whose goal is the arm as it stands"
     button = form.button("save-lesson", "Save as lesson", save, "main", hint)
     # What is to be predicted is not told here either.
-    held = None if state[LessonPart].hides else fold("What the file will hold", pairs(_holds(state)), key="holds")
+    known = None if state[LessonPart].hides else pairs(_holds(state, window))
+    held = None if known is None else fold("What the file will hold", known, key="holds")
     titled = tag("div.kit-numbers.kit-typed", tag("label", tag("span", "Title"), line))
     return tag("p", GOAL), titled, questions.shown(form), tag("div.bar", button), held
 
 
-def _holds(state: State) -> list[tuple[Inside, Inside]]:
+def _holds(state: State, window: int) -> list[tuple[Inside, Inside]]:
     """Return what of the present state the file will hold."""
     units, robot, part = units_of(state), state[RobotPart].robot, state[Joints]
     joints = [
@@ -106,9 +115,20 @@ def _holds(state: State) -> list[tuple[Inside, Inside]]:
     return [
         ("Arm", robot.name),
         ("Goal, joint values", ", ".join(joints)),
+        ("Page that opens", place_of(page_beside(state, window))),
         ("Overlays", ", ".join(_overlays(state)) or "none"),
         ("Tabs as you have set them", ", ".join(begin) or "none"),
     ]
+
+
+def page_beside(state: State, window: int) -> str:
+    """Return the page for students that is open beside this one in a window, or was last; Joints where there is none.
+
+    The lesson opens on it: what is set there is what the lesson is about.
+    """
+    found = state[Panels].windows.get(window)
+    beside = "" if found is None else found.beside(OWN, hidden_panels(state))
+    return beside if beside and not pages()[beside].always and tab_of(beside) not in NOT_TAUGHT else FIRST
 
 
 def _overlays(state: State) -> list[str]:
@@ -124,7 +144,7 @@ def written(title: str, state: State, gui: Gui, answers: Sequence[NumberAsked]) 
         title,
         robot,
         q,
-        panel="joints",
+        panel=page_beside(state, gui.window),
         overlays=_overlays(state),
         target=state[Target].pose,
         camera=eye,
@@ -142,6 +162,6 @@ def file_name(title: str) -> str:
     return re.sub(r"[^a-z0-9]+", "_", title.lower()).strip("_")[:60] or "lesson"
 
 
-WATCHED = (RobotPart, Joints, Target, Display, LessonPart, OwnLessons, Preview, Teacher)
+WATCHED = (RobotPart, Joints, Target, Display, Panels, LessonPart, OwnLessons, Preview, Teacher)
 
 PANEL = Panel(WATCHED, build, rebuilds=(), outside=lessons_read, waits=lessons_to_come)
