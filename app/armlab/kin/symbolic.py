@@ -74,7 +74,7 @@ class PoseFormulas:
         """Return the printed entries, except those with too many terms."""
         show = Printer(self._graph, style)
         return {
-            name: _with_offsets(show(value), self._offsets, style)
+            name: with_offsets(show(value), self._offsets, style)
             for name, value in self._entries.items()
             if self.terms[name] <= most_terms
         }
@@ -123,7 +123,8 @@ def _quarter(angle: float) -> float:
     return exact if abs(angle - exact) <= QUARTER else angle
 
 
-def _with_offsets(formula: str, offsets: dict[int, float], style: Style) -> str:
+def with_offsets(formula: str, offsets: dict[int, float], style: Style) -> str:
+    """Return a formula in which the joints of `angle_offsets` have their angles theta, or their offsets added."""
     for joint, offset in offsets.items():
         if style == "text":
             shifted = f"(q{joint} {'-' if offset < 0.0 else '+'} {abs(offset)!r})"

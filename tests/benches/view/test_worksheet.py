@@ -17,6 +17,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.ellipsoid import velocity_ellipsoid
 from armlab.kin.length_power import length_power
 from armlab.kin.rotations import rotation_from_axis_angle, rotation_from_sequence
+from armlab.kin.symbolic import constants
 from support.arms import frames_by_products, jacobian_by_differences, random_arm, random_q
 
 HALF = 0.5e-4 * (1 + 1e-9)
@@ -119,6 +120,32 @@ def test_any_arm_has_a_worksheet(format):
         text = worksheet(own_robot(arm, "x"), q, format, angle="rad")
         check(arm, q, text, format)
         check_orientation(arm.fk(q)[:3, :3], text, 1.0)
+
+
+@pytest.mark.parametrize("key", ["planar_3r", "elbow_3r", "scara", "cylindrical_rpp"])
+def test_symbols_of_a_short_arm_have_its_values(key):
+    arm = ROBOTS[key].arm
+    q = random_q(arm, np.random.default_rng(6))
+    names = {**constants(arm), **{f"q{i}": value for i, value in enumerate(q, 1)}, "sin": math.sin, "cos": math.cos}
+    turn = np.kron(np.eye(2), arm.base[:3, :3].T)
+    expected = {"T": np.linalg.inv(arm.base) @ arm.fk(q), "J": turn @ arm.jacobian(q)}
+    text = worksheet(ROBOTS[key], q)
+    for symbol, values_now in expected.items():
+        (block,) = re.findall(rf"^{symbol} in symbols:\n\n```text\n(.*?)\n```$", text, re.MULTILINE | re.DOTALL)
+        entries = [re.split("  +", line) for line in block.split("\n")]
+        found = [[eval(entry.replace("−", "-"), dict(names)) for entry in row] for row in entries]
+        np.testing.assert_allclose(found, values_now, rtol=0, atol=1e-12)
+    assert r"J = \begin{bmatrix}" in worksheet(ROBOTS[key], q, "latex")
+
+
+@pytest.mark.parametrize("format", FORMATS)
+def test_symbols_that_are_too_long_are_said_to_be(format):
+    text = worksheet(ROBOTS["puma560"], ROBOTS["puma560"].home, format).replace("$", "")
+    general = random_arm(np.random.default_rng(7), 6)
+    said = worksheet(own_robot(general, "x"), np.zeros(6), format).replace("$", "")
+    assert "T in symbols is too long to read here." in said
+    assert "J in symbols is too long to read here." in text
+    assert ("cos θᵢ" if format == "markdown" else r"\cos\theta_i") in text
 
 
 # --- The table

@@ -8,11 +8,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.benches.view.share.worksheet_formats import Latex, Markdown, Text, Writer
+from armlab.benches.view.share.worksheet_symbols import COLUMN, jacobian_in_symbols, row_in_symbols, tool_in_symbols
 from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row, link_transform
 from armlab.kin.ellipsoid import velocity_ellipsoid
+from armlab.kin.graph.printing import Style
 from armlab.kin.joint_scale import angular_size, counted_speeds, joint_scale, linear_size
 from armlab.kin.length_power import length_power
 from armlab.kin.rotations import axis_angle, euler_zyx
@@ -33,6 +35,9 @@ PRODUCTS = {
 }
 """Products of the four factors of a row, by convention."""
 
+SHORT = Text("", r" In it $c_{12}$ is $\cos(q_1 + q_2)$, and $s_{12}$ the sine.")
+"""The short forms of cosines and sines that only LaTeX uses."""
+
 MINUS_ONE = Text("−1", "$-1$")
 
 _POWERS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -42,7 +47,8 @@ def worksheet(robot: Robot, q: ArrayLike, format: str = "markdown", *, angle: st
     """Return the worksheet of a robot at a configuration.
 
     Title, table in the arm's own convention and its order, joint values, every A_i, the product T with base and tool,
-    position and orientation, geometric and task Jacobian, and the measures of manipulability; all with units.
+    position and orientation, geometric and task Jacobian, and the measures of manipulability; all with units. A_i is
+    also there in symbols, and T and the Jacobian where these are short.
 
     Parameters
     ----------
@@ -104,6 +110,7 @@ class _Sheet:
         self.out, self.arm, self.q, self.in_degrees = out, arm, q, in_degrees
         self.angle_unit = out.choose(Text("°", r"$^\circ$")) if in_degrees else "rad"
         self.standard = arm.convention == "standard"
+        self.style: Style = out.choose(Text("text", "latex"))  # type: ignore[assignment]
 
     def turn(self, value: float) -> str:
         """Return an angle given in radians with its unit."""
@@ -149,6 +156,7 @@ class _Sheet:
         out = self.out
         out.heading("Transforms of the rows")
         out.line(f"{out.symbol('A', 'i')} is the pose of frame i in frame i{out.choose(MINUS_ONE)}; positions in m.")
+        out.formulas(out.symbol("A", "i"), row_in_symbols(self.arm.convention, self.style))
         for i, (row, value) in enumerate(zip(self.arm.rows, self.q.tolist(), strict=True)):
             d, theta = (row.d, row.theta + value) if row.revolute else (row.d + value, row.theta)
             A = np.asarray(link_transform(row.a, row.alpha, d, theta, self.arm.convention), dtype=np.float64)
@@ -165,7 +173,16 @@ class _Sheet:
             factors = [*factors, symbol] if last else [symbol, *factors]
             out.matrix(symbol, T)
         out.line(f"{out.symbol('T')} = {' '.join(factors)} is the pose of the tool in the world; positions in m.")
+        self._in_symbols(out.symbol("T"), tool_in_symbols(self.arm, self.style))
         out.matrix(out.symbol("T"), np.asarray(self.arm.fk(self.q), dtype=np.float64))
+
+    def _in_symbols(self, symbol: str, entries: list[list[str]] | None) -> None:
+        if entries is None:
+            self.out.line(f"{symbol} in symbols is too long to read here.")
+        else:
+            short = self.out.choose(SHORT)
+            self.out.line(f"{symbol} in symbols is in axes of frame 0, with the tool and without the base.{short}")
+            self.out.formulas(symbol, entries)
 
     def pose(self) -> None:
         out = self.out
@@ -191,6 +208,8 @@ class _Sheet:
             "Geometric Jacobian at the tool point, in world axes. Rows: linear velocity x, y, z, then angular velocity "
             f"x, y, z. Columns: joints. {self._units_of_columns()}"
         )
+        out.line(out.choose(COLUMN))
+        self._in_symbols(out.symbol("J"), jacobian_in_symbols(self.arm, self.style))
         out.matrix(out.symbol("J"), np.asarray(self.arm.jacobian(self.q), dtype=np.float64))
         out.line(f"Task Jacobian, in the axes of frame 0. Rows: {', '.join(_row_names(self.arm.task))}.")
         out.matrix(out.symbol("J", "task"), task_jacobian(self.arm, self.q))

@@ -76,6 +76,10 @@ class Writer(Protocol):
         """Write an equation of a symbol and a matrix."""
         ...
 
+    def formulas(self, symbol: str, entries: Sequence[Sequence[str]]) -> None:
+        """Write an equation of a symbol and a matrix of formulas, which are in this format."""
+        ...
+
     def finished(self) -> str:
         """Return the whole text, ending with a line break."""
         ...
@@ -153,8 +157,18 @@ class Markdown:
         """Write an equation as a block of text."""
         cells = [[self.number(float(value)) for value in row] for row in values]
         width = max(len(cell) for row in cells for cell in row)
-        rows = ["  ".join(cell.rjust(width) for cell in row) for row in cells]
-        self._blocks += [f"{symbol} =", "\n".join(["```text", *rows, "```"])]
+        self._columns(f"{symbol} =", [[cell.rjust(width) for cell in row] for row in cells])
+
+    def formulas(self, symbol: str, entries: Sequence[Sequence[str]]) -> None:
+        """Write formulas in columns as a block of text, with true minus signs."""
+        entries = [[entry.replace("-", "\u2212") for entry in row] for row in entries]
+        widths = [max(map(len, column)) for column in zip(*entries, strict=True)]
+        cells = [[cell.ljust(width) for cell, width in zip(row, widths, strict=True)] for row in entries]
+        self._columns(f"{symbol} in symbols:", cells)
+
+    def _columns(self, head: str, cells: Sequence[Sequence[str]]) -> None:
+        rows = ["  ".join(row).rstrip() for row in cells]
+        self._blocks += [head, "\n".join(["```text", *rows, "```"])]
 
     def finished(self) -> str:
         """Return the whole text."""
@@ -296,12 +310,21 @@ class Latex:
         cells = " \\\\\n".join(rows)
         body = [r"\[", f"{symbol.strip('$')} =", r"\begin{bmatrix}", cells, r"\end{bmatrix}", r"\]"]
         if values.shape[1] > WIDE:
-            body = [r"{\footnotesize\setlength{\arraycolsep}{2pt}", *body, "}"]
+            body = [_SMALLER, *body, "}"]
         self._blocks.append("\n".join(body))
+
+    def formulas(self, symbol: str, entries: Sequence[Sequence[str]]) -> None:
+        """Write a displayed equation of formulas, closer and smaller."""
+        cells = " \\\\\n".join(" & ".join(row) for row in entries)
+        equation = [rf"\[ {symbol.strip('$')} = \begin{{bmatrix}}", cells, r"\end{bmatrix} \]"]
+        self._blocks.append("\n".join([_SMALLER, *equation, "}"]))
 
     def finished(self) -> str:
         """Return the whole text."""
         return "\n\n".join([*self._blocks, r"\end{document}"]) + "\n"
+
+
+_SMALLER = r"{\footnotesize\setlength{\arraycolsep}{2pt}"
 
 
 def _plain_number(value: float) -> str:

@@ -29,8 +29,8 @@ FORMATS = {"markdown": ("Markdown", "md"), "latex": ("LaTeX", "tex")}
 NOT_YET = "A link, and a code that a phone can scan, to the arm exactly as it stands now."
 
 SHEET = (
-    "The table of the arm, every transform and the Jacobian of the present pose, in symbols and in numbers, to print "
-    "or to hand in."
+    "The table of the arm, every transform and the Jacobian of the present pose in numbers, and in symbols where they "
+    "are short enough to read, to print or to hand in."
 )
 
 TRAVELS = (
