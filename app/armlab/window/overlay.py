@@ -160,7 +160,7 @@ class Overlay:
                 offered_lessons(state),
             ),
             (history.undo_label, history.redo_label, *self._refusals()),
-            (name_of(robot), robot.own, robot.robot.key, state[LessonPart].open, hidden_tabs(state)),
+            (robot.title, robot.own, robot.robot.key, state[LessonPart].open, hidden_tabs(state)),
             state[LessonPart].lesson,  # its file may be loaded again
             (self._tab, self._asked),
         )
@@ -179,7 +179,7 @@ class Overlay:
 
     def _name(self, state: State) -> Markup:
         """Return the arm's name, which is the switch to another one unless a lesson keeps the arm."""
-        name, lesson = name_of(state[RobotPart]), state[LessonPart].lesson
+        name, lesson = state[RobotPart].title, state[LessonPart].lesson
         if lesson is not None and "robot" in lesson.locked:
             own = "" if state[LessonPart].assignment else " Its button “My sandbox” lets you choose any arm."
             why = f"The lesson “{as_part(lesson.title)}” is about this arm.{own}"
@@ -263,7 +263,7 @@ class Overlay:
             path = "/"  # of one's own files others have none
         notes = {
             "path": path,
-            "arm": name_of(robot),
+            "arm": robot.title,
             "coming": coming,
             "handle": handle,
             "tab": self._tab,
@@ -272,11 +272,6 @@ class Overlay:
             "chan": self._form.channel_id,
         }
         return tag("i", id="al-notes", hidden=True, data_notes=json.dumps(notes))
-
-
-def name_of(part: RobotPart) -> str:
-    """Return the name of the arm on the table, which says when it is no longer that of a file."""
-    return f"{part.robot.name}, edited" if part.own and part.origin else part.robot.name
 
 
 def _waits(shelf: Shelf) -> str:

@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import math
 import re
 
 import numpy as np
@@ -11,13 +12,15 @@ from markupsafe import escape
 from armlab.benches.robot.table.ui.editor import DhEditor
 from armlab.benches.robot.table.ui.ends import ends_markup
 from armlab.benches.robot.table.ui.facts import axes_section, closed_form_card, facts_of
+from armlab.benches.robot.table.ui.files import PRESENT, saved_robot
 from armlab.benches.robot.table.ui.page import moved_lines
-from armlab.content.robots import catalogue, own_robot
+from armlab.content.robots import catalogue, own_robot, parse_robot
 from armlab.content.write_robot import robot_toml
 from armlab.content.write_table import write_table
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.session.edits import AddJoint, Convert, PasteTable, SetCell
+from armlab.session.edits import AddJoint, Convert, PasteTable, SetCell, SetKind
+from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State, apply
@@ -296,6 +299,24 @@ def test_joints_are_added_turned_into_slides_moved_and_removed(url):
         await browser.close()
 
     run(main())
+
+
+def test_an_edited_arm_is_saved_with_a_name_that_says_so_and_its_present_pose():
+    state = State.initial(catalogue()["planar_3r"])
+    moves = (MoveJoint(0, math.radians(55.0)), MoveJoint(2, math.radians(-45.0)))
+    for command in (SetKind(1, "P"), *moves):
+        state = apply(state, command)
+    part, q = state[RobotPart], state[Joints].q
+    saved = parse_robot("x", robot_toml(saved_robot(part, q)), proven=False)
+    assert saved.name == part.title == "Planar 3R, edited"
+    assert file_name(saved.name) == "planar_3r_edited"
+    np.testing.assert_allclose(saved.home, q, rtol=0, atol=1e-12)
+    assert list(saved.poses) == ["home"]
+    edited = apply(apply(State.initial(PUMA), SetCell(1, "a", 0.5)), MoveJoint(0, 0.3))
+    kept = saved_robot(edited[RobotPart], edited[Joints].q).poses
+    assert list(kept) == [*PUMA.poses, PRESENT]
+    assert kept[PRESENT][0] == pytest.approx(0.3)
+    assert saved_robot(state.initial(PUMA)[RobotPart], q) is PUMA
 
 
 def test_tables_are_pasted_and_files_loaded(url):

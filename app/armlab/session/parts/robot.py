@@ -41,6 +41,11 @@ class RobotPart(Part):
         """Whether the table is edited by the student."""
         return self.robot.key == OWN
 
+    @property
+    def title(self) -> str:
+        """The name of the arm, which says when it is no longer that of a file."""
+        return f"{self.robot.name}, edited" if self.own and self.origin else self.robot.name
+
     def edits(self, before: RobotPart | None) -> bool:
         """Return whether this is the table of a part before, with edits."""
         if before is None or (before.origin, before.robot.name) != (self.origin, self.robot.name):

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
-from armlab.content.robots import Robot
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.content.robots import Robot, catalogue, own_robot
 from armlab.content.write_robot import robot_toml
 from armlab.content.write_table import write_table
 from armlab.session.edits import PasteTable
-from armlab.session.state import Command
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import Command, State
 from armlab.ui.file_names import file_name
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, tag
@@ -18,6 +24,9 @@ from armlab.ui.widgets import Gui
 
 FORMATS = {"csv": "CSV", "markdown": "Markdown", "latex": "LaTeX"}
 EXAMPLE = "a, alpha, d, theta\n0.3, 90, 0.2, q1\n0.25, 0, 0, q2 + 30"
+PRESENT = "saved"
+"""Name of the pose in which an edited arm is saved."""
+
 HELP = (
     "CSV, Markdown, LaTeX or a robot file. A cell such as q1, θ₁* or q2 + 90° is the joint variable; "
     "lengths are in m or mm."
@@ -35,9 +44,36 @@ def files_markup(form: Form, robot: Robot, units: Units, save: Callable[[], None
     return fold("Files", row("File", (saves, load)), row("Copy as", copies))
 
 
-def save(gui: Gui, robot: Robot) -> None:
+def save(gui: Gui, state: State) -> None:
     """Let the browser save a robot file."""
+    robot = saved_robot(state[RobotPart], state[Joints].q)
     gui.save(f"{file_name(robot.name)}.toml", robot_toml(robot))
+
+
+def saved_robot(part: RobotPart, q: NDArray[np.float64]) -> Robot:
+    """Return the arm as its file has it: an edited one with a name that says so, and with the present pose.
+
+    The pose is the home of an arm that has none of its own.
+    """
+    robot = part.robot
+    if not part.own:
+        return robot
+    poses = {name: pose for name, pose in robot.poses.items() if name != PRESENT}
+    if not _has_own_poses(part):
+        poses = {"home": q}
+    elif not any(np.array_equal(pose, q) for pose in poses.values()):
+        poses[PRESENT] = q
+    return replace(robot, name=part.title, poses=poses)
+
+
+def _has_own_poses(part: RobotPart) -> bool:
+    """Return whether the poses of an arm are of its file, and not the one that every table has."""
+    poses = part.robot.poses
+    at_rest = own_robot(part.robot.arm, part.robot.name).poses
+    if poses.keys() != at_rest.keys() or not all(np.array_equal(poses[name], q) for name, q in at_rest.items()):
+        return True
+    of_file = catalogue()[part.origin].poses if part.origin else {}
+    return any(name in of_file and np.array_equal(of_file[name], q) for name, q in poses.items())
 
 
 class PasteBox:

@@ -65,7 +65,7 @@ class TablePanel:
         if other or self._axes.stale:
             self._axes.show(axes_section(self._axes, self._facts, self._pair, self._units, self._choose_pair))
         if other or self._files.stale:
-            self._files.show(files_markup(self._files, robot, self._units, lambda: save(self._gui, robot)))
+            self._files.show(files_markup(self._files, robot, self._units, lambda: save(self._gui, self._state)))
         if self._pasted.stale:
             self._box.show()
         self._point.show(point_line(state, self._units))
@@ -79,7 +79,7 @@ class TablePanel:
         title: Inside = part.robot.name
         if part.own and part.origin:
             back = tag("span.copies", form.button("restore", BACK, RestoreTable(), "copy"))
-            title = f"{part.robot.name}, edited", back
+            title = part.title, back
         forms = [form.chip(key, text, Convert(key), HINT, key == arm.convention) for key, text in CONVENTIONS.items()]
         self._head.show(
             tag("h3", title),
