@@ -36,3 +36,9 @@ def test_an_example_is_played_and_a_wrong_table_is_marked(visit):
           .filter(each => each.scrollWidth > each.clientWidth + 1 || each.getBoundingClientRect().width > 345).length"""
     )
     assert wide == 0
+
+
+def test_axes_have_a_point_in_a_browser_that_writes_a_comma(visit):
+    lab = at_laws(visit, locale="de-DE")
+    said = lab.page.evaluate("[(1234.5).toLocaleString(), new Intl.NumberFormat(navigator.language).format(1234.5)]")
+    assert said == ["1.234,5", "1234.5"]

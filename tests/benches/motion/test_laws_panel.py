@@ -55,7 +55,7 @@ class Maker:
     """Makes the parts of a plot, without a page."""
 
     def __init__(self):
-        self.chart = Chart()
+        self.chart, self.language = Chart(), "en"
 
     def form(self, post):
         return BareForm()
@@ -121,9 +121,13 @@ def test_a_limit_far_above_the_curves_does_not_press_them_flat():
 
 def test_the_saved_table_holds_the_laws_there_are():
     plot, _ = drawn(opened(Stretch(2.0))[Laws], 1)
-    head, first, *_ = csv.reader(io.StringIO(plot.csv()))
-    assert head == ["t, s", "ds of law 1, 1/s", "ds of law 2, 1/s", "ds of law 1 (×k), 1/s"]
+    head, first, *rows = csv.reader(io.StringIO(plot.csv()))
+    assert head == ["t, s", "ṡ of law 1, 1/s", "ṡ of law 2, 1/s", "ṡ of law 1 (×k), 1/s"]
     assert [float(cell) for cell in first] == [0.0] * 4
+    steps = np.diff([0.0, *(float(row[0]) for row in rows)])
+    np.testing.assert_allclose(steps, steps[0], rtol=1e-9)
+    assert rows[-1][1] == "", "law 1 has ended"
+    assert float(rows[-1][3]) == pytest.approx(0.0, abs=1e-9)
 
 
 @pytest.mark.parametrize("key", list(EXAMPLES))

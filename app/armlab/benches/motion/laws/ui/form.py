@@ -37,10 +37,14 @@ VIEWS = {"laws": "Laws", "bounds": "Bounds on a path"}
 TIMINGS = {"time": "Duration T", "fast": "As fast as allowed"}
 
 
+STRETCHED_NAME = " (×k)"
+"""What stands behind the number of the stretched law."""
+
+
 def names(part: Laws) -> list[tuple[str, Rgb]]:
     """Return number and colour of each law, the stretched one last."""
     found = [(str(i + 1), LAW_COLOURS[entry.colour]) for i, entry in enumerate(part.entries)]
-    return found if part.stretched is None else [*found, (f"{part.scaled + 1} (×k)", STRETCHED)]
+    return found if part.stretched is None else [*found, (f"{part.scaled + 1}{STRETCHED_NAME}", STRETCHED)]
 
 
 def marked(name: str, colour: Rgb) -> Markup:

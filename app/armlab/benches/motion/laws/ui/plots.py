@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.motion.laws.clip import present_time
 from armlab.benches.motion.laws.state import CLIP_KEY, Laws
-from armlab.benches.motion.laws.ui.form import LAW_COLOURS, names
+from armlab.benches.motion.laws.ui.form import LAW_COLOURS, STRETCHED_NAME, names
 from armlab.kin.motion import Law
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
@@ -18,6 +18,7 @@ from armlab.ui.colours import VERDICT, css
 from armlab.ui.format import mathml
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.plot import NOTHING, TIME, Curve, Plot
+from armlab.ui.speech import speech_in
 from armlab.ui.svg import drawing, shape
 from armlab.ui.widgets import Gui
 
@@ -25,6 +26,12 @@ Array = NDArray[np.float64]
 
 SAMPLES = 90
 """Number of samples of the curve of each law."""
+
+STEPS = 200
+"""Number of equal steps of time in a saved table."""
+
+_TIME_DIGITS = 12
+"""Decimals of the times of a saved table, without the rounding of their steps."""
 
 BESIDE = 1e-9
 """Time between the two samples of a jump, relative to the whole time."""
@@ -41,13 +48,13 @@ SEEN = 1.6
 SLACK = 1e-6
 """Relative excess up to which a limit is drawn as kept."""
 
-TITLES: tuple[tuple[Inside, str, str], ...] = (
-    (mathml("s"), "s", ""),
-    (mathml(r"\dot s"), "ds", "1/s"),
-    (mathml(r"\ddot s"), "dds", "1/s²"),
-    ("Jerk", "ddds", "1/s³"),
+TITLES: tuple[tuple[Inside, str, str, str], ...] = (
+    (mathml("s"), "s", "s", ""),
+    (mathml(r"\dot s"), "ṡ", "ds", "1/s"),
+    (mathml(r"\ddot s"), "s\u0308", "dds", "1/s²"),
+    ("Jerk", "jerk", "ddds", "1/s³"),
 )
-"""Symbol, name in files and unit of each derivative."""
+"""Title, name of a curve, name of files and unit of each derivative."""
 
 DOT = 3.5
 """Diameter of the red dots above a limit, pixels."""
@@ -57,26 +64,24 @@ class LawPlot(Plot):
     """The plot of one derivative of all laws."""
 
     def __init__(self, gui: Gui, order: int) -> None:
-        title, self._name, self._unit = TITLES[order]
-        self.order, self._laws = order, 0
+        title, self._name, file, self._unit = TITLES[order]
+        self.order = order
+        self._part: Laws | None = None
         heading = tag("span", title, f", {self._unit}" if self._unit else None)
-        # The page wants a curve from the start; the laws take its place.
-        first = [Curve(self._name, LAW_COLOURS[0])]
-        super().__init__(
-            gui, heading, "t, s", first, f"law_{self._name}", 2 if order else 0, legend=False, clip=CLIP_KEY
-        )
+        # The page wants curves from the start; the laws take their place.
+        first = [Curve(self._named(law), LAW_COLOURS[0]) for law in ("1", f"1{STRETCHED_NAME}")]
+        super().__init__(gui, heading, "t, s", first, f"law_{file}", 2 if order else 0, legend=False, clip=CLIP_KEY)
 
     def show_laws(self, part: Laws, t: Array) -> None:
         """Show all laws of the bench on a grid of times."""
         ends = [entry.moving_ends for entry in part.entries]
         ends += [] if part.stretched is None else [ends[part.scaled]]
-        unit = f", {self._unit}" if self._unit else ""
-        curves = [Curve(f"{self._name} of law {name}{unit}", colour) for name, colour in names(part)]
+        curves = [Curve(self._named(name), colour) for name, colour in names(part)]
         every = [_curve(law, t, self.order, not moves) for law, moves in zip(part.every, ends, strict=True)]
         limit = part.timing.limit(self.order) if self.order else np.inf
         above = [np.where(np.abs(each) > limit * (1.0 + SLACK), each, np.nan) for each in every]
         above = [each for each in above if np.isfinite(each).any()]
-        self._laws = len(curves)
+        self._part = part
         self.announce([*curves, *[Curve("above the limit", VERDICT["no"], DOT, dots=True)] * len(above)])
         self.show(t, [*every, *above], self._scaled(t, every, float(limit)))
 
@@ -96,12 +101,21 @@ class LawPlot(Plot):
             self._handle.scales = scales
         return tuple(lines)
 
+    def _named(self, law: str) -> str:
+        return f"{self._name} of law {law}{f', {self._unit}' if self._unit else ''}"
+
     def csv(self) -> str:
-        """Return the curves of the laws, without the marks above limits."""
+        """Return the laws at equal steps of time, by which differences can be divided; empty after the end of a law."""
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
-        writer.writerow([self._x, *(curve.name for curve in self._curves[: self._laws])])
-        writer.writerows(zip(*(column.tolist() for column in self._table[: 1 + self._laws]), strict=True))
+        if self._part is None:
+            return ""
+        say = speech_in(self._gui.language).text
+        t = np.round(np.linspace(0.0, self._part.end, STEPS + 1), _TIME_DIGITS)
+        columns = [_curve(law, t, self.order, False) for law in self._part.every]
+        writer.writerow([self._x, *(say(self._named(name)) for name, _ in names(self._part))])
+        for row in zip(t, *columns, strict=True):
+            writer.writerow(["" if np.isnan(value) else float(value) for value in row])
         return text.getvalue()
 
 
