@@ -103,6 +103,7 @@ def test_what_is_called_converged_is_the_root_however_far_the_start(text, x0, ro
         (TypeEquation("x +"), "breaks off"),
         (TypeEquation(""), "got nothing"),
         (TypeEquation("y^2"), "unknown name 'y'"),
+        (TypeEquation("x q"), "unknown name 'q'"),
         (TypeEquation("sqrt(x - 5)"), "x₀ = 1"),
         (Set(Newton1D, "x0", math.nan), "x0: expected finite numbers, got nan"),
         (Set(Newton1D, "x0", 1e9), "x0: expected at least"),
@@ -148,6 +149,16 @@ def test_it_is_written_read_back_and_kept_with_another_arm():
     for damage in ({"text": "x +"}, {"x0": math.inf}, {"example": "nothing"}):
         with pytest.raises(InputError):
             Newton1D.from_json({**part.to_json(), "text": "", **damage}, state[RobotPart].robot)
+
+
+@pytest.mark.parametrize(
+    ("text", "x0", "root"), [("cos(q) - 0,5", 0.5, math.pi / 3.0), ("e^x - 2", 1.0, math.log(2.0)), ("x e^x", 1.0, 0.0)]
+)
+def test_the_unknown_may_be_a_joint_and_e_is_a_number(text, x0, root):
+    state = apply(apply(opened(), TypeEquation(text)), Set(Newton1D, "x0", x0))
+    found = solution(state)
+    assert found.status == "converged"
+    assert found.iterates[-1].x == pytest.approx(root, abs=1e-9)
 
 
 def test_a_typed_function_without_a_value_is_not_a_number():

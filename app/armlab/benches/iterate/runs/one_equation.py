@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 
-from armlab.benches.iterate.runs.slopes import slope_at
+from armlab.benches.iterate.runs.slopes import EULER, slope_at
 from armlab.content.expressions import Expression, parse
+from armlab.content.quantities import with_decimal_points
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import EXAMPLES, Example1D, newton_1d
 from armlab.kin.ik.iterate.newton_1d import SMALL
@@ -28,6 +30,9 @@ LARGE = 1e6
 LONGEST_ROUND = 4
 ROUND = 1e-7
 """Length of the longest cycle that is looked for, and difference, relative to |x|, up to which it closes."""
+
+UNKNOWN, JOINT = "x", "q"
+"""Name of the unknown in typed functions, and the one it has in the examples of a joint, which may be typed as well."""
 
 Function = Callable[[float], float]
 
@@ -66,9 +71,9 @@ def example_named(key: str) -> Example1D:
 
 
 def typed_function(text: str) -> Function:
-    """Return the typed function of x; `InputError` if it cannot be read."""
+    """Return the typed function of x, which may be called q; `InputError` if it cannot be read."""
     expression = _read(text)
-    return _where_defined(lambda x: expression.value({"x": x}))
+    return _where_defined(lambda x: expression.value({UNKNOWN: x, JOINT: x, EULER: math.e}))
 
 
 def typed_slope(text: str) -> Function:
@@ -79,9 +84,15 @@ def typed_slope(text: str) -> Function:
 
 def _read(text: str) -> Expression:
     try:
-        return parse(text, ("x",))
+        return _read_in(text, UNKNOWN)
     except InputError as refusal:
+        with suppress(InputError):
+            return _read_in(text, JOINT)
         raise InputError(f"f(x): {refusal}") from None
+
+
+def _read_in(text: str, unknown: str) -> Expression:
+    return parse(with_decimal_points(text), (unknown, EULER))
 
 
 def _where_defined(f: Function) -> Function:

@@ -12,6 +12,10 @@ ROUNDING = 1e-15
 """Slope that counts as 0, relative to the terms of which it is the sum: less is left where these cancel."""
 
 
+EULER = "e"
+"""Name of Euler's number."""
+
+
 class Slope(NamedTuple):
     """A part of a formula at a point: its value, its slope, and the sum of the sizes of the terms of the slope."""
 
@@ -28,7 +32,7 @@ def slope_at(expression: Expression, x: float) -> float:
     Parameters
     ----------
     expression : Expression
-        Of one variable and the functions of `armlab.content.expressions.FUNCTIONS`.
+        Of one variable, e and the functions of `armlab.content.expressions.FUNCTIONS`.
     x : float
 
     Raises
@@ -56,8 +60,7 @@ class _Slopes:
         return Slope(value, 0.0, 0.0)
 
     def name(self, name: str) -> Slope:
-        del name
-        return Slope(self._x, 1.0, 1.0)
+        return Slope(math.e, 0.0, 0.0) if name == EULER else Slope(self._x, 1.0, 1.0)
 
     def operation(self, operation: str, arguments: list[Slope]) -> Slope:
         values = [each.value for each in arguments]
