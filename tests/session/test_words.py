@@ -13,13 +13,13 @@ import pytest
 from numpy.typing import NDArray
 
 from armlab.benches.control.loop.state import Loop
+from armlab.benches.lessons.author.begun import begun_as
 from armlab.benches.lessons.errata.state import Errata
 from armlab.content.bench_words import BenchWord
 from armlab.content.lesson_lines import LessonError
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, UnknownName
 from armlab.session.arguments import kind_of
-from armlab.session.begun import begun_as
 from armlab.session.fields import fields_of
 from armlab.session.state import Command, State, apply
 from armlab.session.words import command_of, pages_with_words, snake_case, word, words_of

@@ -5,13 +5,13 @@ import json
 import numpy as np
 import pytest
 
+from armlab.benches.lessons.author.begun import begun_as
 from armlab.benches.lessons.author.ui.page import page_beside
 from armlab.benches.lessons.author.write_lesson import lesson_text
 from armlab.content.bench_words import BenchWord
 from armlab.content.lesson_file import parse_lesson
 from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
-from armlab.session.begun import begun_as
 from armlab.session.panel_commands import OpenPanel, OpenWindow, SeeTabs
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.panels import Window

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from armlab.benches.lessons.author.begun import begun_as
 from armlab.benches.lessons.author.ui.asked import Questions
 from armlab.benches.lessons.author.ui.loading import Loading
 from armlab.benches.lessons.author.ui.order import Order
@@ -13,7 +14,6 @@ from armlab.benches.lessons.author.write_lesson import NumberAsked, lesson_text
 from armlab.content.course import Course
 from armlab.content.lessons import lessons, lessons_read
 from armlab.errors import ArmlabError, InputError
-from armlab.session.begun import begun_as
 from armlab.session.pages import FIRST, pages, place_of, tab_of
 from armlab.session.panel_commands import hidden_panels
 from armlab.session.parts.display import Display

@@ -38,7 +38,7 @@ TIMINGS = {"time": "Duration T", "fast": "As fast as allowed"}
 
 
 STRETCHED_NAME = " (×k)"
-"""What stands behind the number of the stretched law."""
+"""Text behind the number of the stretched law."""
 
 
 def names(part: Laws) -> list[tuple[str, Rgb]]:
