@@ -96,5 +96,5 @@ def test_the_sheet_says_what_to_do_and_what_is_asked(typed, place):
     turned = "the angular velocity of the tool, in world axes: (0, 0, 90) deg/s ± 1 deg/s"
     assert f"- Step 2, Turn, in variant 0, is to have {turned}" in lines
     row = lines[-1]
-    assert "on the page Statics: wrench (kind force, axis 1, value 2)" in row
-    assert "on the page Jacobian: set the speed of one joint (joint 0, value\\_deg 60)" in row
+    assert "on the page Statics: wrench (kind force, axis y, value 2)" in row
+    assert "on the page Jacobian: set the speed of one joint (joint 1, value 60 deg/s)" in row
