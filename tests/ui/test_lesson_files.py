@@ -146,9 +146,9 @@ def test_a_lesson_that_is_saved_begins_with_the_benches_as_they_stand(tmp_path):
         await browser.press("save-lesson")
         await browser.until(lambda: any(browser.downloads.values()))
         (text,) = browser.downloads.values()
-        assert b'command = "control.loop.put"' in text
+        assert b'command = "control.loop.set"' in text
         await browser.until(lambda: "What my_lesson.md says" in browser.html())
-        assert "control.loop.put" in browser.html()
+        assert "control.loop.set" in browser.html()
         assert b"25.0" in text
         await browser.close()
 
