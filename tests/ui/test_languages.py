@@ -115,6 +115,12 @@ def test_pages_are_translated_with_arms_of_every_kind(language):
     run(main())
 
 
+@pytest.mark.parametrize("language", OTHERS)
+def test_the_tasks_of_arms_are_translated(language):
+    titles = {robot.arm.task.title for robot in catalogue().robots.values()}
+    assert [title for title in titles if words_in(language)(title) == title] == []
+
+
 def test_the_texts_of_scripts_stand_in_scripts():
     scripts = "".join(file.read_text(encoding="utf-8") for file in (PACKAGE / "front/static").glob("*.js"))
     assert [text for text in SCRIPT_WORDS if text not in scripts] == []

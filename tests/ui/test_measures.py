@@ -67,11 +67,17 @@ def test_mixed_units_are_called_mixed():
 
 
 def test_the_two_w_have_names_of_their_own():
-    assert joints._controlled(catalogue()["puma560"].arm) == "position and orientation"
-    assert joints._controlled(catalogue()["planar_2r"].arm) == "x, y"
     assert ellipsoid.name_of_w(block_of("puma560")).endswith("of translation")
     assert ellipsoid.name_of_w(block_of("puma560", "rotation")).endswith("of rotation")
     assert ellipsoid.name_of_w(block_of("cylindrical_rpp")).endswith("of translation, scaled by limits")
+
+
+@pytest.mark.parametrize("key", ["planar_2r", "scara", "puma560"])
+def test_w_of_the_task_is_told_with_the_task_of_the_arm(key):
+    """A SCARA turns its hand about z alone: that is not the orientation."""
+    arm = catalogue()[key].arm
+    told = joined(joints._readout(Joints.initial(catalogue()[key]), METRES))
+    assert f"of the task<br>{arm.task.title}</span>" in told
 
 
 def test_the_formula_is_the_one_that_is_computed():

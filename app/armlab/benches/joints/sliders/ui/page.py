@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from armlab.benches.joints.sliders.ui.typed import TypedValue
-from armlab.kin.arm import Arm
 from armlab.kin.length_power import POWERS, length_power
 from armlab.kin.rotations import euler_zyx
 from armlab.session.parts.jog import Jog
@@ -106,7 +105,7 @@ def _readout(joints: Joints, units: Units) -> Inside:
     degrees = "°" if units.in_degrees else ""
     product = turns("zyx", False, [f"{value}{degrees}" for value in angles])
     note = "Pitch is ±90°: only yaw ∓ roll is defined, and roll is set to 0."
-    measure = mathml("w"), " of the task", tag("br"), f"({_controlled(joints.arm)})"
+    measure = mathml("w"), " of the task", tag("br"), joints.arm.task.title
     return (
         tag("h3", "Tool in the world, ", mathml("{}^{w}T_{E}"), " ", tag("small", "position in m")),
         matrix(T, 3, 3),
@@ -120,14 +119,6 @@ def _readout(joints: Joints, units: Units) -> Inside:
         tag("div.eq.small", mathml("R="), " ", product),
         tag("p.dim", note) if bool(singular) else None,
     )
-
-
-def _controlled(arm: Arm) -> str:
-    """Return in a few words the components of the task."""
-    turns_too = arm.task.rotation != "none"
-    if not arm.task.position:
-        return "orientation"
-    return "position and orientation" if turns_too else ", ".join(arm.task.position)
 
 
 def _manipulability(joints: Joints) -> str:
