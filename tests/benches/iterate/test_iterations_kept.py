@@ -27,7 +27,7 @@ from armlab.errors import InputError
 from armlab.kin.ik.iterate import TaskVector, iterate, task_vector
 from armlab.kin.ik.iterate.problem import Problem
 from armlab.session.arm_on_clip import standing
-from armlab.session.edits import AddJoint, SetCell, SetLimits
+from armlab.session.edits import AddJoint, PasteTable, SetCell, SetLimits
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint, TakePose
 from armlab.session.parts.robot import ChooseRobot, RobotPart
@@ -242,6 +242,28 @@ def test_newton_reaches_the_first_target_and_the_gradient_does_not_diverge(key):
     assert gradient.position_error[-1] < 0.5 * gradient.position_error[0]
     # Not beside a singular configuration, which would be an ill-conditioned lecture.
     assert first.sigma_min[-1] > 0.05 * (arm.length_scale if first.sigma_unit == "m" else 1.0)
+
+
+KR16 = """a,alpha,d,theta
+260,-90,675,q1
+680,0,0,q2
+-35,90,0,q3-90
+0,-90,670,q4
+0,90,0,q5
+0,0,115,q6"""
+OWN_SCARA = "a,alpha,d,theta\n250,0,400,q1\n200,180,0,q2\n0,0,d3,0\n0,0,50,q4"
+OWN_2R = "a,alpha,d,theta\n250,0,0,q1\n200,0,0,q2"
+
+
+@pytest.mark.parametrize("table", [KR16, OWN_SCARA, OWN_2R])
+def test_an_own_arm_that_is_singular_at_zero_begins_beside_it(table):
+    """A pasted table has no pose but q = 0, where the elbow is stretched or the wrist is straight."""
+    state = with_films(apply(opened("puma560"), PasteTable(table)))
+    part, arm = state[Iterations], state[Joints].arm
+    assert arm.within_limits(part.start)
+    assert part.films[0].success, part.films[0].reason
+    assert part.films[1].position_error[-1] < 0.5 * part.films[1].position_error[0]
+    assert apply(opened("puma560"), PasteTable(table))[Iterations].start == part.start
 
 
 def test_the_step_size_of_a_gradient_is_below_its_bound_wherever_the_arm_stands():

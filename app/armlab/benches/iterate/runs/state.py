@@ -25,7 +25,7 @@ from armlab.session.parts.joints import Joints, of_its_kind
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import FARTHEST, Target
 from armlab.session.parts.timeline import Timeline, clips, with_clip
-from armlab.session.run_targets import checked_target, first_target
+from armlab.session.run_targets import checked_target, first_start, first_target, newton_for
 from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Command, Json, PartType, State
 
@@ -110,13 +110,13 @@ class Iterations(FieldPart):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return the first example of a lecture: from home to a near target, by Newton's method and by the gradient."""
+        """Return the first example of a lecture: to a near target, by Newton's method and by the gradient."""
         arm = robot.arm
         runs = (
-            run_of("gauss_newton" if arm.n < arm.task.m else "newton"),
+            run_of(newton_for(arm)),
             fitting("gradient", arm, TaskVector(arm.task), colour=1),
         )
-        return cls(robot, tuple(map(float, robot.home)), first_target(robot), runs=runs)
+        return cls(robot, tuple(map(float, first_start(robot))), first_target(robot), runs=runs)
 
     def check(self) -> None:
         """Refuse values that are impossible for this arm, and runs that cannot be told apart."""
