@@ -222,7 +222,12 @@ def test_a_flange_is_no_joint_and_it_is_said():
     text = "Joint | a (m) | d (m) | α (rad) | θ (rad)\nJoint 1 | 0 | 0.333 | 0 | θ1\nFlange | 0 | 0.107 | 0 | 0"
     pasted = parse_table(text)
     same(pasted, [("R", 0, 0, 0.333, 0)])
-    assert pasted.notes == ("Not read, because it is not a joint: Flange 0 0.107 0 0.", AS_STANDARD)
+    assert [(row.a, row.alpha, row.d, row.theta) for row in pasted.flange] == [(0, 0, 0.107, 0)]
+    assert pasted.notes == ("Read as the tool, because it is not a joint: Flange 0 0.107 0 0.", AS_STANDARD)
+    for row in ("Base | 0 | 0.107 | 0 | 0", "Flange | | | |", "Flange | 0 | 0 | 0 | θ2"):
+        pasted = parse_table(text.replace("Flange | 0 | 0.107 | 0 | 0", row))
+        assert not pasted.flange
+        assert pasted.notes[0].startswith("Not read, because it is not a joint: ")
 
 
 @pytest.mark.parametrize("text", ["[[0, pi/2, 0.4, q1],\n [1, 0, 0, q2]]", "[0 pi/2 0.4 q1; 1 0 0 q2]"])

@@ -113,3 +113,47 @@ def test_the_default_and_the_headers_are_notes():
     headed = parse_table("by Craig\na_i,alpha_i,d_i,theta_i\n0,0.3,0,q1")
     assert headed.convention == "standard"
     assert any("though the text names a book with the modified one" in note for note in headed.notes)
+
+
+FRANKA = """Joint, a (mm), d (mm), alpha (rad), theta (rad)
+Joint 1, 0, 333, 0, θ1
+Joint 2, 0, 0, -π/2, θ2
+Joint 3, 0, 316, π/2, θ3
+Joint 4, 82.5, 0, π/2, θ4
+Joint 5, -82.5, 384, -π/2, θ5
+Joint 6, 0, 0, π/2, θ6
+Joint 7, 88, 0, π/2, θ7
+Flange, 0, 107, 0, 0"""
+
+
+def test_a_table_in_which_two_joints_would_turn_about_one_line_is_read_in_the_other_convention_and_it_is_said():
+    pasted = parse_table(FRANKA)
+    assert pasted.convention == "modified"
+    assert pasted.notes[1] == (
+        "Read as modified (Craig), because as standard joints 1 and 2 would turn about the same line: "
+        "switch if your book is Siciliano's."
+    )
+    wrist = "a,alpha,d,theta\n0,-90,0.4,q1\n0,90,0,q2\n0,0,0.1,q3"
+    assert parse_table(wrist).notes[0] == AS_STANDARD
+    assert parse_table(wrist, "modified").convention == "standard"
+    slides = "a,alpha,d,theta\n0,0,d1,0\n0.2,90,d2,0\n0,90,d3,0"
+    assert "joints 1 and 2 would slide in the same direction" in parse_table(slides).notes[0]
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        "0,0,0.4,q1\n0,-90,d2,0\n0,0,d3,0",  # a cylindrical arm: the first joint turns about the line of the second
+        "0.3,0,0,q1\n0.2,180,0,q2\n0,0,d3,0\n0,0,0.1,q4",  # a SCARA
+        "0,0,0.4,q1\n0,0,0.1,q2\n0,0,0,q3",  # in both
+    ],
+)
+def test_a_table_that_is_possible_in_its_convention_or_in_none_stays_standard(rows):
+    assert parse_table(f"a,alpha,d,theta\n{rows}").notes[0] == AS_STANDARD
+
+
+def test_a_first_row_as_in_craig_is_a_hint_only():
+    pasted = parse_table("a,alpha,d,theta\n0,0,0.4,0\n0.3,pi/2,0,0\n0.1,pi/2,0,0")
+    assert pasted.convention == "standard"
+    assert pasted.notes[0].endswith("a and alpha of the first row are 0, as in Craig's: switch if it is his.")
+    assert parse_table("DH (standard)\n" + FRANKA).convention == "standard"

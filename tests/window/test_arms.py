@@ -10,8 +10,10 @@ from PIL import Image
 
 from armlab.content.robots import FAMILIES, catalogue
 from armlab.kin.dh import Row
-from armlab.session.edits import NewArm
+from armlab.session.edits import NewArm, PasteTable
 from armlab.session.parts.notation import Notation
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import State, apply
 from armlab.ui.figure.picture import HEIGHT, WIDTH
 from armlab.window.arms.choice import fits
 from armlab.window.arms.draft import Draft
@@ -283,6 +285,21 @@ def test_what_is_wrong_in_a_row_is_said_anew_in_another_unit():
     assert (draft.rows[0].wrong, draft.rows[0].where) == ("", "")
     draft.set_unit("angle", "rad")
     assert draft.rows[0].where == "alpha"
+
+
+def test_the_row_of_a_flange_becomes_the_tool_in_the_convention_that_is_chosen():
+    """A pasted table and a typed one make the same arm."""
+    text = "i,a,alpha,d,theta\n1,0,0,0.3,q1\n2,0.4,90,0,q2\nFlange,0.1,90,0.2,0"
+    draft = Draft(Notation())
+    draft.paste(text)
+    assert draft.convention == "modified"
+    state = State.initial(catalogue()["puma560"])
+    made, pasted = (apply(state, each)[RobotPart].robot.arm for each in (draft.command(), PasteTable(text)))
+    np.testing.assert_allclose(made.tool, [[1, 0, 0, 0.1], [0, 0, -1, -0.2], [0, 1, 0, 0], [0, 0, 0, 1]], atol=1e-15)
+    np.testing.assert_allclose(pasted.tool, made.tool)
+    draft.convention = "standard"
+    again = apply(state, draft.command())[RobotPart].robot.arm
+    np.testing.assert_allclose(again.tool, [[1, 0, 0, 0.1], [0, 0, -1, 0], [0, 1, 0, 0.2], [0, 0, 0, 1]], atol=1e-15)
 
 
 def test_an_empty_cell_is_zero_and_the_last_row_stays():

@@ -80,9 +80,17 @@ class PastedCells:
                 {role: self._read(i, role, text, decimal_comma) for role, text in self._written[i].items()}
             )
 
-    def kinds(self, notes: list[str]) -> list[Kind]:
-        """Return the type of each joint."""
-        found = [self._kind(i) for i in range(len(self._cells))]
+    def variables(self, i: int) -> list[str]:
+        """Return the symbols of joint variables in a row."""
+        return [cell.variable for cell in self._cells[i].values() if cell.variable]
+
+    def marked(self, n: int) -> bool:
+        """Return whether each of the first n rows tells the type of its joint."""
+        return all(self._kind(i) is not None for i in range(n))
+
+    def kinds(self, n: int, notes: list[str]) -> list[Kind]:
+        """Return the types of the joints, which are the first n rows."""
+        found = [self._kind(i) for i in range(n)]
         unmarked = [str(i + 1) for i, kind in enumerate(found) if kind is None]
         if unmarked:
             rows = "row " if len(unmarked) == 1 else "rows "

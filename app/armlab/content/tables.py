@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import cast
+from itertools import takewhile
 
 from armlab.content.table_cells import plain
+from armlab.content.table_convention import concluded, convention_said
 from armlab.content.table_grid import Grid, read_grid
-from armlab.content.table_header import DH, SHOWN, Column, convention_of, in_order_of_craig, is_khalil, read_header
+from armlab.content.table_header import DH, SHOWN, Column, read_header
 from armlab.content.table_values import PastedCells
 from armlab.errors import InputError
 from armlab.kin.arm import MAX_JOINTS
-from armlab.kin.dh import CONVENTIONS, Convention, Row
+from armlab.kin.dh import CONVENTIONS, Convention, Kind, Row
 from armlab.registry import known_name
 
 MOST_COLUMNS = 60
@@ -22,10 +23,10 @@ MOST_COLUMNS = 60
 MOST_TITLES = 4
 """Number of lines in which the header is looked for: some tables begin with a name and a number."""
 
-BOOKS = {"standard": ("Siciliano", "Craig's"), "modified": ("Craig", "Siciliano's")}
-"""Books by convention: one that uses it, and the owner of the other."""
+Lines = Sequence[tuple[str, ...]]
 
-_FIXED = re.compile(r"flange|tool|tcp|hand|gripper|ee|end[ -]?effector|base|world")
+_TOOL = re.compile(r"flange|tool|tcp|hand|gripper|ee|end[ -]?effector")
+_FIXED = re.compile(rf"{_TOOL.pattern}|base|world")
 
 
 @dataclass(frozen=True)
@@ -39,11 +40,14 @@ class PastedTable:
     convention : "standard" or "modified"
     notes : tuple of str
         Everything that was not written but concluded, one sentence each, for the reader to confirm.
+    flange : tuple of Row
+        Rows after those of the joints, of a flange or a tool: constants in the same convention.
     """
 
     rows: tuple[Row, ...]
     convention: Convention
     notes: tuple[str, ...]
+    flange: tuple[Row, ...] = ()
 
 
 def parse_table(text: str, default_convention: str = "standard", order: Sequence[str] = DH) -> PastedTable:
@@ -54,7 +58,8 @@ def parse_table(text: str, default_convention: str = "standard", order: Sequence
     text : str
         The first table in it counts.
     default_convention : "standard" or "modified"
-        Used where neither a title nor headers such as a(i-1) nor the name of a book say which.
+        Used where neither a title nor headers such as a(i-1) nor the name of a book say which, unless two joints would
+        then do the same and would not in the other convention.
     order : sequence of str
         The columns a, alpha, d, theta in the order of a table without a header; a joint number or R/P may precede.
 
@@ -62,7 +67,7 @@ def parse_table(text: str, default_convention: str = "standard", order: Sequence
     -------
     PastedTable
         A cell such as ``q1``, ``theta1*`` or ``q2 + 90°`` marks the joint variable: revolute in the column theta,
-        prismatic in d. Its number is the offset. Limits, base and tool are not read.
+        prismatic in d. Its number is the offset. Limits and base are not read.
 
     Raises
     ------
@@ -87,64 +92,54 @@ def parse_table(text: str, default_convention: str = "standard", order: Sequence
     at, columns = next(
         ((i, found) for i, line in enumerate(grid.lines[:MOST_TITLES]) if (found := read_header(line))), (0, None)
     )
-    lines = _joints(grid.lines[at + 1 :], columns, notes) if columns else grid.lines
-    if not 1 <= len(lines) <= MAX_JOINTS:
-        raise InputError(f"the table: expected 1 to {MAX_JOINTS} rows, one for each joint, got {len(lines)}")
-    convention = _convention(columns or (), grid, default_convention, notes)
+    lines, flange = _joints(grid, at, columns, notes) if columns else (grid.lines, ())
+    n = len(lines)
+    if not 1 <= n <= MAX_JOINTS:
+        raise InputError(f"the table: expected 1 to {MAX_JOINTS} rows, one for each joint, got {n}")
+    named, in_cells = columns or (), list[str]()
+    convention_said(named, grid)  # refuses what contradicts itself before it looks at cells
     if columns is None:
         columns = _columns_without_header(grid.lines, order)
-        notes.append(f"There is no header; the columns are taken as {', '.join(order)}.")
+        in_cells.append(f"There is no header; the columns are taken as {', '.join(order)}.")
     ignored = [plain(column.written) for column in columns if column.role in ("limits", "")]
     if ignored:
-        notes.append(f"Not read: the columns {', '.join(ignored)}.")
-    table = PastedCells(lines, columns, grid.decimal_comma)
-    kinds = table.kinds(notes)
-    angles, lengths = table.in_radians(kinds, notes), table.in_metres(kinds, notes)
+        in_cells.append(f"Not read: the columns {', '.join(ignored)}.")
+    table = PastedCells([*lines, *flange], columns, grid.decimal_comma)
+    turning: Kind = "R"
+    kinds = table.kinds(n, in_cells) + [turning] * len(flange)
+    angles, lengths = table.in_radians(kinds, in_cells), table.in_metres(kinds, in_cells)
     rows = tuple(
         Row(kind, lengths["a"][i], angles["alpha"][i], lengths["d"][i], angles["theta"][i])
         for i, kind in enumerate(kinds)
     )
-    return PastedTable(rows, convention, tuple(notes))
+    convention, why = concluded(named, grid, default_convention, rows[:n], table.marked(n))
+    return PastedTable(rows[:n], convention, (*notes, *why, *in_cells), rows[n:])
 
 
-def _joints(lines: Sequence[tuple[str, ...]], columns: Sequence[Column], notes: list[str]) -> Sequence[tuple[str, ...]]:
-    """Return the rows of joints; rows of a flange or a tool at the end of some tables are left out."""
+def _joints(grid: Grid, at: int, columns: Sequence[Column], notes: list[str]) -> tuple[Lines, Lines]:
+    """Return the rows of joints, and those of a flange or a tool after them; others that are no joint are left out."""
+    lines = grid.lines[at + 1 :]
     places = [i for i, column in enumerate(columns) if column.role == "joint"]
-    fixed = [line for line in lines if any(i < len(line) and _FIXED.fullmatch(plain(line[i]).lower()) for i in places)]
-    if fixed:
-        notes.append(f"Not read, because it is not a joint: {'; '.join(' '.join(line) for line in fixed)}.")
-    return [line for line in lines if line not in fixed]
+
+    def named(line: tuple[str, ...], names: re.Pattern[str]) -> bool:
+        return any(i < len(line) and names.fullmatch(plain(line[i]).lower()) for i in places)
+
+    joints = [line for line in lines if not named(line, _FIXED)]
+    after = list(takewhile(lambda line: named(line, _TOOL), reversed(lines)))[::-1]
+    flange = after if joints and all(_constant(line, columns, grid.decimal_comma) for line in after) else []
+    unread = [line for line in lines if line not in joints and line not in flange]
+    if unread:
+        notes.append(f"Not read, because it is not a joint: {'; '.join(' '.join(line) for line in unread)}.")
+    if flange:
+        notes.append(f"Read as the tool, because it is not a joint: {'; '.join(' '.join(line) for line in flange)}.")
+    return joints, flange
 
 
-def _convention(columns: Sequence[Column], grid: Grid, default: str, notes: list[str]) -> Convention:
-    """Return the convention, with a note unless the text states it: title, then header, books and the default."""
-    by_header, r = convention_of(columns), next((column.role for column in columns if column.name == "r"), "")
-    if is_khalil(columns):
-        notes.append("Columns d and r as in Khalil's book: d is read as a(i-1), r as d.")
-    elif r and any(column.name == "d" for column in columns):
-        notes.append("The column r is read as a, the length along x.")
-    if grid.said and by_header and grid.said != by_header:
-        raise InputError(f"the table: its title says {grid.said}, but its headers are of the {by_header} convention")
-    found = grid.said or by_header or grid.named or default
-    if not grid.said:
-        notes.append(_concluded(found, columns, by_header, grid.named))
-    return cast(Convention, found)
-
-
-def _concluded(convention: str, columns: Sequence[Column], by_header: str, named: str) -> str:
-    """Return a sentence why a table is read in a convention that its title does not state."""
-    if is_khalil(columns):
-        return "Khalil's tables are of the modified convention."
-    if by_header:
-        index = "(i-1)" if by_header == "modified" else "(i)"
-        also = f", though the text names a book with the {named} one" if named not in ("", by_header) else ""
-        return f"The headers a{index} or alpha{index} mean the {by_header} convention ({BOOKS[by_header][0]}){also}."
-    if named:
-        return f"Read as {convention}, because the text names a book with this convention."
-    own, other = BOOKS[convention]
-    if convention == "standard" and in_order_of_craig(columns):
-        return "Read as standard (Siciliano), but the columns stand in Craig's order: switch if it is Craig's."
-    return f"Read as {convention} ({own}): switch if your book is {other}."
+def _constant(line: tuple[str, ...], columns: Sequence[Column], decimal_comma: bool) -> bool:
+    try:
+        return not PastedCells([line], columns, decimal_comma).variables(0)
+    except InputError:
+        return False
 
 
 def _columns_without_header(lines: Sequence[Sequence[str]], order: Sequence[str]) -> tuple[Column, ...]:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
 from typing import Any, ClassVar, cast
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from armlab.content.lesson_lines import located
 from armlab.content.robots import OWN, catalogue, own_robot, parse_robot
@@ -16,7 +17,7 @@ from armlab.content.tables import parse_table
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import DEFAULT_STROKE, MAX_JOINTS, Arm
 from armlab.kin.convert import converted, remainders
-from armlab.kin.dh import CONVENTIONS, Kind, Row
+from armlab.kin.dh import CONVENTIONS, Convention, Kind, Row, link_transform
 from armlab.kin.task_choice import default_task
 from armlab.registry import known_name
 from armlab.session.parts.robot import RobotPart
@@ -184,10 +185,7 @@ class SetEnd(Command):
         if self.end not in ("base", "tool"):
             raise UnknownName("end of the arm", self.end, ("base", "tool"))
         arm = _arm(state)
-        pose = np.array(self.pose, dtype=np.float64)
-        nearest = np.round(pose)
-        near = np.abs(pose - nearest) < EXACT
-        pose[:3, :3] = np.where(near, nearest, pose)[:3, :3] + 0.0  # no minus zeros
+        pose = _exact(self.pose)
         if np.array_equal(pose, getattr(arm, self.end)):
             return state
         for axis, value in zip("xyz", pose[:3, 3].tolist(), strict=True):
@@ -243,7 +241,8 @@ class PasteTable(Command):
                 robot = parse_robot(OWN, self.text, self.file, proven=False)
         else:
             pasted = parse_table(self.text)
-            robot = own_robot(Arm.from_dh(pasted.rows, pasted.convention, name=PASTED), PASTED, None)
+            tool = _tool_of(pasted.flange, pasted.convention)
+            robot = own_robot(Arm.from_dh(pasted.rows, pasted.convention, tool=tool, name=PASTED), PASTED, None)
             robot = replace(robot, summary=" ".join(pasted.notes) or robot.summary)
         check_sizes(robot.arm)
         return state.with_robot(robot)
@@ -251,7 +250,7 @@ class PasteTable(Command):
 
 @dataclass(frozen=True)
 class NewArm(Command):
-    """Put an arm on the table that is made of nothing but its rows: limits are those of its kinds, base and tool none.
+    """Put an arm on the table that is made of nothing but its rows: limits are those of its kinds, and no base.
 
     Parameters
     ----------
@@ -259,18 +258,22 @@ class NewArm(Command):
     convention : "standard" or "modified"
     name : str
         "My arm" when empty.
+    flange : tuple of Row
+        Constant rows after those of the joints, in the same convention: they are the tool.
     """
 
     rows: tuple[Row, ...]
     convention: str
     name: str = ""
+    flange: tuple[Row, ...] = ()
     label: ClassVar[str] = "new arm"
 
     def apply(self, state: State) -> State:
         """Return the state with the arm, in its home pose."""
         if len(self.name) > LONGEST_NAME:
             raise InputError(f"name: expected at most {LONGEST_NAME} characters, got {len(self.name)}")
-        arm = Arm.from_dh(self.rows, known_name("convention", self.convention, CONVENTIONS))
+        convention = known_name("convention", self.convention, CONVENTIONS)
+        arm = Arm.from_dh(self.rows, convention, tool=_tool_of(self.flange, convention))
         check_sizes(arm)
         return state.with_robot(own_robot(arm, self.name))
 
@@ -289,6 +292,21 @@ class RestoreTable(Command):
         robot = catalogue()[part.origin]
         same = np.array_equal(robot.arm.revolute, part.robot.arm.revolute)
         return state.with_edited(robot, _same(robot.arm)) if same else state.with_robot(robot)
+
+
+def _exact(given: ArrayLike) -> NDArray[np.float64]:
+    """Return a pose in which quarter turns are exact."""
+    pose = np.array(given, dtype=np.float64)
+    nearest = np.round(pose)
+    near = np.abs(pose - nearest) < EXACT
+    pose[:3, :3] = np.where(near, nearest, pose)[:3, :3] + 0.0  # no minus zeros
+    return pose
+
+
+def _tool_of(flange: Sequence[Row], convention: Convention) -> NDArray[np.float64]:
+    """Return the tool that constant rows after those of the joints give."""
+    links = (link_transform(row.a, row.alpha, row.d, row.theta, convention) for row in flange)
+    return _exact(reduce(np.matmul, links, np.eye(4)))
 
 
 def _arm(state: State) -> Arm:

@@ -58,13 +58,15 @@ class Draft:
     rows : list of TypedRow
     notes : tuple of str
         What was concluded from a pasted table.
+    flange : tuple of Row
+        Rows after those of the joints of a pasted table, which become the tool.
     """
 
     def __init__(self, notation: Notation) -> None:
         self.name = ""
         self.convention: Convention = "standard"
         self.units, self.notes = Units(notation), tuple[str, ...]()
-        self.rows = self._typed(EXAMPLE)
+        self.rows, self.flange = self._typed(EXAMPLE), tuple[Row, ...]()
 
     def write(self, i: int, name: str, text: str) -> None:
         """Write a cell; what is wrong with it is kept beside the row."""
@@ -99,13 +101,13 @@ class Draft:
         """Take all rows from a text; `InputError` where it is no table."""
         found = parse_table(text)
         self.convention, self.notes = found.convention, found.notes
-        self.rows = self._typed(found.rows)
+        self.rows, self.flange = self._typed(found.rows), found.flange
 
     def command(self) -> NewArm | None:
         """Return the command that puts the arm on the table; None if something is wrong, which the rows say then."""
         rows = [self._read(i) for i in range(len(self.rows))]
         whole = tuple(row for row in rows if row is not None)
-        return NewArm(whole, self.convention, self.name.strip()) if len(whole) == len(rows) else None
+        return NewArm(whole, self.convention, self.name.strip(), self.flange) if len(whole) == len(rows) else None
 
     def set_name(self, text: str) -> None:
         """Name the arm."""
