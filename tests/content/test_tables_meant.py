@@ -157,3 +157,52 @@ def test_a_first_row_as_in_craig_is_a_hint_only():
     assert pasted.convention == "standard"
     assert pasted.notes[0].endswith("a and alpha of the first row are 0, as in Craig's: switch if it is his.")
     assert parse_table("DH (standard)\n" + FRANKA).convention == "standard"
+
+
+# --- Files and programs
+
+LINKS = """% Peter Corke's toolbox, first figures of a PUMA
+L(1) = Link([0 0.6718 0 pi/2]);
+L(2) = Link([ 0, 0, 0.4318, 0, 0, -pi/2 ]);  % with an offset
+L(3) = Link([pi/2 0 0.02 -pi/2 1 0.1]);
+bot = SerialLink(L, 'name', 'half');"""
+
+
+def test_links_of_a_toolbox_are_read_in_its_order_and_convention():
+    pasted = parse_table(LINKS)
+    assert (pasted.convention, pasted.notes) == ("standard", ())
+    same(pasted, [("R", 0, H, 0.6718, 0), ("R", 0.4318, 0, 0, -H), ("P", 0.02, -H, 0.1, H)])
+    modified = parse_table(LINKS.replace("]);", "], 'modified');"))
+    assert modified.convention == "modified"
+    assert modified.rows == pasted.rows
+
+
+FORMS = "paste its Denavit-Hartenberg table instead, a row with a, alpha, d, theta for each joint: from a spreadsheet"
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        (
+            '<robot name="x"><joint name="j1" type="revolute"/></robot>',
+            f"a URDF or another file in XML is not .*{FORMS}",
+        ),
+        ('<?xml version="1.0"?>\n<robot name="x">\n</robot>', f"a URDF or another file in XML is not read; {FORMS}"),
+        ('body = rigidBody("body1");\nsetFixedTransform(jnt1,dh(1,:),"dh");', f"only Link.* is read; {FORMS}"),
+        ("robot = DHRobot([RevoluteDH(d=0.67, alpha=pi/2)])", f"only Link.* is read; {FORMS}"),
+        ("L(1) = Link('d', 0.4, 'a', 0, 'alpha', pi/2);", f"only Link.* is read; {FORMS}"),
+        ("L(1) = Link([0 0.4 0]);", "link 1: expected theta, d, a, alpha, perhaps sigma and offset, got 3 numbers"),
+        ("Link([0 0 1 0 2])", r"link 1: expected sigma 0 \(turns\) or 1 \(slides\), got '2'"),
+        ("Link([0 0 1 0])\nLink([0 0 1 0], 'modified')", "expected all links in one convention"),
+        ("a (in),alpha (deg),d (in),theta (deg)\n12,0,0,q1", r"column a: expected m, cm or mm, got 'a \(in\)'"),
+        ("a,alpha [grad],d,theta\n12,0,0,q1", r"column alpha: expected deg or rad, got 'alpha \[grad\]'"),
+    ],
+)
+def test_other_files_programs_and_units_are_refused_with_what_can_be_pasted(text, says):
+    with pytest.raises(InputError, match=says):
+        parse_table(text)
+
+
+def test_words_of_programs_may_stand_in_a_table():
+    text = "Link (number),a,alpha,d,theta,type\n1,0.3,90,0,q1,Revolute\n2,0.2,0,0,q2,Revolute"
+    same(parse_table(text), [("R", 0.3, H, 0, 0), ("R", 0.2, 0, 0, 0)])

@@ -6,6 +6,7 @@ import csv
 import re
 from dataclasses import dataclass, replace
 
+from armlab.content.table_programs import read_links, refuse_other_files
 from armlab.errors import InputError
 
 LONGEST = 20_000
@@ -71,13 +72,17 @@ def read_grid(text: str) -> Grid:
     Raises
     ------
     InputError
-        There is none.
+        There is none, or it stands in a file or a program that is not read.
     """
     if len(text) > LONGEST:
         raise InputError(f"the table: expected at most {LONGEST} characters, got {len(text)}")
     text = text.replace("\r\n", "\n").replace("\r", "\n").strip("\n\ufeff ")
     if not text.strip():
         raise InputError("the table: expected one row for each joint, got nothing")
+    refuse_other_files(text)
+    links = read_links(text)
+    if links is not None:
+        return Grid(links[0], said=links[1])
     said, named = _conventions(text)
     return replace(_cells(text), said=said, named=named)
 

@@ -24,6 +24,7 @@ _NAMES = {
     "limits": r"limits?|q-|q\+|qmin|qmax|min|max|range|jointlimits?|qlim|home|name|mass|description|notes?|speed",
 }
 _INDEX = r"(?P<index>[ijknm](?P<before>-1)?|i\+1)?"
+_FOREIGN = re.compile(r"[\[(/,_ ]\s*(in(?:ch(?:es)?)?|ft|feet|foot|[uµμ]m|dm|km|grad|gon|turns?|rev)\s*[\])]?\s*$")
 _UNIT = re.compile(r"(?:[\[(,/_ ]|\bin )\s*(deg(?:rees?)?|°|rad(?:ians?)?|mm|cm|m)\s*[\])]?\s*$")
 
 
@@ -61,7 +62,17 @@ def _column(cell: str) -> Column:
         match = re.fullmatch(f"(?P<name>{names}){_INDEX}", bare)
         if match:
             return Column(role, unit_named(unit[1]) if unit else "", match["index"] or "", cell, match["name"])
+    _refuse_unit(cell, text)
     return Column("", "", "", cell)
+
+
+def _refuse_unit(cell: str, text: str) -> None:
+    """Refuse a column a, alpha, d or theta in a unit that is not read."""
+    unit = _FOREIGN.search(text)
+    role = _column(text[: unit.start()]).role if unit else ""
+    if role in DH:
+        units = "m, cm or mm" if role in ("a", "d") else "deg or rad"
+        raise InputError(f"the header: column {role}: expected {units}, got {cell!r}")
 
 
 def _with_r(columns: tuple[Column, ...]) -> tuple[Column, ...]:

@@ -29,7 +29,7 @@ PRESENT = "saved"
 
 HELP = (
     "CSV, Markdown, LaTeX or a robot file. A cell such as q1, θ₁* or q2 + 90° is the joint variable; "
-    "lengths are in m or mm."
+    "lengths are in m, cm or mm."
 )
 
 

@@ -1,0 +1,72 @@
+"""Arms written as programs or in files of other software: what of it is read as a table, and what to paste instead."""
+
+from __future__ import annotations
+
+import re
+
+from armlab.errors import InputError
+
+Lines = tuple[tuple[str, ...], ...]
+
+INSTEAD = (
+    "paste its Denavit-Hartenberg table instead, a row with a, alpha, d, theta for each joint: from a spreadsheet, "
+    "CSV, Markdown or LaTeX"
+)
+
+_OF_LINK = ("theta", "d", "a", "alpha", "sigma", "offset")
+_XML = re.compile(r"<(?:\?xml|!--|robot|sdf|mujoco)", re.IGNORECASE)
+_LINK = re.compile(r"(?<!\w)Link\s*\(\s*\[([^\]]*)\]([^)\n]*)\)")
+_PROGRAM = re.compile(
+    r"\b(?:rigidBody\w*|setFixedTransform|SerialLink|DHRobot)\("
+    r"|\b(?:Link|DHLink|(?:Revolute|Prismatic)(?:M?DH)?)\(\s*(?:['\"]\w+['\"]\s*,|\w+\s*=)"
+)
+"""A call that makes a link or an arm, in toolboxes of MATLAB and Python."""
+
+
+def refuse_other_files(text: str) -> None:
+    """Raise `InputError` for a URDF or another description of a robot in XML."""
+    if _XML.match(text):
+        raise InputError(f"the table: a URDF or another file in XML is not read; {INSTEAD}")
+
+
+def read_links(text: str) -> tuple[Lines, str] | None:
+    """Return the table of ``Link([theta d a alpha sigma offset])`` in Peter Corke's toolbox, and its convention.
+
+    The toolbox ignores the number of the joint variable, theta or d: what counts is the offset.
+
+    Returns
+    -------
+    tuple or None
+        Lines with a header, and ``"standard"`` or ``"modified"``; None for a text that is no program.
+
+    Raises
+    ------
+    InputError
+        Another program, a link with too few numbers, or links of both conventions.
+
+    >>> read_links("L(1) = Link([0 0.4 0.1 -pi/2], 'modified');")[1]
+    'modified'
+    """
+    code = re.sub(r"%[^\n]*|\.\.\.[^\n]*\n", " ", text)
+    links = list(_LINK.finditer(code))
+    if not links:
+        if _PROGRAM.search(code):
+            raise InputError(f"the table: of programs only Link([theta d a alpha]) is read; {INSTEAD}")
+        return None
+    said = {"modified" if re.search(r"""['"]mod""", link[2]) else "standard" for link in links}
+    if len(said) > 1:
+        raise InputError("the table: expected all links in one convention, got some with 'modified' and some without")
+    header = ("theta [rad]", "d", "a", "alpha [rad]", "type")
+    return (header, *(_row(i, link[1]) for i, link in enumerate(links, start=1))), said.pop()
+
+
+def _row(i: int, inside: str) -> tuple[str, ...]:
+    cells = [cell for cell in re.split(r"[\s,]+", inside) if cell]
+    if not 4 <= len(cells) <= len(_OF_LINK):
+        names = ", ".join(_OF_LINK[:4])
+        raise InputError(f"link {i}: expected {names}, perhaps sigma and offset, got {len(cells)} numbers: {inside!r}")
+    theta, d, a, alpha, sigma, offset = [*cells, "0", "0"][: len(_OF_LINK)]
+    if sigma not in ("0", "1"):
+        raise InputError(f"link {i}: expected sigma 0 (turns) or 1 (slides), got {sigma!r}")
+    variable = f"q{i} + ({offset})"
+    return (theta, variable, a, alpha, "P") if sigma == "1" else (variable, d, a, alpha, "R")
