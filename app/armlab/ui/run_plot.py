@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Callable, Sequence
 from functools import partial
+from html import unescape
 from typing import Any, cast
 
 import numpy as np
@@ -13,7 +15,7 @@ from numpy.typing import NDArray
 
 from armlab.session.state import Post
 from armlab.ui.colours import RUN_COLOURS
-from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.plot import NOTHING, Curve, Plot
 from armlab.ui.widgets import Gui
 
@@ -26,6 +28,16 @@ Array = NDArray[np.float64]
 
 Values = Callable[[Any], Array | None]
 """Function that returns the curve of a run, or None if it has none."""
+
+
+def in_words(markup: Inside) -> str:
+    """Return the words of markup, without its formulas.
+
+    >>> in_words(tag("span", "Smallest ", tag("math", "s"), ", m"))
+    'Smallest, m'
+    """
+    text = re.sub(r"<math.*?</math>", "", joined(markup), flags=re.DOTALL)
+    return re.sub(r"\s+(?=,|$)", "", unescape(re.sub(r"<[^>]+>", "", text)))
 
 
 class _Noted:
@@ -73,7 +85,7 @@ class RunPlot(Plot):
         self._there: tuple[int, ...] = ()
         curves = [Curve(f"run {i + 1}", colour) for i, colour in enumerate(RUN_COLOURS)]
         # The list of runs above is the legend; the plot's own would name runs that are not there.
-        self._title = title
+        self._title, self._unit = title, ""
         super().__init__(cast(Gui, self._noted), self._heading(""), "", curves, file, height=HEIGHT, clip=clip)
 
     def _heading(self, unit: str) -> Markup:
@@ -81,6 +93,7 @@ class RunPlot(Plot):
 
     def name_unit(self, unit: str) -> None:
         """Set the unit of the quantity; none for a pure number."""
+        self._unit = unit
         self.name(self._heading(unit))
 
     def visible(self, on: bool) -> None:
@@ -112,10 +125,11 @@ class RunPlot(Plot):
             self._handle.scales = scales
 
     def csv(self) -> str:
-        """Return the curves of the present runs, with a name for each."""
+        """Return the curves of the present runs, each with the number of the run, the quantity and its unit."""
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
-        writer.writerow([self._x, *(f"run {i + 1}" for i in self._there)])
+        quantity = in_words(self._heading(self._unit))
+        writer.writerow([self._x, *(f"run {i + 1}: {quantity}" for i in self._there)])
         columns = [self._table[k].tolist() for k in (0, *(1 + i for i in self._there))] if self._table else []
         writer.writerows(zip(*columns, strict=True))
         return text.getvalue()

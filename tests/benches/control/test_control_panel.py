@@ -185,6 +185,7 @@ def test_plots_change_with_the_view_and_are_saved(url):
         name, content = next(iter(browser.downloads.items()))
         rows = list(csv.reader(io.StringIO(content.decode())))
         assert name.endswith(".csv")
+        assert rows[0][:2] == ["t, s", "run 1: Error of the position, mm"]
         assert len(rows) > 100
         await browser.close()
 

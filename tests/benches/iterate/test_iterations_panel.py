@@ -126,7 +126,8 @@ def test_the_curves_are_saved_for_the_runs_there_are(url):
         await browser.press("csv")
         await browser.until(lambda: browser.downloads.get("position_error.csv", b"").count(b"\n") > 60)
         rows = list(csv.reader(io.StringIO(browser.downloads["position_error.csv"].decode())))
-        assert rows[0] == ["iterate", "run 1", "run 2"]
+        quantity = "log₁₀ of the position error in m"
+        assert rows[0] == ["iterate", f"run 1: {quantity}", f"run 2: {quantity}"]
         film = with_films(apply(State.initial(catalogue()["planar_2r"]), ChooseExample("step_size")))[Iterations].film
         assert float(rows[1][1]) == pytest.approx(-0.139, abs=0.2)
         assert 10.0 ** float(rows[4][1]) == pytest.approx(film.position_error[3], rel=1e-12)

@@ -254,7 +254,8 @@ def test_the_curves_are_plotted_with_their_knots_and_saved(url):
         await browser.press("csv")
         await browser.until(lambda: browser.downloads.get("q.csv", b"").count(b"\n") > 400)
         rows = list(csv.reader(io.StringIO(browser.downloads["q.csv"].decode())))
-        assert rows[0] == ["t, s", "Cubic with end velocities", "Quintic with end velocities and accelerations"]
+        names = "Cubic with end velocities", "Quintic with end velocities and accelerations"
+        assert rows[0] == ["t, s", *(f"{name}: q, rad" for name in names)]
         middle = min(rows[1:], key=lambda row: abs(float(row[0]) - 1.0))
         np.testing.assert_allclose([float(value) for value in middle], [1.0, 2.5, 2.5], rtol=0, atol=0.02)
         await browser.close()

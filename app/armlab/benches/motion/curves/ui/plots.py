@@ -38,7 +38,7 @@ class CurvePlot(Plot):
 
     def __init__(self, gui: Gui, order: int, of: str) -> None:
         self.order = order
-        self._titles: tuple[str, ...] = ()
+        self._titles, self._quantity = tuple[str, ...](), self._heading(of)
         curves = [Curve(f"curve {i + 1}", colour) for i, colour in enumerate(COLOURS)]
         red = [Curve("beyond the limit", VERDICT["no"], 3.5, dots=True) for _ in COLOURS] if QUANTITIES[order] else []
         dots = [Curve("knots", GREY, 6.0, dots=True)] if order == 0 else []
@@ -66,7 +66,8 @@ class CurvePlot(Plot):
         every : sequence of (Made, ndarray, violations)
             Each with its values of this derivative, (N,).
         """
-        self.name(self._heading(part.unit))
+        self._quantity = self._heading(part.unit)
+        self.name(self._quantity)
         nothing = np.full(len(t), np.nan)
         curves: list[Array] = [nothing] * MOST_CURVES
         red: list[Array] = [nothing] * MOST_CURVES
@@ -104,10 +105,10 @@ class CurvePlot(Plot):
         return found and found.with_names(names)
 
     def csv(self) -> str:
-        """Return the computed curves, with their names."""
+        """Return the computed curves, with their names, the quantity and its unit."""
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
-        writer.writerow([self._x, *self._titles])
+        writer.writerow([self._x, *(f"{title}: {self._quantity}" for title in self._titles)])
         columns = [self._table[0].tolist(), *(self._table[1 + i].tolist() for i in self._columns)]
         writer.writerows(zip(*columns, strict=True))
         return text.getvalue()
