@@ -31,6 +31,9 @@ from armlab.benches.motion.plan.words import judged
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.rotations import rotation_about, rotation_from_sequence
+from armlab.kin.transforms import transform
+from armlab.session.edits import PasteTable, SetEnd
 from armlab.session.history import History
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State, apply
@@ -80,6 +83,18 @@ def test_a_box_rests_goes_with_the_hand_and_rests_again(robot):
     for time in np.linspace(opens, planned.duration, 5):
         assert np.allclose(places_at(state, time)[0], state[Pick].goal, atol=1e-4)
         assert state.derived(course_of).held(time) is None
+
+
+@pytest.mark.parametrize("turn", [(0, 0, 90), (0, 90, 0), (30, 0, 40)])
+def test_an_own_scara_with_a_turned_base_and_a_tool_has_little_room_and_brings_its_box(turn):
+    """Its stroke of 1 m makes boxes and lifts large, and its flange is only 0.19 m above its foot."""
+    table = "a,alpha,d,theta\n325,0,200,q1\n225,180,0,q2\n0,0,d3+10,0\n0,0,0,q4"
+    base = transform(rotation_from_sequence("xyz", np.radians(turn), fixed=True), [0.2, -0.1, 0.5])
+    tool = transform(rotation_about("z", 0.5), [0.05, 0.0, 0.02])
+    state = set_up("puma560", PasteTable(table), SetEnd("base", base), SetEnd("tool", tool), PickAndPlace())
+    assert judged(planned_now(state)).kind == "ok"
+    assert placed(state) == 1
+    assert told(state).kind == "ok"
 
 
 def test_scrubbed_backwards_everything_is_where_it_was():

@@ -30,8 +30,9 @@ MOST_BOXES = 3
 BOX = 0.1
 """Edge of a box, in length scales of the arm."""
 
-LIFTS = (0.4, 0.25, 0.15)
-"""Ways back from a box, in length scales of the arm: the first that the arm can go is taken."""
+LIFTS, LOW_LIFTS = (0.4, 0.25, 0.15), (0.1, 0.07)
+"""Ways back from a box, in length scales of the arm: the first that the arm can go is taken, low ones where it can go
+no other anywhere. A SCARA with a long stroke has little room between its flange and the table."""
 
 HEIGHTS = (0.5 * BOX, 0.2, 0.4, 0.7)
 RADII = (1.0, 0.8, 1.2, 0.6)
@@ -96,9 +97,10 @@ def table_of(robot: Robot) -> Table:
             f"boxes for it"
         )
     home = np.array(robot.home, dtype=float)
-    for down, (boxes, goal, back) in itertools.product(_orientations(arm), _places(arm, home)):
+    tried = itertools.product((LIFTS, LOW_LIFTS), _orientations(arm), _places(arm, home))
+    for lifts, down, (boxes, goal, back) in tried:
         hand = Hand(arm, home, down)
-        found = _brought(hand, boxes[0], goal, back)
+        found = _brought(hand, boxes[0], goal, back, lifts)
         if found is None:
             continue
         near = np.array(found[1].q)
@@ -176,12 +178,12 @@ def _reached(arm: Arm, pose: Floats, near: Floats) -> Floats | None:
     return found.q if found.success else None
 
 
-def _brought(hand: Hand, box: Floats, goal: Floats, back: Floats) -> list[Waypoint] | None:
+def _brought(hand: Hand, box: Floats, goal: Floats, back: Floats, lifts: tuple[float, ...]) -> list[Waypoint] | None:
     """Return the waypoints above a box, at the box, above the goal and at the goal, or None if one is not reached."""
     at_box = _reached(hand.arm, hand.at(box), hand.home)
     if at_box is None or _reached(hand.arm, hand.at(goal), at_box) is None:
         return None
-    for lift in LIFTS:
+    for lift in lifts:
         poses = [hand.at(place) for place in (box + lift * back, box, _over(hand.arm, goal, lift * back), goal)]
         found = _chain(hand.arm, poses, at_box)
         if found is not None:
