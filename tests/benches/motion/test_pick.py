@@ -1,12 +1,14 @@
 """Pick and place: boxes that the gripper carries, a function of the time in the plan, for every arm that can do it."""
 
 import itertools
+import json
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from armlab.benches.motion.files.commands import ReadMotion
+from armlab.benches.motion.files.commands import ReadMotion, ReadPlan
+from armlab.benches.motion.files.read import plan_json
 from armlab.benches.motion.pick.course import CLOSING, GRASP
 from armlab.benches.motion.pick.facts import FACTS
 from armlab.benches.motion.pick.state import (
@@ -226,6 +228,21 @@ def test_facts_tell_lessons_what_the_planned_motion_does_with_the_boxes():
     assert facts["waits"] == pytest.approx(0.8)
     unplanned = apply(state, SetAtWaypoint(1, "wait", 1.0))
     assert FACTS.facts["placed"].now(unplanned).value is None
+
+
+def test_a_plan_in_a_file_brings_its_boxes_along():
+    state = set_up("scara", MoveBox(0, 2, 0.04), SelectBox(1))
+    text = plan_json(state)
+    assert "selected" not in json.loads(text)["pick"]
+    other = with_planned(apply(State.initial(catalogue()["puma560"]), ReadPlan(text)))
+    assert (other[Pick].boxes, other[Pick].goal) == (state[Pick].boxes, state[Pick].goal)
+    assert told(other) == told(state)
+    assert plan_json(other) == text
+    with pytest.raises(InputError, match="box 1: expected three finite numbers"):
+        apply(state, ReadPlan(text.replace("0.04", '"up"')))
+    without = json.loads(plan_json(State.initial(catalogue()["scara"])))
+    assert "pick" not in without
+    assert apply(state, ReadPlan(json.dumps(without)))[Pick].boxes == state[Pick].boxes
 
 
 def test_boxes_are_saved_and_go_with_their_arm():

@@ -13,6 +13,7 @@ from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.files.read import FORMAT, VERSION
 from armlab.benches.motion.files.table import MOST_BYTES, read_table, refuse_unreadable
 from armlab.benches.motion.files.thin import evenly, farthest
+from armlab.benches.motion.pick.state import Pick
 from armlab.benches.motion.plan.commands import PlanCommand, edited, with_plan
 from armlab.benches.motion.plan.moves import MOST_WAYPOINTS, Move, Waypoint, checked_q
 from armlab.benches.motion.plan.read import too_many
@@ -60,7 +61,7 @@ class ReadMotion(PlanCommand):
 
 @dataclass(frozen=True)
 class ReadPlan(PlanCommand):
-    """Replace the plan by one from a file; a plan of another arm also loads that arm."""
+    """Replace the plan by one from a file, with its boxes if it has some; a plan of another arm also loads that arm."""
 
     text: str
     label: ClassVar[str] = "plan from a file"
@@ -157,6 +158,8 @@ def _with_file(state: State, data: Json) -> State:
     whole = {**written, "before": None} if isinstance(written, dict) else written
     plan = Plan.from_json(whole, state[RobotPart].robot)
     _refuse_outside(plan, written["waypoints"])
+    if data.get("pick") is not None:
+        state = state.replace(Pick.from_json(data["pick"], state[RobotPart].robot))
     old = state[Plan]
     # Until this plan is worked out, the last one of the arm is drawn and played, as after every other change.
     return with_plan(state, replace(plan, before=old.before, planned=old.planned, other=old.other))

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.motion.pick.state import Pick
 from armlab.benches.motion.plan.question import Grip
 from armlab.benches.motion.plan.state import Plan
 from armlab.errors import InputError
@@ -113,7 +114,7 @@ def table_text(names: Sequence[str], table: Floats, decimals: Sequence[int]) -> 
 
 
 def plan_json(state: State) -> str:
-    """Return the plan of a state with its arm, for `ReadPlan`.
+    """Return the plan of a state with its arm, and boxes and goal where there are some, for `ReadPlan`.
 
     Raises
     ------
@@ -122,5 +123,7 @@ def plan_json(state: State) -> str:
     """
     plan = {key: value for key, value in state[Plan].to_json().items() if key not in OF_THE_SCREEN}
     data = {"format": FORMAT, "version": VERSION, "robot": state[RobotPart].to_json(), "plan": plan}
+    if state[Pick].boxes:
+        data["pick"] = {key: value for key, value in state[Pick].to_json().items() if key not in Pick.looks}
     # Line by line a person can read it; thousands of samples nobody reads.
     return json.dumps(data, indent=None if state[Plan].recorded else 1, ensure_ascii=False) + "\n"
