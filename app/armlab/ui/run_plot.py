@@ -36,7 +36,7 @@ def in_words(markup: Inside) -> str:
     >>> in_words(tag("span", "Smallest ", tag("math", "s"), ", m"))
     'Smallest, m'
     """
-    text = re.sub(r"<math.*?</math>", "", joined(markup), flags=re.DOTALL)
+    text = re.sub(r"(?s)<math.*?</math>", "", joined(markup))
     return re.sub(r"\s+(?=,|$)", "", unescape(re.sub(r"<[^>]+>", "", text)))
 
 
