@@ -27,11 +27,10 @@ from armlab.teaching.parts.shelf import BackFromShared, OpenShared
 from armlab.teaching.preview_commands import PreviewLesson
 from armlab.ui.door import Door
 from armlab.ui.speech import Speech, speech_in
-from armlab.window.script_words import SCRIPT_WORDS
 from support.docks import LESSON, BareDock, every_dock
 from support.fake_browser import cookie_of
 from support.saying import Listener, every_kind_of_arm, every_page, known_before, stale
-from support.sources import PACKAGE, TOP
+from support.sources import TOP
 from support.student import run, settled, student
 
 MOST_MISSING = 0.002
@@ -40,19 +39,6 @@ MOST_MISSING = 0.002
 PUMA = catalogue()["puma560"]
 LESSONS = ("first_arm", "joint_types", "forward_2r", "ik_2r", "skeleton")
 OTHERS = keys()[1:]
-
-IN_SCRIPT = re.compile(
-    r"""(?<=[`'>}])(?!\.)([^`'"<>=()\[\];$#\n]*[A-Za-z]{2,} [a-z]{2,}[^`'"<>=()\[\];$#\n]*)(?=[`'<$])"""
-)
-"""A text in a script that has words."""
-
-READ_ALOUD = re.compile(
-    r"""\b(?:aria-label|title|placeholder|alt)="(\w[^"$]*)"|\baria(?:Label|ValueText)[:=] *['"](\w[^'"]*)"""
-)
-"""A text in a script, of one word or more, that is shown under the pointer or read aloud as it stands."""
-
-NOT_SAID = {"use strict", "nothing was copied", "The lab is starting …"}
-"""Texts in scripts that no person reads, or before the language is known."""
 
 
 def asked_for(url, cookie, language):
@@ -119,27 +105,6 @@ def test_pages_are_translated_with_arms_of_every_kind(language):
 def test_the_tasks_of_arms_are_translated(language):
     titles = {robot.arm.task.title for robot in catalogue().robots.values()}
     assert [title for title in titles if words_in(language)(title) == title] == []
-
-
-def test_the_texts_of_scripts_stand_in_scripts():
-    scripts = "".join(file.read_text(encoding="utf-8") for file in (PACKAGE / "front/static").glob("*.js"))
-    assert [text for text in SCRIPT_WORDS if text not in scripts] == []
-
-
-def test_scripts_say_no_words_but_those_that_are_translated():
-    for file in (PACKAGE / "front/static").glob("*.js"):
-        code = re.sub(r"^\s*//.*|\s// .*", "", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
-        unknown = {said for said in IN_SCRIPT.findall(code) if said not in SCRIPT_WORDS}
-        assert unknown <= NOT_SAID, file.name
-        assert READ_ALOUD.findall(code) == [], file.name
-
-
-@pytest.mark.parametrize("language", OTHERS)
-def test_what_scripts_say_of_something_is_translated_with_a_place_for_its_name(language):
-    for text in SCRIPT_WORDS:
-        said = speech_in(language).text(text)
-        assert said != text
-        assert placeholders(said) == placeholders(text)
 
 
 @pytest.mark.parametrize("key", LESSONS)

@@ -350,12 +350,11 @@ def observed(state: State) -> Observation:
     """Return the observation for the check of the shown step."""
     part = state[LessonPart]
     joints, progress, asked = state[Joints], part.progress, part.asked
-    target = state[Target].pose
     return Observation(
         arm=joints.arm,
         q=joints.q,
         tool_pose=np.asarray(joints.tool_pose, dtype=np.float64),
-        target=target,
+        target=state[Target].pose,
         seconds=progress.seconds(state.at),
         switches=frozenset(name for name, on in state[Display].switches.items() if on),
         panel=_panel_seen(state),
