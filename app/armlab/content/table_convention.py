@@ -42,7 +42,7 @@ def concluded(
     """Return the convention, with a note unless a title states it.
 
     Where the text tells none it is the default, or the other one if with the default two joints in a row would do the
-    same: no arm is built like that, and in Craig's tables the first row has a = 0 and alpha = 0.
+    same: hardly an arm is built like that, and in Craig's tables the first row has a = 0 and alpha = 0.
 
     Parameters
     ----------
