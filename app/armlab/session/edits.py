@@ -219,10 +219,13 @@ class PasteTable(Command):
     text : str
     file : str, optional
         Name of the robot file in messages.
+    convention : "standard" or "modified"
+        That of a table which does not tell its own; see `parse_table`.
     """
 
     text: str
     file: str = "pasted file"
+    convention: str = "standard"
     label: ClassVar[str] = "pasted table"
 
     def apply(self, state: State) -> State:
@@ -240,7 +243,7 @@ class PasteTable(Command):
             with located(self.file, "", self.text, 1):
                 robot = parse_robot(OWN, self.text, self.file, proven=False)
         else:
-            pasted = parse_table(self.text)
+            pasted = parse_table(self.text, self.convention)
             tool = _tool_of(pasted.flange, pasted.convention)
             robot = own_robot(Arm.from_dh(pasted.rows, pasted.convention, tool=tool, name=PASTED), PASTED, None)
             robot = replace(robot, summary=" ".join(pasted.notes) or robot.summary)

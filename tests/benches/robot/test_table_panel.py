@@ -4,6 +4,7 @@ import asyncio
 import json
 import math
 import re
+from html import unescape
 
 import numpy as np
 import pytest
@@ -354,6 +355,29 @@ def test_the_cells_stay_in_place_while_the_table_is_edited(url):
         await browser.press("dh-6-add")
         await browser.until(lambda: 'data-cell="dh-7-a"' in browser.html())
         assert channel() == before
+        await browser.close()
+
+    run(main())
+
+
+def test_a_pasted_table_is_read_anew_in_the_other_convention(url):
+    text = "a, alpha, d, theta\n0.3, 90, 0.2, q1\n0.25, 0, 0, q2"
+
+    def heading(browser):
+        return unescape(re.search(r'<p class="dim">(Read as .*?)</p>', browser.html())[1])
+
+    async def main():
+        browser = await at_the_table(url)
+        await browser.press("paste", text)
+        await browser.press("apply")
+        await browser.until(lambda: "Read as standard (Siciliano)" in browser.html())
+        assert "switch if your book is Craig's" in heading(browser)
+        await browser.press("read-as modified")
+        await browser.press("apply")
+        await browser.until(lambda: "Read as modified (Craig)" in browser.html())
+        assert "switch if your book is Siciliano's" in heading(browser)
+        assert value_of(browser, "dh-2-a") == "250"
+        assert text in unescape(browser.html())  # the text stays for another try
         await browser.close()
 
     run(main())

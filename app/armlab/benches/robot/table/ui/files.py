@@ -32,6 +32,13 @@ HELP = (
     "lengths are in m, cm or mm."
 )
 
+READ_AS = (
+    "A table that does not tell its convention is read in the one that is chosen here; choose the other one and press "
+    "Apply again to switch."
+)
+
+CONVENTIONS = {"standard": "Standard (Siciliano⟦, notes⟧)", "modified": "Modified (Craig)"}
+
 
 def files_markup(form: Form, robot: Robot, units: Units, save: Callable[[], None]) -> Inside:
     """Return the buttons that save, load and copy."""
@@ -80,7 +87,7 @@ class PasteBox:
     """A field for a whole table, with its button."""
 
     def __init__(self, form: Form) -> None:
-        self._form, self._text = form, ""
+        self._form, self._text, self._convention = form, "", "standard"
         self.show()
 
     def show(self) -> None:
@@ -89,9 +96,16 @@ class PasteBox:
         looks = {"rows": "5", "spellcheck": "false", "aria_label": "table", "placeholder": EXAMPLE}
         form.show(
             tag("textarea.paste", self._text, **looks, **form.bound("paste", self._keep)),
-            tag("div.bar", form.chip("apply", "Apply", lambda: PasteTable(self._text))),
+            row("Read as", form.chips("read-as", CONVENTIONS, self._convention, "", self._choose)),
+            tag("div.bar", form.chip("apply", "Apply", lambda: PasteTable(self._text, convention=self._convention))),
             tag("p.dim", HELP),
+            tag("p.dim", READ_AS),
         )
+
+    def _choose(self, convention: str) -> tuple[Command, ...]:
+        self._convention = convention
+        self.show()
+        return ()
 
     def _keep(self, text: str) -> tuple[Command, ...]:
         """Keep the typed text; nothing is sent again, since the button may be pressed at once."""

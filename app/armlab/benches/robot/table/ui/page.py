@@ -6,7 +6,7 @@ from armlab.benches.robot.table.state import Point
 from armlab.benches.robot.table.ui.editor import DhEditor
 from armlab.benches.robot.table.ui.ends import ends_markup, point_line
 from armlab.benches.robot.table.ui.facts import Facts, axes_section, closed_form_card, facts_of
-from armlab.benches.robot.table.ui.files import PasteBox, files_markup, save
+from armlab.benches.robot.table.ui.files import CONVENTIONS, PasteBox, files_markup, save
 from armlab.content.robots import Robot
 from armlab.kin.convert import Link
 from armlab.kin.dh import Convention
@@ -22,7 +22,6 @@ from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui, Html
 
-CONVENTIONS = {"standard": "Standard (Siciliano⟦, notes⟧)", "modified": "Modified (Craig)"}
 HINT = "Write the same arm in the other convention"
 BACK = "Restore the table of the file"
 TASK_CHANGED = "The task cannot be expressed in the axes of the new frame 0; it is now"
