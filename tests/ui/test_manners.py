@@ -96,7 +96,7 @@ def test_a_notice_is_told_once(url):
     async def main():
         cookie = cookie_of(url + "robot/puma56")
         browser = await student(url, cookie)
-        await browser.until(lambda: any("did you mean 'puma560'" in text for text in browser.notices))
+        await browser.until(lambda: any("Did you mean /robot/puma560?" in text for text in browser.notices))
         await browser.close()
         again = await student(url, cookie)
         await asyncio.sleep(0.5)

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Callable
-from itertools import zip_longest
 
+from armlab.ui.columns import csv_of
 from armlab.ui.form import Form, Pressed
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.tray_picture import Picture
@@ -65,9 +63,6 @@ class LargeChart:
         picture = self.picture()
         if picture is None:
             return
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        writer.writerow([name for each in picture.drawn for name in (picture.x, each.curve.name)])
-        columns = [column.tolist() for each in picture.drawn for column in (each.x, each.y)]
-        writer.writerows(zip_longest(*columns, fillvalue=""))
-        self._gui.save(f"{self.file}.csv", text.getvalue())
+        names = [name for each in picture.drawn for name in (picture.x, each.curve.name)]
+        columns = [column for each in picture.drawn for column in (each.x, each.y)]
+        self._gui.save(f"{self.file}.csv", csv_of(names, columns))

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, cast
 
@@ -12,6 +10,7 @@ from numpy.typing import NDArray
 
 from armlab.session.state import Command
 from armlab.ui.colours import VERDICT, css
+from armlab.ui.columns import csv_of
 from armlab.ui.curve import Curve as Curve
 from armlab.ui.format import dot
 from armlab.ui.html import Inside, tag
@@ -220,11 +219,7 @@ class Plot:
 
     def csv(self) -> str:
         """Return the curves as comma-separated values, with all points, and with names and units in the first line."""
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        writer.writerow([self._x, *(curve.name for curve in self._curves)])
-        writer.writerows(zip(*(column.tolist() for column in self._table), strict=True))
-        return text.getvalue()
+        return csv_of([self._x, *(curve.name for curve in self._curves)], self._table)
 
 
 def _with_gaps(column: NDArray[np.float64]) -> NDArray[np.float64] | list[float | None]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -15,6 +13,7 @@ from numpy.typing import NDArray
 
 from armlab.session.state import Post
 from armlab.ui.colours import RUN_COLOURS
+from armlab.ui.columns import csv_of
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.plot import NOTHING, Curve, Plot
 from armlab.ui.widgets import Gui
@@ -126,10 +125,6 @@ class RunPlot(Plot):
 
     def csv(self) -> str:
         """Return the curves of the present runs, each with the number of the run, the quantity and its unit."""
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
         quantity = in_words(self._heading(self._unit))
-        writer.writerow([self._x, *(f"run {i + 1}: {quantity}" for i in self._there)])
-        columns = [self._table[k].tolist() for k in (0, *(1 + i for i in self._there))] if self._table else []
-        writer.writerows(zip(*columns, strict=True))
-        return text.getvalue()
+        columns = [self._table[k] for k in (0, *(1 + i for i in self._there))] if self._table else []
+        return csv_of([self._x, *(f"run {i + 1}: {quantity}" for i in self._there)], columns)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Sequence
 
 import numpy as np
@@ -15,6 +13,7 @@ from armlab.benches.motion.curves.ui.words import COLOURS, SYMBOLS, unit
 from armlab.kin.motion.peaks import Violation
 from armlab.session.state import State
 from armlab.ui.colours import GREY, VERDICT
+from armlab.ui.columns import csv_of
 from armlab.ui.plot import NOTHING, Curve, Plot
 from armlab.ui.tray_picture import Picture
 from armlab.ui.widgets import Gui
@@ -106,12 +105,8 @@ class CurvePlot(Plot):
 
     def csv(self) -> str:
         """Return the computed curves, with their names, the quantity and its unit."""
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        writer.writerow([self._x, *(f"{title}: {self._quantity}" for title in self._titles)])
-        columns = [self._table[0].tolist(), *(self._table[1 + i].tolist() for i in self._columns)]
-        writer.writerows(zip(*columns, strict=True))
-        return text.getvalue()
+        columns = [self._table[0], *(self._table[1 + i] for i in self._columns)]
+        return csv_of([self._x, *(f"{title}: {self._quantity}" for title in self._titles)], columns)
 
     _columns: tuple[int, ...] = ()
 

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,6 +12,7 @@ from armlab.kin.motion import Law
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 from armlab.ui.colours import VERDICT, css
+from armlab.ui.columns import csv_of
 from armlab.ui.format import mathml
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.plot import NOTHING, TIME, Curve, Plot
@@ -106,17 +104,12 @@ class LawPlot(Plot):
 
     def csv(self) -> str:
         """Return the laws at equal steps of time, by which differences can be divided; empty after the end of a law."""
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
         if self._part is None:
             return ""
         say = speech_in(self._gui.language).text
         t = np.round(np.linspace(0.0, self._part.end, STEPS + 1), _TIME_DIGITS)
         columns = [_curve(law, t, self.order, False) for law in self._part.every]
-        writer.writerow([self._x, *(say(self._named(name)) for name, _ in names(self._part))])
-        for row in zip(t, *columns, strict=True):
-            writer.writerow(["" if np.isnan(value) else float(value) for value in row])
-        return text.getvalue()
+        return csv_of([self._x, *(say(self._named(name)) for name, _ in names(self._part))], [t, *columns])
 
 
 class Plots:

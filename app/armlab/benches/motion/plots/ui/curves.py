@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -13,6 +11,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.motion.plan.state import CLIP_KEY
 from armlab.ui.colours import GREY, VERDICT, Rgb
+from armlab.ui.columns import csv_of
 from armlab.ui.html import Inside
 from armlab.ui.plot import NOTHING, TIME, Curve, Plot
 from armlab.ui.tray_picture import Drawn, Level, Picture
@@ -128,7 +127,7 @@ class MotionPlot(Plot):
     def __init__(self, gui: Gui, title: str, file: str, from_zero: bool = False, sight: float = IN_SIGHT) -> None:
         self._zero, self._sight, self._end = from_zero, sight, 0.0
         self._large: Callable[[], Picture] | None = None
-        self._rows: list[list[float]] = []
+        self._columns_saved: list[Array] = []
         self._names: list[str] = []
         super().__init__(gui, title, "t, s", [Curve(title, GREY)], file, height=HEIGHT, legend=False, clip=CLIP_KEY)
         x, y = self._handle.axes
@@ -203,15 +202,11 @@ class MotionPlot(Plot):
             if line.other is not None and times.other is not None:
                 self._names.append(f"{line.name}, compared")
                 columns.append(_on(t, times.other, line.other))
-        self._rows = np.column_stack(columns).tolist()
+        self._columns_saved = columns
 
     def csv(self) -> str:
         """Return the curves with a name for each, empty after the end of a motion."""
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        writer.writerow(self._names)
-        writer.writerows([["" if np.isnan(value) else value for value in row] for row in self._rows])
-        return text.getvalue()
+        return csv_of(self._names, self._columns_saved)
 
     def at_time(self, time: float | None, end: float) -> None:
         """Put the cursor at a time of a clip that lasts until ``end``, or remove it."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Sequence
 
 import numpy as np
@@ -15,6 +13,7 @@ from armlab.benches.motion.steps.worked import Steps
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import BLUE, PURPLE, joint_colour
+from armlab.ui.columns import csv_of
 from armlab.ui.format import trimmed
 from armlab.ui.html import Inside, tag
 from armlab.ui.plot import NOTHING, Curve, Plot
@@ -109,12 +108,8 @@ class JointPlot(StepPlot):
 
     def csv(self) -> str:
         """Return the values without the dots on the curves, which are repeated values."""
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
         count = len(self._which)
-        writer.writerow([self._x, *(curve.name for curve in self._curves[:count])])
-        writer.writerows(zip(*(column.tolist() for column in self._table[: 1 + count]), strict=True))
-        return text.getvalue()
+        return csv_of([self._x, *(curve.name for curve in self._curves[:count])], self._table[: 1 + count])
 
 
 class Plots:
