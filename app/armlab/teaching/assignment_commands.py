@@ -9,7 +9,7 @@ from armlab.content.assignment import LAST_VARIANT, Assignment, said_date
 from armlab.content.held import is_held
 from armlab.content.lesson_lines import LessonError
 from armlab.content.lessons import lessons
-from armlab.errors import InputError, suggestion
+from armlab.errors import ArmlabError, InputError, suggestion
 from armlab.registry import known_name
 from armlab.session.pages import pages
 from armlab.session.state import Command, State, apply
@@ -68,9 +68,8 @@ def clock_of(command: Command | None, state: State, now: float) -> Assignment | 
         return None
     try:
         found = apply(state, command, now)[LessonPart].assigned
-    except Exception:
-        # Whoever carries the command out says what is amiss.
-        return None
+    except ArmlabError:
+        return None  # it is refused again where it is carried out, and that is told
     return found if found is not None and found.minutes else None
 
 

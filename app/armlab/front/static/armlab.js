@@ -19,6 +19,25 @@
   // viser reconnects only in the focused tab; a class wants all of its tabs back.
   document.hasFocus = () => true;
 
+  // Calls when something in the page has changed, as soon as there is a page.
+  window.armlabWatch = (call, more = {}) => {
+    const watch = () => new MutationObserver(call).observe(document.body, { childList: true, subtree: true, ...more });
+    if (document.body) watch();
+    else addEventListener('DOMContentLoaded', watch);
+  };
+  // Returns a function that calls once in the next frame, however often it is called before.
+  window.armlabInFrame = call => {
+    let due = false;
+    return () => {
+      if (due) return;
+      due = true;
+      requestAnimationFrame(() => {
+        due = false;
+        call();
+      });
+    };
+  };
+
   let last = null; // the field or button of ours that has the focus
 
   // Our own fields and buttons: <input data-chan=ID data-cell=NAME>, <button data-chan=ID data-cell=NAME>.
@@ -374,25 +393,17 @@
   };
   let measured = '';
 
-  const watch = () => {
-    let due = false;
-    new MutationObserver(() => {
-      keepFocus(); // at once: in the next frame the person may have gone on to another field already
-      if (due) return;
-      due = true;
-      requestAnimationFrame(() => {
-        due = false;
-        keepReading();
-        obey();
-        toTop();
-        tellTabs();
-        readClock();
-        placeCursors(clock && clock.end > 0 ? clock.time / clock.end : NaN);
-        measure();
-      });
-    }).observe(document.body, { childList: true, subtree: true, attributes: true, attributeFilter: ['data-notes', 'data-clock', 'data-cursor', 'style'] });
-    addEventListener('resize', measure);
-  };
-  if (document.body) watch();
-  else addEventListener('DOMContentLoaded', watch);
+  const WATCHED = { attributes: true, attributeFilter: ['data-notes', 'data-clock', 'data-cursor', 'style'] };
+  // At once: in the next frame the person may have gone on to another field already.
+  window.armlabWatch(keepFocus, WATCHED);
+  window.armlabWatch(window.armlabInFrame(() => {
+    keepReading();
+    obey();
+    toTop();
+    tellTabs();
+    readClock();
+    placeCursors(clock && clock.end > 0 ? clock.time / clock.end : NaN);
+    measure();
+  }), WATCHED);
+  addEventListener('resize', measure);
 })();

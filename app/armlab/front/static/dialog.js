@@ -31,9 +31,7 @@
       document.querySelector(`button[data-cell="${CSS.escape(from)}"]`)?.focus({ preventScroll: true });
     }
   };
-  const watch = () => new MutationObserver(follow).observe(document.body, { childList: true, subtree: true });
-  if (document.body) watch();
-  else addEventListener('DOMContentLoaded', watch);
+  window.armlabWatch(follow);
 
   const reached = there => [...there.querySelectorAll('button, input, select, textarea, a[href]')]
     .filter(each => !each.disabled && each.getClientRects().length);

@@ -26,15 +26,5 @@
       left.set(list.dataset.follows, { top: list.scrollTop, cell: entry?.dataset.cell });
     }
   };
-  let due = false;
-  const see = () => {
-    if (due) return;
-    due = true;
-    requestAnimationFrame(() => { due = false; follow(); });
-  };
-  const watch = () => new MutationObserver(see).observe(document.body, {
-    childList: true, subtree: true, attributes: true, attributeFilter: ['style'],
-  });
-  if (document.body) watch();
-  else addEventListener('DOMContentLoaded', watch);
+  window.armlabWatch(window.armlabInFrame(follow), { attributes: true, attributeFilter: ['style'] });
 })();

@@ -11,10 +11,8 @@
     }
     return (words?.[text] ?? text).replace(/\{(\w+)\}/g, (place, name) => names[name] ?? place);
   };
-  const watch = () => new MutationObserver(() => {
+  window.armlabWatch(() => {
     window.armlabSay('');
     if (document.getElementById('al-anew')) location.reload();
-  }).observe(document.body, { childList: true, subtree: true });
-  if (document.body) watch();
-  else addEventListener('DOMContentLoaded', watch);
+  });
 })();

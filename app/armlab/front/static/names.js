@@ -13,13 +13,5 @@
       call(slider.parentElement.querySelector('.mantine-NumberInput-input'), label);
     }
   };
-  let due = false;
-  const see = () => {
-    if (due) return;
-    due = true;
-    requestAnimationFrame(() => { due = false; name(); });
-  };
-  const watch = () => new MutationObserver(see).observe(document.body, { childList: true, subtree: true, characterData: true });
-  if (document.body) watch();
-  else addEventListener('DOMContentLoaded', watch);
+  window.armlabWatch(window.armlabInFrame(name), { characterData: true });
 })();

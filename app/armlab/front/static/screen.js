@@ -47,19 +47,9 @@
     controls.addEventListener('sleep', () => window.__viserMutable.sendCamera?.());
   };
 
-  const watch = () => {
-    let due = false;
-    new MutationObserver(() => {
-      if (due) return;
-      due = true;
-      requestAnimationFrame(() => {
-        due = false;
-        tell();
-        follow();
-      });
-    }).observe(document.body, { childList: true, subtree: true, attributes: true, attributeFilter: ['data-notes'] });
-  };
+  window.armlabWatch(window.armlabInFrame(() => {
+    tell();
+    follow();
+  }), { attributes: true, attributeFilter: ['data-notes'] });
   for (const query of Object.values(asks)) query.addEventListener('change', tell);
-  if (document.body) watch();
-  else addEventListener('DOMContentLoaded', watch);
 })();

@@ -35,18 +35,8 @@
     }
   };
 
-  const watch = () => {
-    let due = false;
-    new MutationObserver(() => {
-      if (due) return;
-      due = true;
-      requestAnimationFrame(() => {
-        due = false;
-        showVerdict();
-        showRefusals();
-      });
-    }).observe(document.body, { childList: true, subtree: true });
-  };
-  if (document.body) watch();
-  else addEventListener('DOMContentLoaded', watch);
+  window.armlabWatch(window.armlabInFrame(() => {
+    showVerdict();
+    showRefusals();
+  }));
 })();

@@ -49,11 +49,7 @@
       target.scrollIntoView({ block: 'nearest', inline: 'nearest' });
     }
   };
-  const watch = () => new MutationObserver(see).observe(document.body, {
-    childList: true, subtree: true, attributes: true, attributeFilter: ['title', 'aria-selected'],
-  });
-  if (document.body) watch();
-  else addEventListener('DOMContentLoaded', watch);
+  window.armlabWatch(see, { attributes: true, attributeFilter: ['title', 'aria-selected'] });
 
   // viser knows the keys of a lying strip, and opens with them also a tab that the lesson has taken away. The pages of a
   // tab are gone along by the same keys.
