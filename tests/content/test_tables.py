@@ -13,7 +13,7 @@ from armlab.kin.arm import Arm
 from support.arms import random_arm
 
 H = math.pi / 2
-AS_STANDARD = "Read as standard (Siciliano): switch if your book is Craig's."
+AS_STANDARD = "Read as standard (Siciliano): if your book is Craig's, choose the other convention where it is read."
 
 
 def numbers(rows):

@@ -9,7 +9,7 @@ from armlab.content.tables import parse_table
 from armlab.errors import InputError
 
 H = math.pi / 2
-AS_STANDARD = "Read as standard (Siciliano): switch if your book is Craig's."
+AS_STANDARD = "Read as standard (Siciliano): if your book is Craig's, choose the other convention where it is read."
 
 
 def same(pasted, rows, atol=1e-12):
@@ -106,7 +106,10 @@ def test_words_around_the_table_tell_the_convention_and_it_is_said(around, conve
 
 
 def test_the_default_and_the_headers_are_notes():
-    assert "Read as modified (Craig): switch if your book is Siciliano's." in parse_table(ROW, "modified").notes
+    assert (
+        "Read as modified (Craig): if your book is Siciliano's, choose the other convention where it is read."
+        in parse_table(ROW, "modified").notes
+    )
     craig = parse_table("alpha,a,d,theta\n0,0.3,0,q1")
     assert craig.convention == "standard"
     assert any("the columns stand in Craig's order" in note for note in craig.notes)
@@ -131,11 +134,12 @@ def test_a_table_in_which_two_joints_would_turn_about_one_line_is_read_in_the_ot
     assert pasted.convention == "modified"
     assert pasted.notes[1] == (
         "Read as modified (Craig), because as standard joints 1 and 2 would turn about the same line: "
-        "switch if your book is Siciliano's."
+        "if your book is Siciliano's, choose the other convention where it is read."
     )
     wrist = "a,alpha,d,theta\n0,-90,0.4,q1\n0,90,0,q2\n0,0,0.1,q3"
     assert parse_table(wrist).notes[0] == AS_STANDARD
-    assert parse_table(wrist, "modified").convention == "standard"
+    assert parse_table(FRANKA, "standard").convention == "standard"
+    assert parse_table(wrist, "modified").convention == "modified"
     slides = "a,alpha,d,theta\n0,0,d1,0\n0.2,90,d2,0\n0,90,d3,0"
     assert "joints 1 and 2 would slide in the same direction" in parse_table(slides).notes[0]
 
@@ -155,7 +159,9 @@ def test_a_table_that_is_possible_in_its_convention_or_in_none_stays_standard(ro
 def test_a_first_row_as_in_craig_is_a_hint_only():
     pasted = parse_table("a,alpha,d,theta\n0,0,0.4,0\n0.3,pi/2,0,0\n0.1,pi/2,0,0")
     assert pasted.convention == "standard"
-    assert pasted.notes[0].endswith("a and alpha of the first row are 0, as in Craig's: switch if it is his.")
+    assert pasted.notes[0].endswith(
+        "a and alpha of the first row are 0, as in Craig's: if it is his, choose the other convention where it is read."
+    )
     assert parse_table("DH (standard)\n" + FRANKA).convention == "standard"
 
 

@@ -16,7 +16,8 @@ from armlab.kin.dh import Convention, Row
 BOOKS = {"standard": ("Siciliano", "Craig's"), "modified": ("Craig", "Siciliano's")}
 """Books by convention: one that uses it, and the owner of the other."""
 
-OTHER = {"standard": "modified", "modified": "standard"}
+OTHER_WAY = "choose the other convention where it is read"
+"""What is to be done by whoever has meant the other one."""
 
 SAME = 1e-9
 """Length, metres, and sine, below which two axes count as one."""
@@ -37,12 +38,13 @@ def convention_said(columns: Sequence[Column], grid: Grid) -> str:
 
 
 def concluded(
-    columns: Sequence[Column], grid: Grid, default: str, rows: Sequence[Row], marked: bool
+    columns: Sequence[Column], grid: Grid, meant: str, rows: Sequence[Row], marked: bool
 ) -> tuple[Convention, tuple[str, ...]]:
     """Return the convention, with a note unless a title states it.
 
-    Where the text tells none it is the default, or the other one if with the default two joints in a row would do the
-    same: hardly an arm is built like that, and in Craig's tables the first row has a = 0 and alpha = 0.
+    Where neither the text nor ``meant`` tells one it is the standard one, or the modified one if with the standard one
+    two joints in a row would do the same: hardly an arm is built like that, and in Craig's tables the first row has
+    a = 0 and alpha = 0.
 
     Parameters
     ----------
@@ -56,11 +58,12 @@ def concluded(
         notes.append("Columns d and r as in Khalil's book: d is read as a(i-1), r as d.")
     elif any(column.role == "a" and column.name == "r" for column in columns):
         notes.append("The column r is read as a, the length along x.")
-    said = convention_said(columns, grid)
-    twins = _twins(rows, default) if marked and not said else ""
-    found = OTHER[default] if twins and not _twins(rows, OTHER[default]) else said or default
+    said = convention_said(columns, grid) or meant
+    twins = _twins(rows, "standard") if marked and not said else ""
+    instead = bool(twins) and not _twins(rows, "modified")
+    found = said or ("modified" if instead else "standard")
     if not grid.said:
-        notes.append(_why(found, columns, grid.named, rows) if found == (said or default) else _instead(found, twins))
+        notes.append(_instead(twins) if instead else _why(found, columns, grid.named, rows))
     return cast(Convention, found), tuple(notes)
 
 
@@ -77,17 +80,18 @@ def _why(convention: str, columns: Sequence[Column], named: str, rows: Sequence[
         return f"Read as {convention}, because the text names a book with this convention."
     own, other = BOOKS[convention]
     if convention == "standard" and in_order_of_craig(columns):
-        return "Read as standard (Siciliano), but the columns stand in Craig's order: switch if it is Craig's."
+        return f"Read as standard (Siciliano), but the columns stand in Craig's order: if it is Craig's, {OTHER_WAY}."
     if convention == "standard" and _same_line(rows[0]) and not _same_line(rows[-1]):
         return (
-            "Read as standard (Siciliano), but a and alpha of the first row are 0, as in Craig's: switch if it is his."
+            "Read as standard (Siciliano), but a and alpha of the first row are 0, as in Craig's: "
+            f"if it is his, {OTHER_WAY}."
         )
-    return f"Read as {convention} ({own}): switch if your book is {other}."
+    return f"Read as {convention} ({own}): if your book is {other}, {OTHER_WAY}."
 
 
-def _instead(convention: str, twins: str) -> str:
-    own, other = BOOKS[convention]
-    return f"Read as {convention} ({own}), because as {OTHER[convention]} {twins}: switch if your book is {other}."
+def _instead(twins: str) -> str:
+    own, other = BOOKS["modified"]
+    return f"Read as modified ({own}), because as standard {twins}: if your book is {other}, {OTHER_WAY}."
 
 
 def _twins(rows: Sequence[Row], convention: str) -> str:

@@ -50,16 +50,16 @@ class PastedTable:
     flange: tuple[Row, ...] = ()
 
 
-def parse_table(text: str, default_convention: str = "standard", order: Sequence[str] = DH) -> PastedTable:
+def parse_table(text: str, default_convention: str = "", order: Sequence[str] = DH) -> PastedTable:
     """Read a table pasted as CSV, with tabs or semicolons, in Markdown, in LaTeX, drawn, or as ``print(arm)``.
 
     Parameters
     ----------
     text : str
         The first table in it counts.
-    default_convention : "standard" or "modified"
-        Used where neither a title nor headers such as a(i-1) nor the name of a book say which, unless two joints would
-        then do the same and would not in the other convention.
+    default_convention : "standard" or "modified", optional
+        That of a table of which neither a title nor headers such as a(i-1) nor the name of a book say which. When left
+        out it is the standard one, unless two joints would then do the same and would not in the modified one.
     order : sequence of str
         The columns a, alpha, d, theta in the order of a table without a header; a joint number or R/P may precede.
 
@@ -79,7 +79,8 @@ def parse_table(text: str, default_convention: str = "standard", order: Sequence
     >>> parse_table("a, alpha, d, theta\\n0.5, 90, 0, q1").rows[0].a
     0.5
     """
-    known_name("convention", default_convention, CONVENTIONS)
+    if default_convention:
+        known_name("convention", default_convention, CONVENTIONS)
     if sorted(order) != sorted(DH):
         raise InputError(f"order: expected the columns {SHOWN}, each once, got {', '.join(order)}")
     grid = read_grid(text)

@@ -219,13 +219,13 @@ class PasteTable(Command):
     text : str
     file : str, optional
         Name of the robot file in messages.
-    convention : "standard" or "modified"
+    convention : "standard" or "modified", optional
         That of a table which does not tell its own; see `parse_table`.
     """
 
     text: str
     file: str = "pasted file"
-    convention: str = "standard"
+    convention: str = ""
     label: ClassVar[str] = "pasted table"
 
     def apply(self, state: State) -> State:

@@ -10,11 +10,14 @@ from armlab.benches.sensor.pose.examples import EXAMPLES, ChoosePoseExample
 from armlab.benches.sensor.pose.facts import FACTS
 from armlab.benches.sensor.pose.state import Repeats, found
 from armlab.benches.sensor.pose.ui.cloud import SEEN, around, cloud_of, magnification
+from armlab.benches.sensor.pose.ui.page import _angle
 from armlab.benches.sensor.pose.ui.scene import marks, words
 from armlab.content.robots import catalogue
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, TypeJoint
+from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
+from armlab.ui.units import Units
 from support.done import done
 from support.filled import Filled
 
@@ -161,6 +164,16 @@ def test_what_is_said_of_the_figures():
     page.fill("shaft link")
     assert "gears 1" not in page.text
     assert "sees the play of the gears" in page.text
+
+
+def test_small_figures_are_written_with_a_power_of_ten():
+    units = Units(Notation(angle="rad", length="m"))
+    assert [_angle(value, units) for value in (5.89e-7, -1.27e-6, 1.76e-3, 0.0)] == [
+        "5.89·10⁻⁷ rad",
+        "−1.27·10⁻⁶ rad",
+        "0.00176 rad",
+        "0 rad",
+    ]
 
 
 @pytest.mark.parametrize(

@@ -32,12 +32,13 @@ HELP = (
     "lengths are in m, cm or mm."
 )
 
-READ_AS = (
-    "A table that does not tell its convention is read in the one that is chosen here; choose the other one and press "
-    "Apply again to switch."
+MEANT = (
+    "A table that does not tell its convention is read in the one that is chosen here. To read it in another one, "
+    "choose that and press Apply again."
 )
 
 CONVENTIONS = {"standard": "Standard (Siciliano⟦, notes⟧)", "modified": "Modified (Craig)"}
+READ_AS = {"": "As it seems", "standard": "Standard", "modified": "Modified"}
 
 
 def files_markup(form: Form, robot: Robot, units: Units, save: Callable[[], None]) -> Inside:
@@ -87,7 +88,7 @@ class PasteBox:
     """A field for a whole table, with its button."""
 
     def __init__(self, form: Form) -> None:
-        self._form, self._text, self._convention = form, "", "standard"
+        self._form, self._text, self._convention = form, "", ""
         self.show()
 
     def show(self) -> None:
@@ -96,10 +97,10 @@ class PasteBox:
         looks = {"rows": "5", "spellcheck": "false", "aria_label": "table", "placeholder": EXAMPLE}
         form.show(
             tag("textarea.paste", self._text, **looks, **form.bound("paste", self._keep)),
-            row("Read as", form.chips("read-as", CONVENTIONS, self._convention, "", self._choose)),
+            row("Read as", form.chips("read-as", READ_AS, self._convention, "", self._choose)),
             tag("div.bar", form.chip("apply", "Apply", lambda: PasteTable(self._text, convention=self._convention))),
             tag("p.dim", HELP),
-            tag("p.dim", READ_AS),
+            tag("p.dim", MEANT),
         )
 
     def _choose(self, convention: str) -> tuple[Command, ...]:

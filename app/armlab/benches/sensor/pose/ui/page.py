@@ -20,7 +20,7 @@ from armlab.session.state import Post, State
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import dot, mathml, readable, trimmed
+from armlab.ui.format import dot, mathml, readable, scientific, trimmed
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import fold, row, verdict_box
 from armlab.ui.plugin import Panel, Show
@@ -37,6 +37,9 @@ SEES_PLAY = "The encoder on the link sees the play of the gears, and the joint c
 
 ANGLES = ("a", "b", "c")
 """Names of the angles about x, y and z in the standard."""
+
+POWER_BELOW = 1e-4
+"""Size below which a number is written with a power of ten."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
@@ -98,7 +101,8 @@ def _length(value: float, units: Units) -> str:
 
 def _small(value: float, units: Units, revolute: bool) -> str:
     """Return a small length or angle with three significant digits, in the unit of the person."""
-    return readable(float(f"{value / units.factor(revolute):.3g}"), 0)
+    shown = value / units.factor(revolute)
+    return scientific(shown, 2) if 0.0 < abs(shown) < POWER_BELOW else readable(float(f"{shown:.3g}"), 0)
 
 
 def _angle(value: float, units: Units) -> str:
