@@ -17,7 +17,7 @@ BOOKS = {"standard": ("Siciliano", "Craig's"), "modified": ("Craig", "Siciliano'
 """Books by convention: one that uses it, and the owner of the other."""
 
 OTHER_WAY = "choose the other convention where it is read"
-"""What is to be done by whoever has meant the other one."""
+"""Hint for whoever has meant the other one."""
 
 SAME = 1e-9
 """Length, metres, and sine, below which two axes count as one."""

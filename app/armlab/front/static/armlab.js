@@ -381,18 +381,6 @@
     }
   };
 
-  // The free part of the window between the docks, for what lies over the scene.
-  const measure = () => {
-    const canvas = document.querySelector('canvas');
-    if (!canvas) return;
-    const box = canvas.getBoundingClientRect();
-    const found = [box.left, innerWidth - box.right, box.width, (box.left + box.right) / 2].map(x => `${x}px`);
-    if (found.join() === measured) return; // setting one, even to what it is, has the whole page styled anew
-    measured = found.join();
-    ['left', 'right', 'wide', 'mid'].forEach((name, i) => document.documentElement.style.setProperty(`--al-${name}`, found[i]));
-  };
-  let measured = '';
-
   const WATCHED = { attributes: true, attributeFilter: ['data-notes', 'data-clock', 'data-cursor', 'style'] };
   // At once: in the next frame the person may have gone on to another field already.
   window.armlabWatch(keepFocus, WATCHED);
@@ -403,7 +391,5 @@
     tellTabs();
     readClock();
     placeCursors(clock && clock.end > 0 ? clock.time / clock.end : NaN);
-    measure();
   }), WATCHED);
-  addEventListener('resize', measure);
 })();
