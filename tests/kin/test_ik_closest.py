@@ -5,6 +5,9 @@ import pytest
 
 from armlab.kin.arm import Arm
 from armlab.kin.ik import solve
+from armlab.kin.ik.samples import samples_of
+from armlab.kin.ik.solve import LOWEST
+from armlab.kin.ik.verdict import task_error_of
 
 UNTIL = 40
 """Number of targets out of reach that are tried."""
@@ -41,6 +44,22 @@ def test_twenty_thousand_samples_seldom_come_closer(rng):
         nearest = np.linalg.norm(tools[:, list(arm.task.coordinates)], axis=1).min()
         beaten += nearest < result.position_error - 1e-3
     assert beaten <= UNTIL // 20  # a valley may lie between all samples
+
+
+def test_of_several_valleys_the_deepest_counts(rng):
+    several = 0
+    for _ in range(4 * UNTIL):
+        arm = _random_arm(rng)
+        target = arm.fk(rng.uniform(*arm.limits.T))
+        target[:3, 3] += rng.uniform(-0.5, 0.5, 3)
+        result = solve(arm, target)
+        if arm.task.rotation != "none" or result.success:
+            continue
+        lows = samples_of(arm, 0).near(task_error_of(arm).target(target), LOWEST)
+        depths = [solve(arm, target, q0=q, searches=1, complete=False).position_error for q in lows]
+        assert result.position_error == pytest.approx(min(depths), abs=1e-6)
+        several += max(depths) > min(depths) + 1e-3
+    assert several > 1  # where all depths are equal, any of them passes
 
 
 def _random_arm(rng):
