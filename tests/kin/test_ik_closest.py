@@ -62,6 +62,18 @@ def test_of_several_valleys_the_deepest_counts(rng):
     assert several > 1  # where all depths are equal, any of them passes
 
 
+def test_with_weights_that_valley_counts_which_is_the_deepest_by_them():
+    arm = Arm.from_dh([("R", 0.5, 0, 0, 0), ("R", 0.4, 0, 0, 0)], limits=[(-0.7, 1.4), (-1.7, 1.5)])
+    target, weights = np.eye(4), np.array([1.0, 0.1])
+    target[0, 3] = 0.2
+    everywhere = np.stack(np.meshgrid(*(np.linspace(*pair, 101) for pair in arm.limits)), axis=-1).reshape(-1, 2)
+
+    def far(q):
+        return np.linalg.norm(weights * (arm.position(q) - target[:3, 3])[..., :2], axis=-1)
+
+    assert far(solve(arm, target, weights=weights).q) <= far(everywhere).min() + 1e-9
+
+
 def _random_arm(rng):
     rows, limits = [], []
     for _ in range(rng.integers(2, 6)):

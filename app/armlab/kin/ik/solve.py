@@ -210,7 +210,7 @@ def solved(arm: Arm, T: NDArray[np.float64], start: NDArray[np.float64] | None, 
         return _result(found, found.q, found.verdict, Known())
     problem = problem_of(arm, methods().get(how.method, methods()["dls"]), how.weights)
     descents = [come_closer(problem, target, low, begin.free) for low in begin.lowest(target, LOWEST)]
-    rest = min(descents, key=lambda descent: descent.errors.scaled2)
+    rest = min(descents, key=lambda descent: descent.errors.cost)
     found = found._replace(iterations=found.iterations + sum(descent.iterations for descent in descents))
     verdict = judge(arm, T, rest.q, how.locked, how.weights)
     known = Known(None, never, "" if beyond or not never else f"proven: {TURNED_OVER}")
