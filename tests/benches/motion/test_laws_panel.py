@@ -130,6 +130,12 @@ def test_the_saved_table_holds_the_laws_there_are():
     assert float(rows[-1][3]) == pytest.approx(0.0, abs=1e-9)
 
 
+def test_the_saved_table_goes_to_the_end_of_a_time_that_has_no_end_in_decimals():
+    plot, _ = drawn(opened(SetQuantity("duration", 2.0 / 3.0))[Laws], 0)
+    *_, last = csv.reader(io.StringIO(plot.csv()))
+    assert [float(cell) for cell in last] == pytest.approx([2.0 / 3.0, 1.0, 1.0])
+
+
 @pytest.mark.parametrize("key", list(EXAMPLES))
 def test_every_example_has_its_plots(key):
     part = opened(ChooseLawExample(key))[Laws]

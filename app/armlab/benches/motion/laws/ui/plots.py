@@ -107,7 +107,8 @@ class LawPlot(Plot):
         if self._part is None:
             return ""
         say = speech_in(self._gui.language).text
-        t = np.round(np.linspace(0.0, self._part.end, STEPS + 1), _TIME_DIGITS)
+        end = self._part.end
+        t = np.minimum(np.round(np.linspace(0.0, end, STEPS + 1), _TIME_DIGITS), end)  # no time rounded beyond the end
         columns = [_curve(law, t, self.order, False) for law in self._part.every]
         return csv_of([self._x, *(say(self._named(name)) for name, _ in names(self._part))], [t, *columns])
 
