@@ -378,6 +378,9 @@ def test_a_pasted_table_is_read_anew_in_the_other_convention(url):
         assert "if your book is Siciliano's" in heading(browser)
         assert value_of(browser, "dh-2-a") == "250"
         assert text in unescape(browser.html())  # the text stays for another try
+        await browser.press("load", write_table(catalogue()["scara"].arm, "csv").partition("\n")[2])
+        await browser.until(lambda: 'data-cell="dh-4-a"' in browser.html())
+        assert "Read as modified (Craig)" in browser.html(), "a table in a file is read as is chosen, too"
         await browser.close()
 
     run(main())

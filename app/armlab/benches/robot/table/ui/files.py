@@ -41,12 +41,14 @@ CONVENTIONS = {"standard": "Standard (Siciliano⟦, notes⟧)", "modified": "Mod
 READ_AS = {"": "As it seems", "standard": "Standard", "modified": "Modified"}
 
 
-def files_markup(form: Form, robot: Robot, units: Units, save: Callable[[], None]) -> Inside:
+def files_markup(
+    form: Form, robot: Robot, units: Units, save: Callable[[], None], read: Callable[[str], Command]
+) -> Inside:
     """Return the buttons that save, load and copy."""
     angle = "deg" if units.in_degrees else "rad"
     copies = [copy_button(title, write_table(robot.arm, kind, angle), "chip") for kind, title in FORMATS.items()]
     hint = "Load a robot file or a table; it is read here and sent nowhere else"
-    chosen = tag("input", type="file", accept=".toml,.csv,.tsv,.txt,.md,.tex", **form.bound("load", PasteTable))
+    chosen = tag("input", type="file", accept=".toml,.csv,.tsv,.txt,.md,.tex", **form.bound("load", read))
     load = tag("label.chip", "Load file", chosen, title=hint)
     saves = form.chip("save", "Save TOML", save, "As a robot file")
     return fold("Files", row("File", (saves, load)), row("Copy as", copies))
@@ -98,10 +100,14 @@ class PasteBox:
         form.show(
             tag("textarea.paste", self._text, **looks, **form.bound("paste", self._keep)),
             row("Read as", form.chips("read-as", READ_AS, self._convention, "", self._choose)),
-            tag("div.bar", form.chip("apply", "Apply", lambda: PasteTable(self._text, convention=self._convention))),
+            tag("div.bar", form.chip("apply", "Apply", lambda: self.read(self._text))),
             tag("p.dim", HELP),
             tag("p.dim", MEANT),
         )
+
+    def read(self, text: str) -> PasteTable:
+        """Return the command that takes a table, pasted here or in a file, in the chosen convention."""
+        return PasteTable(text, convention=self._convention)
 
     def _choose(self, convention: str) -> tuple[Command, ...]:
         self._convention = convention

@@ -64,7 +64,8 @@ class TablePanel:
         if other or self._axes.stale:
             self._axes.show(axes_section(self._axes, self._facts, self._pair, self._units, self._choose_pair))
         if other or self._files.stale:
-            self._files.show(files_markup(self._files, robot, self._units, lambda: save(self._gui, self._state)))
+            saves = lambda: save(self._gui, self._state)  # noqa: E731
+            self._files.show(files_markup(self._files, robot, self._units, saves, self._box.read))
         if self._pasted.stale:
             self._box.show()
         self._point.show(point_line(state, self._units))
