@@ -97,6 +97,15 @@ def test_the_table_has_one_row_for_each_name_of_the_list_in_its_order_and_the_ot
     assert table(nobody).splitlines()[1].split() == ["=Carla", "Nothing", "handed", "in."]
 
 
+def test_two_students_of_one_name_have_a_row_each_also_where_the_lesson_does_not_vary(fresh, own):
+    one, other = (hand_in(timed(fresh, SignAs("Anna"), OpenLesson("t"), at=at)) for at in (5.0, 9.0))
+    names = {3: "Anna", 4: "Dario", 6: "anna"}
+    judged = looked_at_together([Judged(file, judge(text)) for file, text in (("a", one), ("b", other))], names)
+    assert [each.file for each in by_list(judged, names)] == ["a", "", "b"]
+    assert [each.file for each in by_list(judged[:1], names)] == ["a", "", ""]
+    assert [each.file for each in by_list(judged, {1: "Anna"})] == ["a", "b"]
+
+
 def test_work_in_the_variant_of_another_does_not_count(fresh, own):
     names = {3: "Ada  Lovelace", 4: "Bob", 5: "Rene\u0301"}
     files = [

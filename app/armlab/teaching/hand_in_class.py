@@ -56,18 +56,31 @@ def by_list(judged: Sequence[Judged], students: Mapping[int, str]) -> list[Judge
         Names by the variant that each was given.
     """
     shared = _shared(students)
-    found: dict[tuple[str, int | None], Judged] = {}
+    best: dict[tuple[str, int | None, str], Judged] = {}
     for one in judged:
         if one.report is not None and one.report.student:
             who = _who(one.report, shared)
-            found[who] = max(found.get(who, one), one, key=lambda each: (not each.problem, _attempt(each)))
+            # Of two of one name each has a file where no variant and no attempt tells whose it is.
+            of_either = who[1] is not None and not one.report.varies and one.report.handed is None
+            key = (*who, one.file if of_either else "")
+            best[key] = max(best.get(key, one), one, key=lambda each: (not each.problem, _attempt(each)))
     listed = []
     for number, student in students.items():
-        name = _plain(student)
-        of_list = found.get((name, number if name in shared else None))
-        listed.append(of_list or Judged("", None, NOTHING_HANDED_IN, student=student))
+        own = sorted(_keys_of(best, _plain(student), number), key=lambda key: key[1] != number)
+        listed.append(best.pop(own[0]) if own else Judged("", None, NOTHING_HANDED_IN, student=student))
     taken = {id(one) for one in listed}
     return [*listed, *(one for one in judged if id(one) not in taken)]
+
+
+def _keys_of(
+    best: Mapping[tuple[str, int | None, str], Judged], name: str, number: int
+) -> list[tuple[str, int | None, str]]:
+    """Return the keys of all that may be of a student: of one name with others, what has the variant or has none."""
+    return [
+        key
+        for key, one in best.items()
+        if key[0] == name and (key[1] in (None, number) or (one.report is not None and not one.report.varies))
+    ]
 
 
 def _attempts_of_one(one: Report | None, other: Report | None, shared: Set[str]) -> bool:
