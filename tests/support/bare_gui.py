@@ -167,10 +167,10 @@ class BarePage:
                 if kind in kinds and cell and " disabled" not in attributes:
                     yield fields, unescape(cell[1]), inside
 
-    def send(self, fields: Fields, cell: str, text: str = "") -> None:
-        """Fill a field, press a button or choose an option, and show what comes of it."""
+    def send(self, fields: Fields, cell: str, text: str = "", *of: str) -> None:
+        """Fill a field, press a button or choose an option, perhaps of a question, and show what comes of it."""
         channel: Any = fields.channel
-        channel.value = channel._impl.value = json.dumps([cell, text, next(_COUNT)])
+        channel.value = channel._impl.value = json.dumps([cell, text, next(_COUNT), *of])
         for callback in channel.heard:
             with contextlib.suppress(StopIteration):
                 callback(SimpleNamespace(client=self)).send(None)

@@ -37,7 +37,7 @@ def test_what_is_asked_of_another_step_is_refused(command):
     here = command("0.5", shown_step(state[LessonPart]))
     assert apply(state, here) is not state
     for elsewhere in (GoToStep(CHOICE), CloseLesson(), OpenLesson("joint_types")):
-        with pytest.raises(Outdated, match="The lesson has moved on"):
+        with pytest.raises(Outdated, match="This page has moved on"):
             apply(apply(state, elsewhere), here)
 
 
@@ -86,7 +86,7 @@ def test_what_was_sent_too_late_does_not_pass_for_an_answer():
 
 
 def test_the_sentence_is_said_in_italian_too():
-    assert speech_in("it").text(MOVED_ON).startswith("La lezione è andata avanti")
+    assert speech_in("it").text(MOVED_ON).startswith("Questa pagina è andata avanti")
 
 
 @pytest.fixture(scope="module")

@@ -6,9 +6,10 @@ from armlab.errors import Outdated
 from armlab.teaching.parts.lesson import LessonPart
 
 MOVED_ON = (
-    "The lesson has moved on, maybe in another tab. "
-    "What you did at the step shown before was not taken: go back to it first."
+    "This page has moved on, maybe in another tab. "
+    "What you did at the step or task shown before was not taken: go back to it first."
 )
+"""The sentence for whoever has answered too late: at a step of a lesson, or at a task of any other page."""
 
 
 def shown_step(part: LessonPart) -> str:

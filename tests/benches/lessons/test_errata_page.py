@@ -133,6 +133,19 @@ def test_a_residual_is_said_with_its_unit(value, unit, said):
 # -- spot the error ----------------------------------------------------------------------------------------------
 
 
+def test_what_is_sent_too_late_for_a_task_is_told_without_a_word_of_lessons(page):
+    press(page, "view practise")
+    press(page, "task", "5.58")
+    task = task_of("5.58")
+    press(page, f"part {' '.join(map(str, min(task.at)))}")
+    fields = next(fields for fields in page._gui.has if 'data-cell="task-after"' in content(fields))
+    before = re.search(r'data-of="([^"]*)"', content(fields))[1]
+    page.send(fields, "task-after")
+    page.send(fields, "lesson-answer", "x", before)
+    assert "not taken" in page.session.notice.text
+    assert "lesson" not in page.session.notice.text
+
+
 def test_a_task_is_spotted_then_put_right(page):
     press(page, "view practise")
     press(page, "task", "5.58")
