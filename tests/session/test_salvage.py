@@ -3,9 +3,11 @@
 import copy
 import json
 from itertools import islice
+from types import SimpleNamespace
 
 import pytest
 
+from armlab.benches.motion.plan.state import Plan
 from armlab.benches.motion.space_curve.state import SpaceCurve
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -13,7 +15,7 @@ from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.salvage import NEEDED, salvaged, told
-from armlab.session.session import Undo
+from armlab.session.session import RefuseLink, Undo
 from armlab.session.share import state_of_parts
 from armlab.session.state import State, apply, part_types
 from armlab.session.store import Store
@@ -21,6 +23,7 @@ from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.parts.former import Former
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.shelf import BackToLesson, Shelf, ToSandbox
+from armlab.window.notices import Notices
 from support.sources import TOP
 
 PUMA = catalogue()["puma560"]
@@ -163,6 +166,22 @@ def test_a_student_is_told_once_which_page_begins_anew_and_the_file_is_kept(tmp_
     assert kept.read_bytes() == before
     assert len(list(tmp_path.iterdir())) == 2
     assert Store(tmp_path, PUMA).get("a student").notice is None
+
+
+def test_a_link_that_is_refused_before_there_is_a_page_takes_nothing_from_what_is_told(tmp_path):
+    damaged_file(tmp_path, plan=["rubbish"])
+    session, said = Store(tmp_path, PUMA).get("a student"), []
+    for text in ("There is no arm 'pumma'.", "There is no page 'joynts'."):
+        session.apply(RefuseLink(text), 1.0)
+    client = SimpleNamespace(add_notification=lambda title, text, **_: said.append((title, text)))
+    notices = Notices(client, session)
+    for _ in range(2):
+        notices.not_done()
+    assert [title for title, _ in said] == ["Not restored", "Not found"]
+    assert [text for _, text in said] == [told([Plan]), "There is no page 'joynts'."]
+    session.apply(RefuseLink("There is no arm 'pumma'."), 2.0)
+    notices.not_done()
+    assert len(said) == 3
 
 
 def test_undo_leads_back_to_what_was_read(tmp_path):

@@ -91,11 +91,14 @@ class Notice:
     text : str
     heading : str
         Heading of one that stays until it is closed; the others are refusals.
+    before : Notice or None
+        The first of those that stay and had been shown on no page when this one came.
     """
 
     number: int
     text: str
     heading: str = ""
+    before: Notice | None = None
 
 
 @dataclass(eq=False)
@@ -263,7 +266,12 @@ class Session:
 
     def tell(self, text: str, heading: str = "") -> None:
         """Show a notice to the student; see `Notice`."""
-        self.notice = Notice(1 if self.notice is None else self.notice.number + 1, cut(text), heading)
+        last = self.notice
+        number = 1 if last is None else last.number + 1
+        waits = last if last is not None and last.number > self.notice_seen else None
+        if waits is not None:
+            waits = waits.before or (waits if waits.heading else None)
+        self.notice = Notice(number, cut(text), heading, waits)
 
 
 def stand_of(state: State) -> Stand:

@@ -27,8 +27,10 @@ class Notices:
 
     def not_done(self) -> None:
         """Tell the newest refusal of the session that has no place of its own, or what of its files is lost, once."""
-        notice = self._session.notice
-        if notice is not None and notice.number > self._told:
+        newest = self._session.notice
+        for notice in () if newest is None else (newest.before, newest):
+            if notice is None or notice.number <= self._told:
+                continue
             self._told = self._session.notice_seen = notice.number
             if notice.heading:
                 self._say(notice.heading, notice.text, "orange", None)
