@@ -75,22 +75,23 @@ class Variants:
         ContentError
             A name that cannot be used, an empty or endless choice, an expression that cannot be read.
         """
+        if table is None:
+            return cls(seed, {}, {}, ())
         choices: dict[str, tuple[Value, ...]] = {}
         expressions: dict[str, Expression] = {}
-        names = () if table is None else Fields.of(table).keys
-        if table is not None:
-            fields = Fields.of(table)
-            if len(names) > MOST_NAMES:
-                raise fields.fail(names[MOST_NAMES], f"expected at most {MOST_NAMES} names, got {len(names)}")
-            for name in names:
-                _check_name(fields, name)
-                found = _read(fields, name, [*_numeric(choices), *expressions])
-                if isinstance(found, tuple):
-                    choices[name] = found
-                else:
-                    expressions[name] = found
-        listed = frozenset(name for name in choices if "choose" in Fields.of(table).value(name)) if table else ()
-        return cls(seed, choices, expressions, names, frozenset(listed))
+        fields = Fields.of(table)
+        names = fields.keys
+        if len(names) > MOST_NAMES:
+            raise fields.fail(names[MOST_NAMES], f"expected at most {MOST_NAMES} names, got {len(names)}")
+        for name in names:
+            _check_name(fields, name)
+            found = _read(fields, name, [*_numeric(choices), *expressions])
+            if isinstance(found, tuple):
+                choices[name] = found
+            else:
+                expressions[name] = found
+        listed = frozenset(name for name in choices if "choose" in fields.value(name))
+        return cls(seed, choices, expressions, names, listed)
 
     def draw(self, number: int) -> dict[str, Value]:
         """Return the values of a variant; number 0 has the first value of each.

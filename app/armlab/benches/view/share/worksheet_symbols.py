@@ -6,7 +6,7 @@ from armlab.benches.view.share.worksheet_formats import Text
 from armlab.kin.arm import Arm
 from armlab.kin.graph.printing import Style
 from armlab.kin.symbolic import PoseFormulas
-from armlab.kin.velocity.symbolic_jacobian import MOST_JOINTS, MOST_TERMS, jacobian_formulas
+from armlab.kin.velocity.symbolic_jacobian import MOST_TERMS, jacobian_formulas
 
 Rows = list[list[str]]
 
@@ -54,7 +54,7 @@ def tool_in_symbols(arm: Arm, style: Style) -> Rows | None:
 
 def jacobian_in_symbols(arm: Arm, style: Style) -> Rows | None:
     """Return the geometric Jacobian at the tool point in axes of frame 0; None where it is too long to read."""
-    rows = jacobian_formulas(arm, style) if arm.n <= MOST_JOINTS else None
+    rows = jacobian_formulas(arm, style)
     return None if rows is None else _short(rows)
 
 
