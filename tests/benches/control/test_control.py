@@ -28,13 +28,14 @@ from armlab.benches.control.follow.commands import (
 from armlab.benches.control.follow.examples import EXAMPLES, ChooseControlExample
 from armlab.benches.control.follow.job import with_outcomes
 from armlab.benches.control.follow.runs import SHOWN, reference_points
-from armlab.benches.control.follow.state import Control, fresh, questions
+from armlab.benches.control.follow.state import Control, fresh, questions, starts_elsewhere
 from armlab.benches.motion.plan.limits import LastFor
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.control import FixedPose, LineReference, Settings, simulate
 from armlab.kin.transforms import transform
 from armlab.session.bench import choosing
+from armlab.session.edits import PasteTable
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline, duration
@@ -113,6 +114,29 @@ def test_what_the_examples_say_is_so():
     ends = [redundant[Control].outcomes[i].run.q[-1] for i in range(3)]
     assert np.abs(ends[1] - ends[0]).max() > math.radians(3.0)
     assert np.abs(ends[2] - ends[0]).max() > math.radians(3.0)
+
+
+OWN = {
+    "wrist straight": "0,90,0.29,q1\n0.27,0,0,q2\n0.07,90,0,q3\n0,-90,0.302,q4\n0,90,0,q5\n0,0,0.072,q6",
+    "SCARA": "250,0,400,q1\n200,180,0,q2\n0,0,d3,0\n0,0,50,q4",
+    "stretched": "250,0,0,q1\n200,0,0,q2",
+    "to the back": "0,90,89,q1\n-425,0,0,q2\n-392,0,0,q3\n0,90,109,q4\n0,-90,95,q5\n0,0,82,q6",
+}
+
+
+@pytest.mark.parametrize("rows", OWN.values(), ids=OWN)
+def test_the_first_run_of_an_own_arm_that_is_singular_at_zero_stays_on_its_line(rows):
+    """A pasted table has no pose but q = 0."""
+    state = done(opened("puma560"), PasteTable(f"a,alpha,d,theta\n{rows}"))
+    arm, run = state[Joints].arm, state[Control].run
+    assert arm.within_limits(np.array(run.start))
+    assert starts_elsewhere(state)
+    found = state[Control].outcome
+    assert found.run.finished, found.run.stopped
+    assert found.figures.sigma_min.value > 0.05
+    assert found.figures.position.value < 0.05 * run.speed * run.duration
+    assert not starts_elsewhere(apply(state, SetStart(tuple(np.zeros(arm.n)))))
+    assert not starts_elsewhere(opened("puma560"))
 
 
 # -- setups ----------------------------------------------------------------------------------------------------------

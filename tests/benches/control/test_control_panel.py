@@ -13,17 +13,25 @@ from armlab.benches.control.follow.examples import EXAMPLES
 from armlab.benches.control.follow.runs import Peak
 from armlab.benches.control.follow.state import Control
 from armlab.benches.control.follow.ui.card import card_markup, runs_markup, small
-from armlab.benches.control.follow.ui.form import law_markup, plant_markup, plant_words, reference_markup, sigma_unit
+from armlab.benches.control.follow.ui.form import (
+    ELSEWHERE,
+    law_markup,
+    plant_markup,
+    plant_words,
+    reference_markup,
+    sigma_unit,
+)
 from armlab.benches.control.follow.ui.page import clock_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
+from armlab.session.edits import PasteTable
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
 from armlab.ui.units import Units
 from support.control import done, opened
-from support.forms import asked
+from support.forms import BareForm, asked
 from support.student import run, student
 
 UNITS = Units(Notation())
@@ -208,3 +216,10 @@ def test_the_page_opens_on_every_kind_of_arm(url):
             await browser.close()
 
     run(main())
+
+
+def test_a_start_beside_a_singular_home_is_told():
+    arm = apply(opened("puma560"), PasteTable("a,alpha,d,theta\n250,0,0,q1\n200,0,0,q2"))
+    assert ELSEWHERE in reference_markup(BareForm(), arm)
+    assert ELSEWHERE not in reference_markup(BareForm(), apply(arm, SetStart((0.0, 0.0))))
+    assert ELSEWHERE not in reference_markup(BareForm(), opened("puma560"))

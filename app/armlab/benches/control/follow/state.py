@@ -19,7 +19,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline
-from armlab.session.run_targets import checked_target, first_target, target_after
+from armlab.session.run_targets import checked_target, first_start, first_target, target_after
 from armlab.session.state import Json, Part, PartType, State
 
 CLIP_KEY = "control"
@@ -67,12 +67,13 @@ class Control(Part):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return one run: a line from the home pose, with feedback."""
-        scale = robot.arm.length_scale
+        """Return one run with feedback: a line towards the axis of the base, as away from it the arm gets stretched."""
+        scale, start = robot.arm.length_scale, first_start(robot)
         run = setup_of(
             robot,
+            start,
             speed=_round(FIRST_SPEED * scale),
-            azimuth=np.pi,
+            azimuth=np.pi if _in_front(robot, start) else 0.0,
             radius=_round(0.3 * scale),
             inverse="dls_variable",
             duration=4.0,
@@ -147,6 +148,12 @@ def _kinds(robot: Robot) -> tuple[bool, ...]:
     return tuple(map(bool, robot.arm.revolute))
 
 
+def _in_front(robot: Robot, q: Floats) -> bool:
+    """Return whether the tool is where x of frame 0 is not negative."""
+    base, p = robot.arm.base, np.asarray(robot.arm.position(q))
+    return float(base[:3, 0] @ (p - base[:3, 3])) >= 0.0
+
+
 def _round(value: float) -> float:
     """Return a number rounded to one digit, as a person would choose it."""
     return float(f"{value:.0e}")
@@ -185,6 +192,12 @@ def standing_start(state: State) -> Floats:
     """Return the configuration of the arm at the start of the selected run, before it is made, (n,)."""
     run = state[Control].run
     return np.asarray(np.array(run.start) + np.array(run.offset))
+
+
+def starts_elsewhere(state: State) -> bool:
+    """Return whether the selected run begins where first runs do because the home pose is singular or nearly so."""
+    robot, start = state[RobotPart].robot, np.array(state[Control].run.start)
+    return np.array_equal(start, first_start(robot)) and not np.array_equal(start, robot.home)
 
 
 def here(state: State) -> tuple[float, ...]:

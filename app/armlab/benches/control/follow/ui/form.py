@@ -19,7 +19,7 @@ from armlab.benches.control.follow.commands import (
     SetStart,
     SetValue,
 )
-from armlab.benches.control.follow.state import Control
+from armlab.benches.control.follow.state import Control, starts_elsewhere
 from armlab.kin.arm import Arm
 from armlab.kin.control.control_law import control_laws
 from armlab.kin.control.rate_inverse import rate_inverses
@@ -33,6 +33,8 @@ from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.option_form import option_form
 from armlab.ui.option_text import PLAIN, Scale
 from armlab.ui.units import Units, units_of
+
+ELSEWHERE = "The home configuration is singular, or nearly so: the reference starts from another one."
 
 PERCENT = (Scale("%", 0.01),)
 
@@ -59,6 +61,7 @@ def reference_markup(form: Form, state: State) -> Markup:
         hint = "Start the reference from the present configuration"
         here = form.button("here", "Present configuration", SetStart(), "chip", hint)
         found.append(_joints(form, state, "start", run.start, SetStart, "Start", here))
+        found.append(tag("p.dim", ELSEWHERE) if starts_elsewhere(state) else None)
     return joined(found, _joints(form, state, "offset", run.offset, SetOffset, "Initial error"))
 
 
