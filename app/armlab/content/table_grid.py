@@ -21,6 +21,7 @@ _LATEX_RULES = re.compile(
 )
 _OWN_PRINT = re.compile(r"^\s*joint\s+a(\(i-1\))?, m\s", re.MULTILINE)
 _AFTER_OWN_PRINT = re.compile(r"(base|tool|task): ")
+_IN_OWN_COMMENT = re.compile(r"^(?:#|%|<!--) (base|tool), not in the table", re.MULTILINE)
 _WORDS = {
     "standard": ("standard", "classic", "classical", "distal"),
     "modified": ("modified", "proximal"),
@@ -84,7 +85,9 @@ def read_grid(text: str) -> Grid:
     if links is not None:
         return Grid(links[0], said=links[1])
     said, named = _conventions(text)
-    return replace(_cells(text), said=said, named=named)
+    grid = _cells(text)
+    left_out = grid.left_out or " and ".join(_IN_OWN_COMMENT.findall(text))
+    return replace(grid, said=said, named=named, left_out=left_out)
 
 
 def _cells(text: str) -> Grid:

@@ -73,7 +73,7 @@ def _joint(arm: Arm, i: int) -> Iterable[str]:
 def _pose(T: NDArray[np.float64]) -> Iterable[str]:
     """Yield position and rotation; the angles as roll, pitch, yaw with R = Rz(yaw) Ry(pitch) Rx(roll)."""
     yield f"position = {_numbers(T[:3, 3])}"
-    written = [shortest_degrees(angle) for angle in _roll_pitch_yaw(T[:3, :3])]
+    written = [shortest_degrees(angle) for angle in roll_pitch_yaw(T[:3, :3])]
     R = rotation_from_sequence("xyz", np.radians([float(angle) for angle in written]), fixed=True)
     nearest = np.round(R)
     R = np.where(np.abs(R - nearest) < 1e-12, nearest, R)  # as the reader does
@@ -83,8 +83,8 @@ def _pose(T: NDArray[np.float64]) -> Iterable[str]:
         yield f"rpy_deg = [{', '.join(written)}]"
 
 
-def _roll_pitch_yaw(R: NDArray[np.float64]) -> tuple[float, float, float]:
-    """Return the three angles; roll is computed last, so that they also fit at pitch = ±90 degrees."""
+def roll_pitch_yaw(R: NDArray[np.float64]) -> tuple[float, float, float]:
+    """Return the three angles, radians; roll is computed last, so that they also fit at pitch = ±90 degrees."""
     yaw = math.atan2(R[1, 0], R[0, 0])
     pitch = math.atan2(-R[2, 0], math.hypot(R[0, 0], R[1, 0]))
     s, c = math.sin(yaw), math.cos(yaw)

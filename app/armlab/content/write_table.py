@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
+
+import numpy as np
+
 from armlab.content.arithmetic import shortest, shortest_degrees
+from armlab.content.write_robot import roll_pitch_yaw
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
 from armlab.registry import known_name
@@ -10,9 +15,17 @@ from armlab.registry import known_name
 FORMATS = ("csv", "markdown", "latex")
 ANGLE_UNITS = ("deg", "rad")
 
+COMMENTS = {"csv": "# {}\n", "markdown": "\n<!-- {} -->\n", "latex": "% {}\n"}
+"""A comment below the table, by format."""
+
+Written = Callable[[float], str]
+"""A number as text."""
+
 
 def write_table(arm: Arm, format: str, angle: str = "deg") -> str:
-    """Return the rows of an arm as a table with a header; base, tool and limits are not in it.
+    """Return the rows of an arm as a table with a header, with the limits of its joints.
+
+    A base and a tool have no place in a table: a comment below it tells where they are.
 
     Parameters
     ----------
@@ -27,22 +40,45 @@ def write_table(arm: Arm, format: str, angle: str = "deg") -> str:
     """
     known_name("format", format, FORMATS)
     known_name("angle", angle, ANGLE_UNITS)
-    before = arm.convention == "modified"
-    rows = [_cells(row, i + 1, angle) for i, row in enumerate(arm.rows)]
+    turned = shortest_degrees if angle == "deg" else shortest
+    rows = [[*_cells(row, i + 1, turned), *_limits(arm, i, turned)] for i, row in enumerate(arm.rows)]
+    comments = [COMMENTS[format].format(line) for line in _beside(arm, angle, turned)]
+    return _table(arm, format, angle, rows) + "".join(comments)
+
+
+def _table(arm: Arm, format: str, angle: str, rows: list[list[str]]) -> str:
+    before, bound = arm.convention == "modified", _unit_of_limits(arm, angle)
     if format == "latex":
-        return _latex(rows, angle, "i-1" if before else "i")
+        return _latex(rows, angle, "i-1" if before else "i", bound)
     index = "(i-1)" if before else "(i)"
     head = ["joint", f"a{index} [m]", f"alpha{index} [{angle}]", "d [m]", f"theta [{angle}]"]
+    head += [f"q_min [{bound}]", f"q_max [{bound}]"]
     if format == "csv":
         return "".join(",".join(line) + "\n" for line in [head, *rows])
-    lines = [head, ["---"] + ["---:"] * 4, *rows]
+    lines = [head, ["---"] + ["---:"] * (len(head) - 1), *rows]
     return "".join("| " + " | ".join(line) + " |\n" for line in lines)
 
 
-def _cells(row: Row, number: int, angle: str) -> list[str]:
-    def turned(value: float) -> str:
-        return shortest_degrees(value) if angle == "deg" else shortest(value)
+def _unit_of_limits(arm: Arm, angle: str) -> str:
+    """Return the unit of the limits, or both if some joints turn and some slide."""
+    return " or ".join(unit for unit, some in ((angle, arm.revolute.any()), ("m", not arm.revolute.all())) if some)
 
+
+def _limits(arm: Arm, i: int, turned: Written) -> list[str]:
+    written = turned if arm.revolute[i] else shortest
+    return [written(float(limit)) for limit in arm.limits[i]]
+
+
+def _beside(arm: Arm, angle: str, turned: Written) -> Iterable[str]:
+    """Yield where base and tool are, each unless it is the identity."""
+    for name, T in (("base", arm.base), ("tool", arm.tool)):
+        if not np.array_equal(T, np.eye(4)):
+            place = ", ".join(shortest(float(value)) for value in T[:3, 3])
+            turn = ", ".join(turned(each) for each in roll_pitch_yaw(T[:3, :3]))
+            yield f"{name}, not in the table: at ({place}) m, turned by ({turn}) {angle} about the fixed x, y, z"
+
+
+def _cells(row: Row, number: int, turned: Written) -> list[str]:
     d, theta = shortest(row.d), turned(row.theta)
     if row.revolute:
         theta = _with_offset(f"q{number}", theta)
@@ -57,9 +93,10 @@ def _with_offset(variable: str, offset: str) -> str:
     return f"{variable} - {offset[1:]}" if offset.startswith("-") else f"{variable} + {offset}"
 
 
-def _latex(rows: list[list[str]], angle: str, index: str) -> str:
+def _latex(rows: list[list[str]], angle: str, index: str, bound: str) -> str:
     head = ["joint", f"$a_{{{index}}}$ [m]", rf"$\alpha_{{{index}}}$ [{angle}]", "$d_i$ [m]", rf"$\theta_i$ [{angle}]"]
-    lines = [r"\begin{tabular}{lrrrr}", r"\hline", " & ".join(head) + r" \\", r"\hline"]
+    head += [rf"$q_{{\min}}$ [{bound}]", rf"$q_{{\max}}$ [{bound}]"]
+    lines = [r"\begin{tabular}{lrrrrrr}", r"\hline", " & ".join(head) + r" \\", r"\hline"]
     for number, (joint, *cells) in enumerate(rows, start=1):
         symbols = [cell.replace(f"q{number}", f"q_{{{number}}}") for cell in cells]
         lines.append(" & ".join([joint, *(f"${cell}$" for cell in symbols)]) + r" \\")
