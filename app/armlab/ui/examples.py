@@ -34,6 +34,7 @@ def examples(
     action: Typed,
     label: str = "Examples",
     written: Callable[[str], Inside] = _plain,
+    said: Callable[[str], str] = str,
 ) -> Markup:
     """Return the choice among examples, and below it the sentence of the chosen one.
 
@@ -49,8 +50,10 @@ def examples(
     label : str
     written : callable
         Returns how an example's sentences are set.
+    said : callable
+        Returns a title or a sentence with its angles in the unit on screen, as `Units.said` does.
     """
-    titles = {"": "Choose …", **{key: example.title for key, example in known.items()}}
+    titles = {"": "Choose …", **{key: said(example.title) for key, example in known.items()}}
     chooser = form.select("example", "Example", titles, chosen, action, "Load an example")
-    look = tag("p.kit-look", written(known[chosen].says)) if chosen in known else None
+    look = tag("p.kit-look", written(said(known[chosen].says))) if chosen in known else None
     return joined(tag("div.kit-head", tag("span.dim", label), chooser), look)

@@ -153,6 +153,14 @@ class Units:
         """Return the unit in the form that follows a number."""
         return "°" if revolute and self.in_degrees else f" {self.unit(revolute)}"
 
+    def said(self, text: str) -> str:
+        """Return a text of somebody's, written with degrees, with its angles in the unit on screen.
+
+        >>> Units(Notation(angle="rad")).said("200 counts of 0.36° in 0.1 s are 720°/s")
+        '200 counts of 0.00628 rad in 0.1 s are 12.6 rad/s'
+        """
+        return text if self.in_degrees else _DEGREES.sub(lambda at: f"{math.radians(float(at[1])):.3g} rad", text)
+
     def symbol(self, field: str, index: int) -> str:
         """Return the symbol of a field of the table, such as θ₁."""
         return subscript(self.book.symbols[field], index)
@@ -223,6 +231,7 @@ class Units:
         return min(max(value, low), high)
 
 
+_DEGREES = re.compile(r"(\d+(?:\.\d+)?)°")
 _ANGLES = {"deg": math.pi / 180.0, "°": math.pi / 180.0, "rad": 1.0}
 _LENGTHS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0}
 

@@ -244,6 +244,7 @@ def test_an_edge_at_the_very_end_is_counted(pulses, moves, speed):
 def test_moves_are_read_in_the_unit_of_the_person():
     assert read_moves("90, -45 0.5", UNITS) == pytest.approx((90 * DEG, -45 * DEG, 0.5 * DEG))
     assert read_moves("pi/2; 10°", UNITS) == pytest.approx((math.pi / 2, 10 * DEG))
+    assert read_moves("90 deg -45 ° 0.1 rad", UNITS) == pytest.approx((90 * DEG, -45 * DEG, 0.1))
     assert read_moves("", UNITS) == ()
     with pytest.raises(InputError, match="move 2: expected a number in degrees, got 'x'"):
         read_moves("90 x", UNITS)

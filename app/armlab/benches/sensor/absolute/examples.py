@@ -47,7 +47,7 @@ EXAMPLES = part_examples(
         "joint",
         "12 tracks, a joint of a robot",
         Absolute(tracks=12, track=1, offset=0.3, angle=2047.85 * resolution(12)),
-        "4096 sectors of 0.088°. Read in plain binary, this sensor would be half a turn wrong for 0.015 % of the "
+        "4096 sectors of 0.0879°. Read in plain binary, this sensor would be half a turn wrong for 0.015 % of the "
         "turn: rare, and dangerous.",
     ),
     PartExample(

@@ -40,7 +40,7 @@ EXAMPLES = part_examples(
         "link_encoder",
         "A coarse encoder on the link",
         Repeats(counts=4096, shaft="link", backlash=0.0, play=0.0, zero=0.0, zero_slide=0.0),
-        "0.088° of a count at the joint. On the motor, before the gears, the same encoder is a hundred times as fine.",
+        "0.0879° of a count at the joint. On the motor, before the gears, the same encoder is a hundred times as fine.",
     ),
     PartExample(
         "zeros",

@@ -26,8 +26,8 @@ EXAMPLES = part_examples(
         "slow",
         "The same encoder at 9°/s",
         EncoderSpeed(speed=9.0 * DEG),
-        "2.5 counts come in a window: the speed reads 7.2 or 10.8°/s. The time between two counts, 40 000 ticks, tells "
-        "it to 0.0025 %.",
+        "2.5 counts come in a window: the speed reads 7.2°/s or 10.8°/s. The time between two counts, 40 000 ticks, "
+        "tells it to 0.0025 %.",
     ),
     PartExample(
         "servo",
@@ -40,7 +40,8 @@ EXAMPLES = part_examples(
         "coarse_clock",
         "A slow clock, a fast shaft",
         EncoderSpeed(decoder="x4", clock=1e5, speed=3600.0 * DEG),
-        "Between two counts there are 2.5 ticks: the time reads 3000 or 4500°/s in turn, and counting is far better.",
+        "Between two counts there are 2.5 ticks: the time reads 3000°/s or 4500°/s in turn, and counting is far "
+        "better.",
     ),
     PartExample(
         "uneven",

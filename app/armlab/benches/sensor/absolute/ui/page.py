@@ -73,7 +73,7 @@ def _head(form: Form, part: Absolute, units: Units) -> Markup:
     )
     codes = {code: capitalised(name) for code, name in CODES.items()}
     return joined(
-        examples(form, EXAMPLES, part.example, ChooseAbsoluteExample),
+        examples(form, EXAMPLES, part.example, ChooseAbsoluteExample, said=units.said),
         row("Code", form.chips("code", codes, part.code, "Code of the disk", partial(Set, Absolute, "code"))),
         row("Tracks", tag("div.se-line", typed(form, part, "tracks", units), _resolution(part, units))),
         row(

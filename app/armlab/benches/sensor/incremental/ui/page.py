@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from functools import partial
 
 import numpy as np
@@ -31,7 +33,7 @@ from armlab.session.state import Post, State
 from armlab.ui.colours import BLUE, GREY
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import readable
+from armlab.ui.format import readable, trimmed
 from armlab.ui.html import Markup, joined, tag
 from armlab.ui.large import LargeChart
 from armlab.ui.markup import row
@@ -43,6 +45,9 @@ from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
 HEIGHT = 110
+
+SUCH_AS = (math.pi / 2, -math.pi / 4, math.pi / 18)
+"""Moves that a hint names, radians."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
@@ -76,7 +81,7 @@ def _time(part: Incremental, found: Now) -> str:
 
 
 def _head(form: Form, part: Incremental, found: Now, units: Units) -> Markup:
-    unit = units.angle_unit
+    unit, such = units.angle_unit, " ".join(trimmed(angle / units.factor(True), 2) for angle in SUCH_AS)
     moves = form.field(
         "moves",
         "  ".join(readable(move / units.factor(True), DECIMALS) for move in part.moves),
@@ -84,13 +89,13 @@ def _head(form: Form, part: Incremental, found: Now, units: Units) -> Markup:
         lambda text: SetMoves(read_moves(text, units)),
     )
     return joined(
-        examples(form, EXAMPLES, part.example, ChooseIncrementalExample),
+        examples(form, EXAMPLES, part.example, ChooseIncrementalExample, said=units.said),
         row("PPR", tag("div.se-line", typed(form, part, "pulses", units), resolution_markup(part, found, units))),
         tag(
             "label.option.wide",
             tag("span", f"Moves, {unit}"),
             moves,
-            title="Angles one after the other, such as 90 −45 10",
+            title=f"Angles one after the other, such as {such}",
         ),
         row(
             "Speed",
@@ -113,7 +118,7 @@ def _head(form: Form, part: Incremental, found: Now, units: Units) -> Markup:
 
 def read_moves(text: str, units: Units) -> tuple[float, ...]:
     """Return typed moves in radians; `InputError` for one that is no number."""
-    words = text.replace(", ", " ").replace(";", " ").split()
+    words = re.sub(r"\s+(deg|rad|°)", r"\1", text.replace(", ", " ").replace(";", " ")).split()
     return tuple(units.read(word, True, f"move {k}") for k, word in enumerate(words, 1))
 
 

@@ -69,7 +69,7 @@ def _head(form: Form, state: State, part: Repeats, units: Units) -> Markup:
         "approach", APPROACHES, part.approach, "From where each joint comes", partial(Set, Repeats, "approach")
     )
     return joined(
-        examples(form, EXAMPLES, part.example, ChoosePoseExample),
+        examples(form, EXAMPLES, part.example, ChoosePoseExample, said=units.said),
         row(
             "Encoder", tag("div.se-line.pa-wide", typed(form, part, "counts", units), tag("i", "counts"), shafts, ratio)
         ),

@@ -67,7 +67,7 @@ def _head(form: Form, part: EncoderSpeed, units: Units) -> Markup:
     counts = form.field("counts", str(part.counts), "Counts in a window", lambda text: SetCounts(_whole(text)))
     rules = {key: RULES[key] for key in HONEST}
     return joined(
-        examples(form, EXAMPLES, part.example, ChooseSpeedExample),
+        examples(form, EXAMPLES, part.example, ChooseSpeedExample, said=units.said),
         formulas(units),
         row(
             "PPR",
