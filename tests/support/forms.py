@@ -21,6 +21,7 @@ class BareFields:
 
     def __init__(self, on_input: Callable[[str, str], None]) -> None:
         self.send, self.content, self.refused = on_input, Markup(), ""
+        self.remarks: list[str] = []
 
     def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "", **more: str) -> Markup:
         return markup.field(self.channel_id, cell, value, label, disabled, **more)
@@ -36,6 +37,9 @@ class BareFields:
 
     def refuse_later(self, cell: str, text: str) -> Callable[[str], bool]:
         return lambda why: self.refuse(cell, text, why) is None
+
+    def remark(self, text: str) -> None:
+        self.remarks.append(text)
 
     def forgive(self) -> None:
         self.refused = ""

@@ -11,9 +11,12 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.parts.joints import MoveJoint
+from armlab.session.parts.notation import Notation
 from armlab.session.session import LONGEST_NOTICE, Asked, Session, Undo
 from armlab.ui.fields import SEEN
+from armlab.ui.units import Units
 from support.fake_browser import cookie_of
+from support.filled import Filled
 from support.forms import BareForm, asked
 from support.lab import open_lab, running_lab
 from support.patience import Patience
@@ -94,6 +97,31 @@ def test_a_text_that_is_refused_stays_and_its_page_is_shown_again():
         form.press("q", "x")
     assert again == [1]
     assert form.posted == []
+
+
+def test_a_remark_on_what_was_typed_is_shown_and_nothing_is_refused():
+    form, units = BareForm(), Units(Notation(angle="rad"))
+    form.show(form.field("q", "0", "q", lambda text: MoveJoint(0, units.read(text, True, "q"))))
+    form.press("q", "90")
+    assert form.commands == (MoveJoint(0, 90.0),)
+    assert form.fields.remarks == ["Read as 90 rad. For degrees type 90° or 90 deg."]
+    form.press("q", "90°")
+    assert len(form.fields.remarks) == 1
+
+
+@pytest.mark.parametrize(
+    ("key", "cell"), [("table", "dh-1-alpha"), ("joints", "value 1"), ("absolute_encoder", "angle")]
+)
+def test_a_remark_stands_below_the_field_until_the_next_input(key, cell):
+    page = Filled(key)
+    page.do(Set(Notation, "angle", "rad"))
+    page.fill(cell, "20")
+    assert "Read as 20 rad. For degrees type 20° or 20 deg." in page.text
+    assert ("expected a number in rad" in page.text) == (key == "table")  # an angle of the table is in one turn
+    page.do(MoveJoint(1, 0.1))
+    assert "For degrees" in page.text
+    page.fill(cell, "20°")
+    assert "For degrees" not in page.text
 
 
 def test_what_changes_only_the_page_has_it_shown_again():

@@ -5,10 +5,12 @@ import re
 import numpy as np
 import pytest
 
+from armlab.kin.field import Field
 from armlab.kin.motion.path_types import path_type
 from armlab.ui.html import Markup
 from armlab.ui.option_form import option_form
 from armlab.ui.option_text import Scale, option_value
+from armlab.ui.remarks import remarks
 
 DEG, MM = Scale("°", np.pi / 180.0), Scale("mm", 1e-3)
 
@@ -84,6 +86,24 @@ def test_lengths_of_sliding_joints_alone_are_lengths():
 )
 def test_a_form_shows_only_what_can_be_used(given, shown):
     assert cells(form("spline", [DEG, DEG], **given)) == shown
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "said"),
+    [
+        ("90", 90.0, ["Read as 90 rad. For degrees type 90° or 90 deg."]),
+        ("90°", np.pi / 2, []),
+        ("−90 deg", -np.pi / 2, []),
+        ("90 rad", 90.0, []),
+        ("30 pi", 30.0 * np.pi, []),
+    ],
+)
+def test_an_angle_may_have_its_unit_and_one_of_many_turns_without_it_is_remarked_on(text, value, said):
+    kind = Field("start", "", "start", "number", 0.0, unit="q")
+    with remarks() as heard:
+        assert option_value(kind, text.replace(" pi", "*pi"), None, (Scale("rad", 1.0),)) == pytest.approx(value)
+        assert option_value(kind, "1.5 rad", None, (Scale("°", np.pi / 180.0),)) == pytest.approx(1.5)
+    assert heard == said
 
 
 def test_rows_of_derivatives_are_in_the_unit_on_screen():

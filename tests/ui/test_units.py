@@ -27,6 +27,7 @@ from armlab.ui import verdicts
 from armlab.ui.figure.anatomy import anatomy_of
 from armlab.ui.format import MINUS
 from armlab.ui.html import joined
+from armlab.ui.remarks import remarks
 from armlab.ui.scene._dimensions import dimensions_of
 from armlab.ui.scene.angles import name_of
 from armlab.ui.tables import cell_text
@@ -130,6 +131,32 @@ def test_what_is_shown_is_read_back(units, revolute, value):
 )
 def test_units_may_be_typed(text, revolute, value):
     assert DEGREES.read(text, revolute, "x") == pytest.approx(value)
+
+
+@pytest.mark.parametrize(
+    ("units", "text", "revolute", "per", "said"),
+    [
+        (RADIANS, "90", True, "", ["Read as 90 rad. For degrees type 90° or 90 deg."]),
+        (RADIANS, "-22.5*2", True, "", ["Read as −45 rad. For degrees type −45° or −45 deg."]),
+        (RADIANS, "12.5", True, "", []),
+        (RADIANS, "90°", True, "", []),
+        (RADIANS, "90 deg", True, "", []),
+        (RADIANS, "90 rad", True, "", []),
+        (RADIANS, "6 pi", True, "", []),
+        (RADIANS, "90", True, "/s", []),
+        (RADIANS, "90", False, "", []),
+        (DEGREES, "1000", True, "", []),
+    ],
+)
+def test_a_plain_angle_of_many_turns_in_radians_is_remarked_on(units, text, revolute, per, said):
+    """Whether it is in range or not; nobody hears it outside a form."""
+    value = units.read(text, revolute, "x", per)
+    with remarks() as heard:
+        assert units.read(text, revolute, "x", per) == value
+    assert heard == said
+    with remarks() as heard, pytest.raises(InputError):
+        units.read(text, revolute, "x", per, (1.0e5, 2.0e5))
+    assert heard == said
 
 
 def test_what_is_no_number_is_refused_with_the_unit_expected():

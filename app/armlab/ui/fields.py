@@ -105,6 +105,7 @@ class Fields:
         self._revision = self._shown_revision = self._heard = 0
         self._content, self._sent = Markup(), ""
         self._mistake: _Mistake | None = None
+        self._remark: _Mistake | None = None
         self._made = set[str]()  # the fields made since the last `show`
         self._lock = threading.Lock()
         adapter.on_event(self.channel, "on_update", lambda _: self._receive())
@@ -119,6 +120,7 @@ class Fields:
         with self._lock:
             if self._mistake is not None and (self._mistake.cell == cell or self._mistake.stood(SEEN)):
                 self._mistake = None
+            self._remark = None
             self._revision += 1  # so that the next `show` also replaces a text that was not taken
         # Whatever else a page says of itself is of no question.
         self.outdated = any(isinstance(each, str) and f' data-of="{escape(each)}"' not in self._sent for each in of)
@@ -165,6 +167,13 @@ class Fields:
             return True
 
         return refuse
+
+    def remark(self, text: str) -> None:
+        """Show a sentence on what was typed below the fields, until the next input or a change when it could be read.
+
+        Nothing is refused.
+        """
+        self._remark = _Mistake("", "", text)
 
     def forgive(self) -> None:
         """Show the fields with their valid values at the next `show`."""
@@ -218,6 +227,10 @@ class Fields:
             mistake = self._mistake = None if over else mistake
         if mistake is not None:
             content += tag("p.no", f"✕ {mistake.why}", role="alert")
+        if self._remark is not None and self._remark.is_over(self._content):
+            self._remark = None
+        if self._remark is not None:
+            content += tag("p.dim", self._remark.why, role="status")
         # The page numbers what it sends: fields whose text is not in here yet keep it.
         marks = {"data_revision": self._revision, "data_heard": self._heard}
         self._sent = for_reader(tag("div", content, class_=self._class, **marks), self._has_notes)

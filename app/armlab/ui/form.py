@@ -12,6 +12,7 @@ from armlab.teaching.shown_step import MOVED_ON
 from armlab.ui import markup
 from armlab.ui.fields import Fields, OnInput
 from armlab.ui.html import Attribute, Inside, Markup, joined
+from armlab.ui.remarks import remarks
 
 Wish = Command | Sequence[Command] | None
 """Result of an action: commands, of which all are done or none; None if only this page has changed."""
@@ -35,7 +36,8 @@ class Form:
 
     Controls made between two calls of `show` belong to the second call, and only those can be pressed or filled: a cell
     that is not on the page, disabled, or not among the options does nothing. A refusal, of a text by the form or of a
-    command by the worker, is shown at the control that sent it, with the text as it was typed.
+    command by the worker, is shown at the control that sent it, with the text as it was typed; remarks on a text
+    (`armlab.ui.remarks`) stand below it.
 
     Parameters
     ----------
@@ -194,10 +196,13 @@ class Form:
             return
         if action is None:
             return
-        try:
-            wish = action(text)
-        except InputError as refusal:
-            wish = self._refused(cell, text, str(refusal))
+        with remarks() as said:
+            try:
+                wish = action(text)
+            except InputError as refusal:
+                wish = self._refused(cell, text, str(refusal))
+        if said and self._beside:
+            self._fields.remark(said[0])
         if wish is None:
             self._again()
             return

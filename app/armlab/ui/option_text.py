@@ -14,6 +14,8 @@ from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.kin.field import Field
 from armlab.ui.format import readable
+from armlab.ui.units import ANGLES as SIZES
+from armlab.ui.units import remark_on_radians
 
 DECIMALS = 4
 
@@ -114,7 +116,7 @@ def _read(kind: Field, text: str, scales: Sequence[Scale]) -> list[float]:
     found = []
     for j, word in enumerate(words):
         try:
-            value = evaluate(word.replace(",", ".")) * factor_of(kind, scale_of(kind, scales, j))
+            value = _number(kind, word.replace(",", "."), scale_of(kind, scales, j))
         except InputError:
             raise _wrong(kind, text if one else word, scales, j) from None
         too_low = value <= kind.low if kind.above else value < kind.low
@@ -124,9 +126,22 @@ def _read(kind: Field, text: str, scales: Sequence[Scale]) -> list[float]:
     return found
 
 
+def _number(kind: Field, word: str, scale: Scale) -> float:
+    """Return a typed number, radians or metres; an angle may have its unit."""
+    unit = unit_text(kind, scale)
+    if unit in ANGLES:
+        for ending, size in SIZES.items():
+            if word.endswith(ending):
+                return evaluate(word.removesuffix(ending)) * size
+    value = evaluate(word) * factor_of(kind, scale)
+    if unit == "rad" and "pi" not in word and "π" not in word:
+        remark_on_radians(value)
+    return value
+
+
 def _words(text: str) -> list[str]:
-    """Return the words of a text between blanks, with or without commas."""
-    return text.replace(", ", " ").replace("−", "-").split()
+    """Return the words of a text between blanks, with or without commas, each number with its unit."""
+    return re.sub(r"\s+(deg|°|rad)(?!\w)", r"\1", text.replace(", ", " ").replace("−", "-")).split()
 
 
 def _wrong(kind: Field, text: str, scales: Sequence[Scale], j: int = 0) -> InputError:

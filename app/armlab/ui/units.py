@@ -15,6 +15,10 @@ from armlab.session.parts.notation import Notation
 from armlab.session.state import State
 from armlab.ui.format import number, readable, subscript, trimmed
 from armlab.ui.html import Markup, joined, tag
+from armlab.ui.remarks import remark
+
+LARGEST_RADIANS = 4.0 * math.pi
+"""Largest angle, radians, that is typed without a unit and without a remark: a larger one is probably in degrees."""
 
 
 @dataclass(frozen=True)
@@ -211,19 +215,22 @@ class Units:
         """
         plain = text.strip().lower().replace("−", "-").replace("π", "pi").replace(",", ".")
         plain = plain.removesuffix(per).rstrip()
-        factor = self.factor(revolute)
-        endings = _ANGLES if revolute else _LENGTHS
+        factor, bare = self.factor(revolute), False
+        endings = ANGLES if revolute else _LENGTHS
         for ending, known in endings.items():
             if plain.endswith(ending):
                 plain, factor = plain[: -len(ending)].rstrip(), known
                 break
         else:
             factor = 1.0 if revolute and "pi" in plain else factor
+            bare = revolute and not self.in_degrees and not per and "pi" not in plain
         unit = ("degrees" if revolute and self.in_degrees and not per else self.unit(revolute)) + per
         try:
             value = factor * evaluate(plain)
         except InputError:
             raise InputError(f"{where}: expected a number in {unit}, got {text.strip()[:40]!r}") from None
+        if bare:
+            remark_on_radians(value)
         low, high = (-math.inf, math.inf) if within is None else within
         if not low - ROUNDING <= value <= high + ROUNDING:
             least, most = (readable(bound / self.factor(revolute), 4) for bound in (low, high))
@@ -232,8 +239,17 @@ class Units:
 
 
 _DEGREES = re.compile(r"(\d+(?:\.\d+)?)°")
-_ANGLES = {"deg": math.pi / 180.0, "°": math.pi / 180.0, "rad": 1.0}
+ANGLES = {"deg": math.pi / 180.0, "°": math.pi / 180.0, "rad": 1.0}
+"""Sizes, in radians, of the units of angles that can be typed."""
+
 _LENGTHS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0}
+
+
+def remark_on_radians(value: float) -> None:
+    """Remark on an angle that was typed without a unit, if in radians it is more than two turns."""
+    if abs(value) > LARGEST_RADIANS:
+        typed = trimmed(value, 4)
+        remark(f"Read as {typed} rad. For degrees type {typed}° or {typed} deg.")
 
 
 def units_of(state: State) -> Units:
