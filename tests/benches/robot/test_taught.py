@@ -9,14 +9,15 @@ from armlab.benches.robot.taught.examples import EXAMPLES, ChooseGoalExample
 from armlab.benches.robot.taught.facts import FACTS
 from armlab.benches.robot.taught.state import TaughtGoal, VisitAgain
 from armlab.benches.robot.taught.ui.board import RINGS, board, ring_of
-from armlab.benches.robot.taught.ui.page import errors_markup, peg_markup, said_of
-from armlab.benches.robot.taught.ui.scene import LABEL, factor_of, label_place
+from armlab.benches.robot.taught.ui.page import PANEL, errors_markup, peg_markup, said_of
+from armlab.benches.robot.taught.ui.scene import BESIDE, LABEL, drawn_points, factor_of, label_place
 from armlab.benches.robot.taught.visits import visits_of
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State, apply
+from armlab.ui.figure.anatomy import anatomy_of
 from armlab.ui.html import joined
 from armlab.ui.units import units_of
 from support.done import done
@@ -64,6 +65,18 @@ def test_the_label_of_the_deviations_is_beyond_them_on_the_side_away_from_the_wr
     np.testing.assert_allclose(hanging, [1.1, 0.0, 1.0 - LABEL])
     pointing_up = label_place(points, goal, goal - np.array([0.2, 0.0, 0.1]), 1.0)
     np.testing.assert_allclose(pointing_up, [1.1, 0.0, 1.2 + LABEL])
+
+
+def test_the_drawn_positions_and_the_label_in_all_its_width_belong_in_the_picture():
+    state = opened(robot="openmanipulator_x")
+    size, visits = anatomy_of(state[Joints].arm).size, visits_of(state)
+    points, around = drawn_points(visits, size), PANEL.around(state)
+    label = label_place(points, visits.goal, state[Joints].frames[-2, :3, 3], size)
+    along_x, along_y = BESIDE * size * np.eye(3)[:2]
+    inside = np.vstack([points, label + along_x, label - along_y])
+    assert np.all(inside >= around.min(axis=0) - 1e-12)
+    assert np.all(inside <= around.max(axis=0) + 1e-12)
+    assert np.ptp(around, axis=0).max() < size
 
 
 def test_longer_links_alone_make_an_error_that_is_known_by_hand():

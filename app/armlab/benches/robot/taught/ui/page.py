@@ -9,6 +9,7 @@ from typing import Any
 from armlab.benches.robot.taught.examples import EXAMPLES, ChooseGoalExample
 from armlab.benches.robot.taught.state import ABOUT, PLANES, TaughtGoal, VisitAgain
 from armlab.benches.robot.taught.ui.board import board
+from armlab.benches.robot.taught.ui.scene import around
 from armlab.benches.robot.taught.visits import Visits, visits_of
 from armlab.session.fields import Set, fields_of
 from armlab.session.parts.joints import Joints
@@ -157,4 +158,4 @@ def words_markup(part: TaughtGoal) -> Inside:
     )
 
 
-PANEL = Panel((TaughtGoal, Joints), build)
+PANEL = Panel((TaughtGoal, Joints), build, around=around)

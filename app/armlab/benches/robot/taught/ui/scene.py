@@ -15,7 +15,8 @@ from armlab.session.round_numbers import round_below
 from armlab.session.state import State
 from armlab.ui.colours import ORANGE, PURPLE
 from armlab.ui.drawing import LayerCanvas
-from armlab.ui.plugin import Layer, Show
+from armlab.ui.figure.anatomy import anatomy_of
+from armlab.ui.plugin import Layer, Points, Show
 from armlab.ui.scene._nodes import move, write
 
 Floats = NDArray[np.floating]
@@ -25,6 +26,9 @@ DRAWN = 0.16
 
 LABEL = 0.05
 """Distance of the label from the goal and from what is drawn about it, in sizes of the arm."""
+
+BESIDE = 0.25
+"""Room on either side of the middle of the label, in sizes of the arm."""
 
 DOT, BALL = 0.005, 0.011
 """Size of a position, and radius of the ball at the goal, in sizes of the arm."""
@@ -42,6 +46,20 @@ def label_place(points: Floats, goal: Floats, wrist: Floats, size: float) -> Flo
     beyond = LABEL * size
     height = around[:, 2].max() + beyond if goal[2] > wrist[2] else around[:, 2].min() - beyond
     return np.array([*points[:, :2].mean(axis=0), height])
+
+
+def around(state: State) -> Points:
+    """Return what belongs in the picture beside the arm, (k, 3): the drawn positions and all of the label."""
+    visits, size = visits_of(state), anatomy_of(state[Joints].arm).size
+    points = drawn_points(visits, size)
+    label = label_place(points, visits.goal, state[Joints].frames[-2, :3, 3], size)
+    ends = label + BESIDE * size * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
+    return np.vstack([points.min(axis=0), points.max(axis=0), ends]).astype(np.float64)
+
+
+def drawn_points(visits: Visits, size: float) -> Floats:
+    """Return where the positions are drawn, (n, 3)."""
+    return np.asarray(visits.goal + factor_of(visits, size) * (visits.points - visits.goal))
 
 
 class Cloud:
@@ -67,8 +85,8 @@ class Cloud:
         self._drawn = visits
         factor = factor_of(visits, self._canvas.size)
         move(self._ball, visits.goal)
-        write(self._label, f"deviations {factor:g} times as large" if factor > 1.0 else "deviations in true size")
-        drawn = visits.goal + factor * (visits.points - visits.goal)
+        write(self._label, f"deviations × {factor:g}" if factor > 1.0 else "deviations in true size")
+        drawn = drawn_points(visits, self._canvas.size)
         move(self._label, label_place(drawn, visits.goal, state[Joints].frames[-2, :3, 3], self._canvas.size))
         points = drawn.astype(np.float32)
         if self._points is None or len(self._points.points) != len(points):
