@@ -168,6 +168,27 @@ def test_an_own_course_comes_first_and_follows_its_file(tmp_path):
     assert "0 Tests" in html_of(pages)
 
 
+def test_a_course_in_another_language_says_which_lessons_are_in_english(tmp_path):
+    write(tmp_path, own=lesson(title="Own one"))
+    (tmp_path / "course.toml").write_text(COURSE.format(title="course").replace("ik_2r", "harmonic_drive"), "utf-8")
+    pages = PaperPages([tmp_path])
+    lines = {language: _lines(pages.page("course", "lab", language).html.decode()) for language in ("it", "en")}
+    assert "in inglese" in lines["it"]["harmonic_drive"]
+    assert "inglese" not in lines["it"]["first_arm"]
+    assert not [key for key, line in lines["en"].items() if "in English" in line]
+    own = _lines(pages.page("course", "", "it").html.decode())
+    assert "inglese" not in own["own"], "nobody has told in which language it is written"
+    assert "in inglese" in own["harmonic_drive"]
+
+
+def _lines(page):
+    """Return the lines of lessons on the page of a course."""
+    return {
+        re.search(r'/lesson/(\w+)"', line)[1]: line
+        for line in re.findall(r"<li><i></i>.*?(?=<li><i></i>|</ol>)", page, re.S)
+    }
+
+
 def test_whoever_asks_often_gets_the_page_that_was_made(tmp_path, monkeypatch):
     pages = PaperPages([write(tmp_path, own=lesson(title="Own one"))], interval=WAIT)
     page = pages.page("course")

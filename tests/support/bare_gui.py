@@ -17,6 +17,7 @@ from typing import Any
 
 import viser
 
+from armlab.content.languages import ENGLISH
 from armlab.content.robots import Robot
 from armlab.session.session import Session
 from armlab.session.state import Command, State
@@ -137,10 +138,10 @@ class BarePage:
     makes: type[BareGui] = BareGui
     """Kind of its controls."""
 
-    def __init__(self, key: str, robot: Robot) -> None:
+    def __init__(self, key: str, robot: Robot, language: str = ENGLISH) -> None:
         self.session = Session.fresh("bare", robot)
         self._panel, self._gui = panel(key), self.makes()
-        self._gui.page, self._gui.again = key, lambda: None
+        self._gui.page, self._gui.again, self._gui.language = key, lambda: None, language
         self._seconds = itertools.count()
         self._built: State | None = None
         self.show()

@@ -11,6 +11,7 @@ from armlab.content.absent import ABSENT, HAS
 from armlab.content.formulas import sheet
 from armlab.content.index import told
 from armlab.content.index_items import items_of
+from armlab.content.languages import keys
 from armlab.content.po import Message
 from armlab.content.query import NUMBERED, SKIPPED
 from armlab.content.robots import catalogue
@@ -28,6 +29,9 @@ from support.bare_gui import BarePage, Handle, content
 
 ARMS = ("puma560", "planar_2r")
 """Arms with which pages are looked at."""
+
+READ_IN = keys()[-1]
+"""A language besides English, in which pages tell what is not translated."""
 
 
 KINDS = [
@@ -160,7 +164,7 @@ def every_page(listener: Listener, arms: Iterable[str] = ARMS) -> Iterator[BareP
     for key in pages():
         for arm in arms:
             with controls_made() as made:
-                page = BarePage(key, catalogue()[arm])
+                page = BarePage(key, catalogue()[arm], READ_IN)
             listener.at(f"page/{key}")
             listener.hear_controls(made)
             listener.hear(page)

@@ -5,11 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import cache
 from importlib.resources import files
+from typing import TYPE_CHECKING
 
 from armlab import resources
+from armlab.content.as_written import AsWritten
 from armlab.content.po import Message, read_po
 from armlab.content.words import Words
 from armlab.errors import UnknownName
+
+if TYPE_CHECKING:
+    from armlab.content.lesson_head import Headed
 
 ENGLISH = "en"
 
@@ -44,6 +49,20 @@ def messages(key: str) -> tuple[Message, ...]:
     for file in resources.files(f"lessons/{key}", ".po"):
         found += read_po(f"{key}/{file.name}", file.read_text(encoding="utf-8"))[1]
     return (*found, *_read(key)[1])
+
+
+@cache
+def translated(key: str) -> frozenset[str]:
+    """Return the keys of the lessons that are translated into a language besides English."""
+    return frozenset(file.name.removesuffix(".po") for file in resources.files(f"lessons/{key}", ".po"))
+
+
+def only_english(lesson: Headed, key: str) -> bool:
+    """Return whether a lesson is read in English by those who read the lab in another language.
+
+    A teacher's own lessons are in the language in which they were written, which nobody has told.
+    """
+    return key != ENGLISH and lesson.key not in translated(key) and not isinstance(lesson.title, AsWritten)
 
 
 @cache

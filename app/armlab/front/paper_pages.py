@@ -36,10 +36,13 @@ class Printed:
 
 
 class _Kind(NamedTuple):
-    """A kind of page: what is looked at, which is the same thing as long as no file changes, and what is made of it."""
+    """A kind of page: what is looked at, which is the same thing as long as no file changes, and what is made of it.
+
+    It is made for the key of a course and that of the language of its reader, in which it is said afterwards.
+    """
 
     look: Callable[[], Any]
-    made: Callable[[Any, str], str | None]
+    made: Callable[[Any, str, str], str | None]
 
 
 def _course(folders: Folders) -> _Kind:
@@ -53,7 +56,7 @@ def _guide(folders: Folders) -> _Kind:
     from armlab.content.guidebook import Guidebooks
     from armlab.window.guide_page import guide_page
 
-    return _Kind(Guidebooks(folders).look, guide_page)
+    return _Kind(Guidebooks(folders).look, lambda book, key, language: guide_page(book, key))
 
 
 def _formulas(folders: Folders) -> _Kind:
@@ -61,7 +64,7 @@ def _formulas(folders: Folders) -> _Kind:
     from armlab.content.formulas import sheet
     from armlab.window.formulas_page import formulas_page
 
-    return _Kind(sheet, formulas_page)
+    return _Kind(sheet, lambda found, key, language: formulas_page(found, key))
 
 
 KINDS: Mapping[str, Callable[[Folders], _Kind]] = {"course": _course, "guide": _guide, "formulas": _formulas}
@@ -84,7 +87,7 @@ class _Pages:
             if seen is not self._seen:
                 self._seen, self._made = seen, {}
         if (key, language) not in self._made:
-            made = self._kind.made(self._seen, key)
+            made = self._kind.made(self._seen, key, language)
             if made is None:
                 return None
             said = _in_language(made, language).encode()

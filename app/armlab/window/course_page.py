@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from armlab.content.as_written import as_part
 from armlab.content.course import Chapter, Course
+from armlab.content.languages import ENGLISH, only_english
 from armlab.content.lesson_head import Head, time_said
 from armlab.content.outline import Outline
 from armlab.ui.format import so_many
@@ -24,12 +25,13 @@ ol > li { break-inside: avoid; }
 ol > li > i { box-sizing: border-box; width: 1em; height: 1em; margin-top: .2em; }
 ol > li > i { border: 1.3px solid var(--ink); border-radius: 2px; }
 ol > li > span { text-align: right; white-space: nowrap; }
+.in { margin-left: .5em; }
 ul { margin: .1em 0 0; padding: 0 0 0 1.1em; opacity: .85; font-size: .88em; }
 """
 """Rules of style besides those of all pages on paper."""
 
 
-def course_page(outline: Outline, key: str = "") -> str | None:
+def course_page(outline: Outline, key: str = "", language: str = ENGLISH) -> str | None:
     """Return the page of a course as a document; None where there is no course with this key.
 
     Parameters
@@ -37,12 +39,14 @@ def course_page(outline: Outline, key: str = "") -> str | None:
     outline : Outline
     key : str
         Empty for the first course.
+    language : str
+        Key of that in which it will be read.
     """
     course = next((each for each in outline.courses if key in ("", each.key)), None)
     if course is None:
         return None
-    chapters = [_chapter(each, outline, course) for each in course.chapters]
-    others = [_chapter(each, outline, course) for each in outline.others]
+    chapters = [_chapter(each, outline, course, language) for each in course.chapters]
+    others = [_chapter(each, outline, course, language) for each in outline.others]
     more = (tag("section", tag("div", tag("h2", "More lessons"))), others) if others else None
     return document(course.title, LOOK, _head(course, outline), chapters, more, _others(course, outline))
 
@@ -57,11 +61,11 @@ def _head(course: Course, outline: Outline) -> Markup:
     return tag("header", tag("h1", course.title), about, tag("p.small", told), hint, name)
 
 
-def _chapter(chapter: Chapter, outline: Outline, course: Course) -> Markup:
+def _chapter(chapter: Chapter, outline: Outline, course: Course, language: str) -> Markup:
     heads = [outline.heads[key] for key in chapter.lessons]
     minutes = time_said(sum(head.minutes for head in heads))
     about = tag("p.small", chapter.about) if chapter.about else None
-    lessons = [_lesson(head, _needed(head, outline, course)) for head in heads]
+    lessons = [_lesson(head, _needed(head, outline, course), language) for head in heads]
     title = tag("div", tag("h2", chapter.title), tag("span.small", minutes))
     return tag("section", title, about, tag("ol", lessons))
 
@@ -71,10 +75,12 @@ def _needed(head: Head, outline: Outline, course: Course) -> list[str]:
     return [as_part(outline.heads[key].title) for key in outline.needs[head.key] if key in course.chapter_of]
 
 
-def _lesson(head: Head, needed: Sequence[str]) -> Markup:
+def _lesson(head: Head, needed: Sequence[str], language: str) -> Markup:
     can: Inside = tag("ul", [tag("li", sentence) for sentence in head.can]) if head.can else None
     after = tag("small", f" after: {' · '.join(needed)}") if needed else None
-    said = tag("div", tag("b", tag("a", head.title, href=f"/lesson/{head.key}")), after, can)
+    title = tag("b", tag("a", head.title, href=f"/lesson/{head.key}"))
+    english = tag("small.in", "in English") if only_english(head, language) else None
+    said = tag("div", title, english, after, can)
     return tag("li", tag("i"), said, tag("span", time_said(head.minutes)))
 
 

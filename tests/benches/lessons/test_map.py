@@ -8,6 +8,7 @@ import pytest
 from armlab.benches.lessons.index.ui.map import SIGNS, Map
 from armlab.benches.lessons.index.ui.page import _told
 from armlab.content.course import Chapter, Course
+from armlab.content.languages import ENGLISH
 from armlab.content.lessons import lessons
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.way import Standing, Way
@@ -21,11 +22,11 @@ CHAPTERS = (Chapter("First", "About it.", ("first_arm", "joint_types")), Chapter
 NEEDS = {"first_arm": (), "joint_types": (), "forward_2r": ("first_arm",), "ik_2r": ("forward_2r", "joint_types")}
 
 
-def made(here="", others=(), **standings):
+def made(here="", others=(), language=ENGLISH, **standings):
     """Return the map's form, and the markup of its head and its chapters."""
     way = Way(Course("x", "X", "", CHAPTERS), here, standings, NEEDS)
     form = BareForm()
-    drawn = Map(form, way, lessons().lessons)
+    drawn = Map(form, way, lessons().lessons, language)
     form.show(drawn.now(), drawn.markup(CHAPTERS, others))
     return form, form.fields.content
 
@@ -37,6 +38,15 @@ def row(markup, key):
 
 def signs(markup):
     return {key: re.search(r"<u[^>]*>(.)</u>", row(markup, key))[1] for key in NEEDS}
+
+
+def test_a_lesson_that_is_not_translated_is_marked_in_another_language_only():
+    others = (Chapter("More", "", ("harmonic_drive",)),)
+    markup = made(others=others, language="it")[1]
+    assert "<small>in English</small>" in row(markup, "harmonic_drive")
+    assert 'title="Planar 2R, 5 steps · in English"' in row(markup, "harmonic_drive"), "for screen readers"
+    assert "in English" not in row(markup, "first_arm")
+    assert "in English" not in made(others=others)[1]
 
 
 def test_a_newcomer_sees_what_comes_next_and_what_needs_others_first():

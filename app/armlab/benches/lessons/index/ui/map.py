@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from armlab.content.as_written import as_part
 from armlab.content.course import Chapter
+from armlab.content.languages import ENGLISH, only_english
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_head import time_said
 from armlab.teaching.lesson_commands import OpenLesson
@@ -37,10 +38,12 @@ class Map:
     way : Way
     found : mapping of str to Lesson
         All lessons by key.
+    language : str
+        Key of that in which the map is read.
     """
 
-    def __init__(self, form: Form, way: Way, found: Mapping[str, Lesson]) -> None:
-        self._form, self._way, self._found = form, way, found
+    def __init__(self, form: Form, way: Way, found: Mapping[str, Lesson], language: str = ENGLISH) -> None:
+        self._form, self._way, self._found, self._language = form, way, found, language
         self._next = way.next
 
     def markup(self, chapters: Sequence[Chapter], others: Sequence[Chapter]) -> Inside:
@@ -99,19 +102,22 @@ class Map:
         )
 
     def _lesson(self, lesson: Lesson, state: str) -> Markup:
-        """Return one line: the sign, the title, the minutes; below it what is to be done first."""
+        """Return one line: sign, title, language if it is another one, minutes; below it what is to be done first."""
         passed, steps = self._way.standings.get(lesson.key, (0, len(lesson.steps)))
         minutes = time_said(lesson.minutes)
         count = f"{passed} of {steps}" if 0 < passed < steps else ""
         lacks = [as_part(self._found[key].title) for key in self._way.lacks(lesson.key)] if state == "early" else []
         first = f"first: {', '.join(lacks)}" if lacks else ""
-        hint = f"{lesson.robot_used.name}, {so_many(steps, 'step')}"
+        english = "in English" if only_english(lesson, self._language) else ""
+        used = f"{lesson.robot_used.name}, {so_many(steps, 'step')}"
+        hint = " · ".join(filter(None, (used, english)))
         done = "done" if lesson.key in self._way.done else state
         words = dict.fromkeys((WORDS.get(done, ""), WORDS.get(state, "")))
         said = ", ".join(filter(None, (as_part(lesson.title), *words, first, count, minutes)))
         inside = (
             tag("u", SIGNS[done], aria_hidden="true"),
             tag("b", lesson.title),
+            tag("small", english) if english else None,
             tag("i", count or minutes),
             tag("span", first) if first else None,
         )

@@ -40,7 +40,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         found, part = lessons(), state[LessonPart]
         way = Way.of(part, found)
         now.show(_head(now, found, way), Map(now, way, found.lessons).now())
-        course_map = Map(entries, way, found.lessons).markup(way.course.chapters, found.others)
+        course_map = Map(entries, way, found.lessons, gui.language).markup(way.course.chapters, found.others)
         entries.show(course_map, broken_files("lesson", found.problems))
         sheets.show(listed(sheets, gui, post, found.assignments.values(), part))
         errata = saved.chip("errata", "Errata of the notes", partial(gui.open_panel, "errata"), NOTES)
