@@ -267,3 +267,22 @@ says = "One of {{=n}} is missing, at {{q1}}."
     assert "Do it at home." in page, "a guide with a mistake stays as it was"
     file.unlink()
     assert "Do it at home." not in html_of(pages, kind="guide")
+
+
+def test_what_a_teacher_has_written_of_an_own_course_is_not_translated(tmp_path):
+    said = '[[wrong]]\nanswer = 5\nsays = "Homework"\n'
+    asked = f'## Goals\n\n```question\nkind = "number"\ntext = "Hint"\nanswer = 2\ntolerance = 0.1\n\n{said}```\n'
+    write(tmp_path, own=lesson(title="Homework", body=asked))
+    course = '[[chapters]]\ntitle = "Goals"\nabout = "Motion"\nlessons = ["own"]\n'
+    (tmp_path / "course.toml").write_text(f'title = "Motion"\n{course}', encoding="utf-8")
+    written = "".join(f'{key} = ["Goals"]\n' for key in ("show", "homework", "discuss"))
+    (tmp_path / "guide.toml").write_text(
+        f'about = "Motion"\n[[chapters]]\ntitle = "Goals"\n{written}', encoding="utf-8"
+    )
+    pages = PaperPages([tmp_path])
+    page, course = (pages.page(kind, "", "it").html.decode() for kind in ("guide", "course"))
+    assert (page.count("Motion"), course.count("Motion")) == (4, 3)
+    assert re.findall("Movimento|Moto", page + course) == []
+    assert page.count("Goals") == 6
+    assert page.count("Obiettivi") == 1, "the heading is the lab's"
+    assert "Guida a ⁨Motion⁩" in pages.page("guide", "lab", "it").html.decode()

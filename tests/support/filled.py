@@ -61,6 +61,11 @@ class Filled:
         return unescape(found)
 
     @property
+    def markup(self) -> str:
+        """Everything that the page shows."""
+        return "".join(map(content, self._page._gui.has))
+
+    @property
     def text(self) -> str:
         """Everything that the page says, without tags."""
         return words(self._page)

@@ -76,6 +76,12 @@ class CourseFiles:
         return (*own, *(course for course in good if course.key == OF_THE_LAB)), problems
 
 
+def kept(course: Course) -> Course:
+    """Return a teacher's own course, whose titles are not translated."""
+    chapters = tuple(as_written(chapter, "title", "about") for chapter in course.chapters)
+    return as_written(replace(course, chapters=chapters), "title", "about")
+
+
 def mistakes_in(folder: Traversable, known: Collection[str], needs: Mapping[str, Iterable[str]]) -> list[ContentError]:
     """Return what is wrong with the file of the course of a folder, if it has one; see `CourseFiles.judged`."""
     files = CourseFiles()
@@ -85,10 +91,7 @@ def mistakes_in(folder: Traversable, known: Collection[str], needs: Mapping[str,
 
 def _parsed(key: str, source: Source, text: str, file: str) -> Course:
     course = parse_course(key, text, file)
-    if not source.own:
-        return course
-    chapters = tuple(as_written(chapter, "title", "about") for chapter in course.chapters)
-    return as_written(replace(course, chapters=chapters), "title", "about")
+    return kept(course) if source.own else course
 
 
 def _free(key: str, taken: Collection[str]) -> str:

@@ -53,7 +53,7 @@ class Guide:
     chapters: MappingProxyType[str, Written]
 
 
-def parse_guide(text: str, file: str) -> Guide:
+def parse_guide(text: str, file: str, own: bool = False) -> Guide:
     """Read the text of a guide.
 
     Parameters
@@ -61,6 +61,8 @@ def parse_guide(text: str, file: str) -> Guide:
     text : str
     file : str
         Its name in messages.
+    own : bool
+        Whether it is a teacher's own, which is not translated.
 
     Raises
     ------
@@ -76,25 +78,25 @@ def parse_guide(text: str, file: str) -> Guide:
             raise top.fail("chapters", "expected at least one chapter, a table [[chapters]] with its title")
         chapters: dict[str, Written] = {}
         for table in tables:
-            title, written = _chapter(Fields.of(table))
+            title, written = _chapter(Fields.of(table), own)
             if title in chapters:
                 raise table.fail("title", f"the chapter {title!r} is there already; write all of it in one place")
             chapters[title] = written
-        return Guide(to_html(about, file, "about") if about else "", MappingProxyType(chapters))
+        return Guide(to_html(about, file, "about", own) if about else "", MappingProxyType(chapters))
 
 
-def _chapter(fields: Fields) -> tuple[str, Written]:
+def _chapter(fields: Fields, own: bool) -> tuple[str, Written]:
     title = fields.text("title")
-    written = Written(*(_texts(fields, key) for key in Written._fields))
+    written = Written(*(_texts(fields, key, own) for key in Written._fields))
     fields.done()
     if written == NOTHING:
         raise fields.fail("title", "nothing is written of this chapter; expected some of show, homework and discuss")
     return title, written
 
 
-def _texts(fields: Fields, key: str) -> tuple[str, ...]:
+def _texts(fields: Fields, key: str, own: bool) -> tuple[str, ...]:
     given = fields.words(key)
-    return tuple(to_html(text, fields.file, f"{fields.where}.{key}[{i}]") for i, text in enumerate(given, start=1))
+    return tuple(to_html(text, fields.file, f"{fields.where}.{key}[{i}]", own) for i, text in enumerate(given, start=1))
 
 
 def strange(guide: Guide, course: Course, text: str, file: str) -> Iterator[LessonError]:

@@ -75,7 +75,9 @@ class Guidebooks:
 
     def _file(self, key: str, folder: Traversable, label: str) -> Watched[Guide] | None:
         source = guide_of(folder, label)
-        return None if source is None else Watched.read(source, self._files.get(key), parse_guide)
+        return (
+            None if source is None else Watched.read(source, self._files.get(key), partial(parse_guide, own=source.own))
+        )
 
     def _named(self) -> dict[str, tuple[str, Stamp, Named]]:
         """Return the mistakes that lessons name; those of a file that cannot be read are as they were before."""
@@ -88,7 +90,7 @@ class Guidebooks:
             before = self._mistakes.get(key, ("", (), Named()))
             if before[:2] != (source.file, source.stamp):
                 try:
-                    before = source.file, source.stamp, mistakes_of(key, source.read()[0], source.file)
+                    before = source.file, source.stamp, mistakes_of(key, source.read()[0], source.file, source.own)
                 except ContentError:  # which the map of lessons and `armlab lesson check` tell
                     before = source.file, source.stamp, before[2]
             named[key] = before

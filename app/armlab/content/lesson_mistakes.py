@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
+from armlab.content.as_written import AsWritten
 from armlab.content.lesson_head import filled_front, split
 from armlab.content.lesson_lines import located
 from armlab.content.lesson_steps import sections_of
@@ -47,13 +48,15 @@ class Named(NamedTuple):
     steps: tuple[Mistakes, ...] = ()
 
 
-def mistakes_of(key: str, text: str, file: str) -> Named:
+def mistakes_of(key: str, text: str, file: str, own: bool = False) -> Named:
     """Return the mistakes that a lesson names in its variant 0, step by step; steps that name none are left out.
 
     Parameters
     ----------
     key, text, file : str
         Key of the lesson, and the text and the name of its file.
+    own : bool
+        Whether it is a teacher's own, whose words are not translated.
 
     Raises
     ------
@@ -66,9 +69,10 @@ def mistakes_of(key: str, text: str, file: str) -> Named:
     found = []
     for number, (heading, title, *blocks) in enumerate(sections_of(tokens_of(markdown))[1:], start=1):
         del heading
-        says = tuple(dict.fromkeys(_said(blocks, values, file, f"step {number}")))
+        says = tuple(dict.fromkeys(_said(blocks, values, file, f"step {number}", own)))
         if says:
-            found.append(Mistakes(_title(title.content, values, file, f"step {number}"), says))
+            step = _title(title.content, values, file, f"step {number}")
+            found.append(Mistakes(AsWritten(step) if own else step, says))
     return Named(varies, tuple(found))
 
 
@@ -79,7 +83,7 @@ def _title(text: str, values: Mapping[str, Value], file: str, step: str) -> str:
         raise ContentError(file, f"{step}.title", str(error)) from None
 
 
-def _said(blocks: list[Token], values: Mapping[str, Value], file: str, step: str) -> Iterator[str]:
+def _said(blocks: list[Token], values: Mapping[str, Value], file: str, step: str, own: bool) -> Iterator[str]:
     for token in blocks:
         name = token.info.strip() if token.type == "fence" else ""
         if name not in JUDGED:
@@ -90,4 +94,4 @@ def _said(blocks: list[Token], values: Mapping[str, Value], file: str, step: str
                 said = filled(wrong.text("says"), values)
             except InputError as error:
                 raise wrong.fail("says", str(error)) from None
-            yield to_html(_LIVE.sub("…", said), file, where).strip()
+            yield to_html(_LIVE.sub("…", said), file, where, own).strip()

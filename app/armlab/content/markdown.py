@@ -268,8 +268,8 @@ def _html_of_plain(text: str) -> str:
     return html_of(tokens_of(text))
 
 
-def to_html(text: str, file: str, where: str = "") -> str:
-    """Return the HTML of a Markdown text without live values and pictures.
+def to_html(text: str, file: str, where: str = "", own: bool = False) -> str:
+    """Return the HTML of a Markdown text without live values and pictures; an ``own`` one is not translated.
 
     Raises
     ------
@@ -277,7 +277,7 @@ def to_html(text: str, file: str, where: str = "") -> str:
         A formula cannot be converted; ``where`` is its place in the file.
     """
     try:
-        return text_html(text)
+        return text_html(text, Extras(stays=True) if own else None)
     except TextError as error:
         raise ContentError(file, where, str(error)) from None
 

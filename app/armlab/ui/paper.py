@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+
+from armlab.content.as_written import STAYS, as_part
 from armlab.content.languages import ENGLISH
 from armlab.content.notes import for_reader
 from armlab.ui.html import Inside, Markup, joined, styles, tag
@@ -29,8 +32,8 @@ math { font-family: "Cambria Math", "STIX Two Math", "Latin Modern Math", "DejaV
 """
 """Rules of style that all of them share."""
 
-_BEGIN, _END = tag("p", "…").split("…")
-"""Tags around a paragraph."""
+_PARAGRAPH = re.compile(r"<p( {}=\"{}\")?>((?:(?!<p\b).)*)</p>".format(*STAYS), re.DOTALL)
+"""One paragraph, with the attribute of a text that is not translated, and what is inside."""
 
 
 def document(title: str, look: str, *body: Inside) -> str:
@@ -46,7 +49,7 @@ def document(title: str, look: str, *body: Inside) -> str:
     meta = joined(
         tag("meta", charset="utf-8"),
         tag("meta", name="viewport", content="width=device-width"),
-        tag("title", f"{title} – Armlab"),
+        tag("title", f"{as_part(title)} – Armlab"),
         styles((LOOK, look)),
     )
     page = tag("html", tag("head", meta), tag("body", body), lang=ENGLISH)
@@ -84,6 +87,8 @@ def text(html: str) -> Markup:
     <p>One.</p><p>Two.</p>
     (None, None)
     """
-    inside = html.strip().removeprefix(_BEGIN).removesuffix(_END)
-    alone = html.strip() == f"{_BEGIN}{inside}{_END}" and _BEGIN not in inside
-    return Markup(inside if alone else html)
+    alone = _PARAGRAPH.fullmatch(html.strip())
+    if alone is None:
+        return Markup(html)
+    inside = Markup(alone[2])
+    return tag("span", inside, translate=STAYS[1]) if alone[1] else inside

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from armlab.content.as_written import as_part
 from armlab.content.course import Chapter, Course
 from armlab.content.guide import NOTHING
 from armlab.content.guidebook import Guidebook
@@ -63,7 +64,9 @@ def guide_page(book: Guidebook, key: str = "") -> str | None:
     if course is None:
         return None
     chapters = [_chapter(i, each, book, course) for i, each in enumerate(course.chapters, start=1)]
-    return document(f"Guide to {course.title}", LOOK, _head(book, course), tag("main", chapters), _others(book, course))
+    return document(
+        f"Guide to {as_part(course.title)}", LOOK, _head(book, course), tag("main", chapters), _others(book, course)
+    )
 
 
 def _head(book: Guidebook, course: Course) -> Markup:
@@ -72,7 +75,7 @@ def _head(book: Guidebook, course: Course) -> Markup:
     links = [tag("li", tag("a", each.title, href=f"#{i}")) for i, each in enumerate(course.chapters, start=1)]
     return tag(
         "header",
-        tag("h1", f"Guide to “{course.title}”"),
+        tag("h1", f"Guide to “{as_part(course.title)}”"),
         tag("p", "For teachers. ", text(guide.about)) if guide is not None and guide.about else None,
         tag("p.small.hint", "Ctrl+P prints this page, each chapter from a new sheet on. Titles open lessons."),
         wrong,
@@ -149,7 +152,7 @@ def printed(steps: Sequence[Mistakes]) -> list[Mistakes]:
 
 
 def _said(step: str, says: Sequence[str]) -> Inside:
-    title = step if step.endswith(("?", "!")) else f"{step}:"
+    title = step if step.endswith(("?", "!")) else f"{as_part(step)}:"
     return [tag("li", tag("i", title), " ", text(each)) for each in says]
 
 
@@ -158,7 +161,7 @@ def _others(book: Guidebook, course: Course) -> Markup:
     others = [each for each in book.outline.courses if each is not course]
     links = [("The course, for students", address("course", course.key))]
     links += [("Formulas on two pages", address("formulas"))]
-    links += [(f"Guide to {each.title}", address("guide", each.key)) for each in others]
+    links += [(f"Guide to {as_part(each.title)}", address("guide", each.key)) for each in others]
     return tag(
         "nav", tag("p", "More on paper:"), tag("ul", [tag("li", tag("a", title, href=to)) for title, to in links])
     )

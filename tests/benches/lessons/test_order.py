@@ -1,13 +1,21 @@
 """The course in order on the page for teachers: a lesson that is loaded for oneself may stand in it."""
 
+import json
+import re
+from dataclasses import dataclass
+
 import pytest
 
 from armlab.benches.lessons.own_commands import LoadFile
+from armlab.content.as_written import AsWritten, as_part
 from armlab.content.desk import Desk, open_desk
 from armlab.content.lessons import changed, lessons
 from armlab.content.upload import read_upload
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import Command
 from armlab.teaching.parts.own_lessons import OwnLessons
 from armlab.teaching.parts.teacher import LetIn
+from armlab.ui.speech import speech_in
 from support.filled import Filled
 from support.small_lessons import TWO_STEPS, library_fixture
 
@@ -41,6 +49,32 @@ def test_a_lesson_loaded_for_oneself_stands_in_the_own_course(own):
     assert "My own" in page.text
     page.fill("forget mine.md")
     assert "unknown lesson 'mine'" in page.text
+
+
+def test_the_titles_of_an_own_course_are_not_translated(own):
+    text = COURSE.replace('"One"', '"Motion"').replace('"mine", ', "")
+    page = page_with(("mine.md", MINE.replace("My own", "Homework")), ("course.toml", text))
+    page.fill("order-in", "mine")
+    page.do(Restored())
+    said = speech_in("it").markup(page.markup)
+    assert '<h4 class="al-order-title" translate="no">Motion</h4>' in said
+    assert as_part(AsWritten("Homework")) in re.findall(r'title="Sposta “([^"]*)” in su"', said)
+
+
+def test_the_titles_of_the_course_of_the_lab_are_translated_while_it_is_put_in_order():
+    page = page_with()
+    page.fill("order-begin")
+    page.do(Restored())
+    assert ">Un primo braccio</h4>" in speech_in("it").markup(page.markup)
+
+
+@dataclass(frozen=True)
+class Restored(Command):
+    """Save what is loaded, and take it up again."""
+
+    def apply(self, state):
+        data = json.loads(json.dumps(state[OwnLessons].to_json()))
+        return state.replace(OwnLessons.from_json(data, state[RobotPart].robot))
 
 
 def test_of_two_lessons_with_one_name_that_of_the_lab_stands_in_the_course(own):

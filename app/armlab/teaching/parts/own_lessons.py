@@ -10,8 +10,10 @@ from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import ClassVar, Self
 
+from armlab.content.as_written import AsWritten
 from armlab.content.assignment import amiss
 from armlab.content.course import Chapter, Course, parse_course
+from armlab.content.courses import kept
 from armlab.content.held import HeldAssignment, HeldLesson, hold_assignment, hold_lesson
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_folder import COURSE
@@ -102,6 +104,7 @@ class OwnLessons(Part):
         course = self.course and {
             "title": self.course.title,
             "about": self.course.about,
+            **({} if isinstance(self.course.title, AsWritten) else {"own": False}),
             "chapters": [[each.title, each.about, list(each.lessons)] for each in self.course.chapters],
         }
         return {"files": files, "course": course}
@@ -136,14 +139,15 @@ def course_in(upload: Upload) -> Course:
     """
     if len(upload.text) > MOST_TEXT:
         raise InputError(f"{COURSE}: expected at most {MOST_TEXT} characters, got {len(upload.text)}")
-    return parse_course("", upload.text, upload.file)
+    return kept(parse_course("", upload.text, upload.file))
 
 
 def _course_of(data: Json) -> Course | None:
     if data is None:
         return None
     chapters = tuple(Chapter(str(title), str(about), tuple(map(str, keys))) for title, about, keys in data["chapters"])
-    return Course("", str(data["title"]), str(data["about"]), chapters)
+    course = Course("", str(data["title"]), str(data["about"]), chapters)
+    return kept(course) if data.get("own", True) else course
 
 
 def _held(upload: Upload, others: Mapping[str, Held]) -> Held:

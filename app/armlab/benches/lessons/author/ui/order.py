@@ -9,6 +9,7 @@ from typing import Self
 
 from armlab.benches.lessons.course_order import course_text, mistakes
 from armlab.benches.lessons.own_commands import ArrangeCourse, LeaveOut, MoveInCourse
+from armlab.content.as_written import as_part
 from armlab.content.course import Course, sound
 from armlab.content.desk import desk
 from armlab.content.lesson_folder import COURSE
@@ -118,7 +119,8 @@ class Order:
     def _line(self, key: str, course: Course, there: _There) -> Markup:
         """Return a lesson with its buttons, which keep the focus when it moves."""
         form, title = self._form, there.titles.get(key, key)
-        up, down, out = f"Move “{title}” up", f"Move “{title}” down", f"Leave “{title}” out"
+        name = as_part(title)
+        up, down, out = f"Move “{name}” up", f"Move “{name}” down", f"Leave “{name}” out"
         ends = course.lessons[0] == key, course.lessons[-1] == key
         return tag(
             "li",
