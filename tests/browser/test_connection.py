@@ -26,6 +26,32 @@ def test_a_lost_connection_is_said_until_it_is_back(browser, tmp_path, wide):
     again.stop()
 
 
+def test_dialogs_rest_while_the_connection_is_lost(browser, tmp_path):
+    lab = open_lab(tmp_path)
+    context = browser.new_context()
+    page = LabPage(new_page(context, painted=False), f"http://127.0.0.1:{lab.port}/?{COARSE}")
+    resting = "of => [...document.querySelectorAll(of)].filter(each => each.closest('[inert]')).length"
+    buttons, hits = ".al-dialog button", "#al-search [role=option]"
+    page.press("arms")
+    page.page.keyboard.press("Control+k")
+    page.page.locator(hits).first.wait_for()
+    assert [page.page.evaluate(resting, of) for of in (buttons, hits)] == [0, 0]
+    lab.stop()
+    said = page.page.get_by_role("alert", include_hidden=True).filter(has_text="connection to the lab is lost")
+    said.wait_for()
+    for of in (buttons, hits):
+        assert page.page.evaluate(resting, of) == page.page.locator(of).count() > 0
+    assert said.evaluate("of => of.matches(':popover-open')"), "it lies above the search"
+    page.page.locator("#al-search [data-shut]").click()
+    assert not page.page.locator("#al-search").evaluate("search => search.open")
+    again = open_lab(tmp_path, port=lab.port)
+    said.wait_for(state="detached")
+    search = "#al-search input"
+    assert (page.page.locator(search).count(), page.page.evaluate(resting, search)) == (1, 0)
+    context.close()
+    again.stop()
+
+
 def test_a_lab_that_comes_back_asks_again_before_an_exam_and_not_once_it_has_begun(browser, tmp_path):
     lab = open_lab(tmp_path)
     context = browser.new_context()

@@ -10,6 +10,14 @@
   const banner = document.createElement('p');
   banner.className = 'al-lost';
   banner.setAttribute('role', 'alert');
+  banner.popover = 'manual'; // above a dialog, too
+
+  // viser dims its own controls then, and the mouse does not reach them; dialogs and questions have to rest as well. The
+  // button that closes the search needs no lab.
+  const DIALOGS = '.al-dialog, .al-card, .al-tour, .mantine-Modal-body, #al-search :is(.field, .hits)';
+  const rest = lost => {
+    for (const each of document.querySelectorAll(DIALOGS)) if (each.inert !== lost) each.inert = lost;
+  };
 
   // What viser says of the connection: at the head of its window or, where that is narrow, of its sheet; null for nothing.
   const SHEET = '.mantine-Paper-root:has([aria-label*=" panel "]) .mantine-ScrollArea-content > div > div:first-child';
@@ -21,9 +29,11 @@
     was ||= connected === true;
     since = connected !== false || !was ? null : since ?? performance.now();
     const lost = since !== null && performance.now() - since > PATIENCE;
+    if (lost || banner.isConnected) rest(lost);
     if (lost === banner.isConnected) return;
     banner.textContent = lost ? window.armlabSay(TEXT) : '';
     if (lost) document.body.append(banner);
     else banner.remove();
+    if (lost) banner.showPopover?.();
   }, 250);
 })();
