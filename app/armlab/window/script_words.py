@@ -22,4 +22,7 @@ SCRIPT_WORDS = (
     "Cursor",
     "Cursor of {title}",
     "not in the plot",
+    "Show large",
+    "Close",
+    "Picture",
 )
