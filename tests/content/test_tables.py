@@ -357,7 +357,7 @@ def test_a_format_that_does_not_exist():
         ("a,alpha,theta\n0,0,q1", "the header: expected one column d, got none; the columns are a, alpha, theta"),
         ("a,alpha,d,d,theta\n0,0,0,0,q1", "the header: expected one column d, got 2 of them"),
         ("a_{i-1},alpha_i,d,theta\n0,0,0,q1", r"a\(i-1\) is of the modified convention and alpha\(i\) of the stand"),
-        ("a [deg],alpha,d,theta\n0,0,0,q1", "column a is in m or cm or mm, got 'a \\[deg\\]'"),
+        ("a [deg],alpha,d,theta\n0,0,0,q1", "column a: expected m, cm or mm, got 'a \\[deg\\]'"),
         ("x,y,z,w\n0,0,0,q1", "the header: expected names of a, alpha, d, theta .* got x, y, z, w"),
         ("0,0,0\n1,1,1", "row 1: expected a, alpha, d, theta, perhaps after a joint number or R/P, got 3 cells"),
         ("a;alpha;d;theta\n0;1,2,3;0;q1", "row 1, column alpha: expected a number"),

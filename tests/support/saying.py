@@ -26,6 +26,7 @@ from armlab.window import script_words
 from armlab.window.formulas_page import formulas_page
 from armlab.window.search.offers import things
 from support.bare_gui import BarePage, Handle, content
+from support.pasted import what_is_said_of_pasted_tables
 
 ARMS = ("puma560", "planar_2r")
 """Arms with which pages are looked at."""
@@ -269,6 +270,9 @@ def known_before(listener: Listener) -> None:
     listener.at("search")
     for text in what_the_search_goes_by():
         listener.speech.text(text)
+    listener.at("pasted")
+    for _, sentence in what_is_said_of_pasted_tables():
+        listener.speech.text(sentence)
     listener.at("paper")
     listener.speech.markup(formulas_page(sheet()) or "")
 

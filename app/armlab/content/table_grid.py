@@ -120,11 +120,13 @@ def _bars(text: str) -> tuple[tuple[str, ...], ...]:
 
 
 def _separated(lines: list[str], separator: str) -> tuple[tuple[str, ...], ...]:
-    reader = csv.reader((line for line in lines if separator in line), delimiter=separator, skipinitialspace=True)
+    reader = csv.reader(
+        (line for line in lines if separator in line), delimiter=separator, skipinitialspace=True, strict=True
+    )
     try:
         rows = [tuple(cell.strip() for cell in row) for row in reader]
-    except csv.Error as error:
-        raise InputError(f"the table: its quotation marks do not match: {error}") from None
+    except csv.Error:
+        raise InputError("the table: its quotation marks do not match") from None
     # A separator at the end of every line is a habit, not an empty column.
     if all(len(row) > 1 and row[-1] == "" for row in rows):
         rows = [row[:-1] for row in rows]

@@ -48,7 +48,7 @@ def read_header(cells: Sequence[str]) -> tuple[Column, ...] | None:
     for role in DH:
         same = [column.written for column in columns if column.role == role]
         if len(same) != 1:
-            seen = ", ".join(column.written or "(empty)" for column in columns)
+            seen = ", ".join(column.written or "–" for column in columns)
             problem = f"{len(same)} of them" if same else "none"
             raise InputError(f"the header: expected one column {role}, got {problem}; the columns are {seen}")
     return columns
@@ -71,8 +71,13 @@ def _refuse_unit(cell: str, text: str) -> None:
     unit = _FOREIGN.search(text)
     role = _column(text[: unit.start()]).role if unit else ""
     if role in DH:
-        units = "m, cm or mm" if role in ("a", "d") else "deg or rad"
-        raise InputError(f"the header: column {role}: expected {units}, got {cell!r}")
+        raise unit_refused(role, cell)
+
+
+def unit_refused(role: str, written: str) -> InputError:
+    """Return the refusal of a column a, alpha, d or theta in a unit that is none of its own."""
+    units = "m, cm or mm" if role in ("a", "d") else "deg or rad"
+    return InputError(f"the header: column {role}: expected {units}, got {written!r}")
 
 
 def _with_r(columns: tuple[Column, ...]) -> tuple[Column, ...]:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from armlab.content.table_cells import ANGLES, LENGTHS, Cell, plain, read_cell
-from armlab.content.table_header import DH, Column
+from armlab.content.table_header import DH, Column, unit_refused
 from armlab.errors import InputError
 from armlab.kin.dh import Kind
 
@@ -105,7 +105,7 @@ class PastedCells:
         default = self._unit_of_angles(cells, notes)
         mixed = [self._place(i, role) for i, role, cell in cells if self._is_pi_in_degrees(role, cell)]
         if mixed:
-            notes.append(f"The header says degrees, but values with pi are taken as radians: {'; '.join(mixed)}.")
+            notes.append(f"The header says degrees, but values with pi are taken as radians: {' · '.join(mixed)}.")
         values = {role: [0.0] * len(kinds) for role in ("alpha", "theta")}
         meant: dict[str, str] = {}
         for i, role, cell in cells:
@@ -211,7 +211,7 @@ class PastedCells:
     def _column_unit(self, role: str, units: Iterable[str]) -> str:
         unit, own = self._columns[role].unit, tuple(units)
         if unit and unit not in own and role != "offset":
-            raise InputError(f"the header: column {role} is in {' or '.join(own)}, got {self._columns[role].written!r}")
+            raise unit_refused(role, self._columns[role].written)
         return unit if unit in own else ""
 
     def _is_pi_in_degrees(self, role: str, cell: Cell) -> bool:

@@ -25,6 +25,8 @@ MOST_TITLES = 4
 
 Lines = Sequence[tuple[str, ...]]
 
+_BETWEEN_NOTES = re.compile(r"(?<=\.) (?=[A-Z])")
+
 _TOOL = re.compile(r"flange|tool|tcp|hand|gripper|ee|end[ -]?effector")
 _FIXED = re.compile(rf"{_TOOL.pattern}|base|world")
 
@@ -115,6 +117,22 @@ def parse_table(text: str, default_convention: str = "", order: Sequence[str] = 
     )
     convention, why = concluded(named, grid, default_convention, rows[:n], table.marked(n))
     return PastedTable(rows[:n], convention, (*notes, *why, *in_cells), rows[n:])
+
+
+def joined_notes(notes: Sequence[str]) -> str:
+    """Return notes in one line."""
+    return " ".join(notes)
+
+
+def single_notes(joined: str) -> list[str]:
+    """Return the notes that were joined in one line; in any other text, its sentences.
+
+    Each is shown by itself, since one that ends in cells as typed could not be told from the next.
+
+    >>> single_notes("Not read: the columns q-, q+. Angles without a unit are taken as radians.")
+    ['Not read: the columns q-, q+.', 'Angles without a unit are taken as radians.']
+    """
+    return _BETWEEN_NOTES.split(joined)
 
 
 def _joints(grid: Grid, at: int, columns: Sequence[Column], notes: list[str]) -> tuple[Lines, Lines]:

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.content.lesson_lines import located
 from armlab.content.robots import OWN, catalogue, own_robot, parse_robot
-from armlab.content.tables import parse_table
+from armlab.content.tables import joined_notes, parse_table
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import DEFAULT_STROKE, MAX_JOINTS, Arm
 from armlab.kin.convert import converted, remainders
@@ -246,7 +246,7 @@ class PasteTable(Command):
             pasted = parse_table(self.text, self.convention)
             tool = _tool_of(pasted.flange, pasted.convention)
             robot = own_robot(Arm.from_dh(pasted.rows, pasted.convention, tool=tool, name=PASTED), PASTED, None)
-            robot = replace(robot, summary=" ".join(pasted.notes) or robot.summary)
+            robot = replace(robot, summary=joined_notes(pasted.notes) or robot.summary)
         check_sizes(robot.arm)
         return state.with_robot(robot)
 

@@ -8,6 +8,7 @@ from armlab.benches.robot.table.ui.ends import ends_markup, point_line
 from armlab.benches.robot.table.ui.facts import Facts, axes_section, closed_form_card, facts_of
 from armlab.benches.robot.table.ui.files import CONVENTIONS, PasteBox, files_markup, save
 from armlab.content.robots import Robot
+from armlab.content.tables import single_notes
 from armlab.kin.convert import Link
 from armlab.kin.dh import Convention
 from armlab.session.edits import MOST_TEXT, Convert, RestoreTable
@@ -80,10 +81,11 @@ class TablePanel:
         if part.own and part.origin:
             back = tag("span.copies", form.button("restore", BACK, RestoreTable(), "copy"))
             title = part.title, back
+        told = single_notes(part.robot.summary) if part.own and not part.origin else []
         forms = [form.chip(key, text, Convert(key), HINT, key == arm.convention) for key, text in CONVENTIONS.items()]
         self._head.show(
             tag("h3", title),
-            tag("p.dim", part.robot.summary) if part.own and not part.origin else None,
+            [tag("p.dim", note) for note in told],
             tag("div.bar", forms),
             tag("div.eq.small", mathml(step_formula(arm.convention, self._units), block=True)),
             moved_lines(part, self._units),
