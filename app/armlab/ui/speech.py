@@ -19,6 +19,7 @@ from markupsafe import escape
 from armlab.content.as_written import STAYS
 from armlab.content.languages import ENGLISH, words_in
 from armlab.content.words import HELD, NUMBER, Words, has_words, with_numbers, without_numbers
+from armlab.ui.drawing_texts import said_drawing
 
 _TOKEN = re.compile(r"<(math|style|textarea|pre|output)\b.*?</\1>|<[^>]*>|[^<]+", re.DOTALL)
 _NAME = re.compile(r"</?([a-zA-Z0-9]+)")
@@ -105,6 +106,8 @@ class Speech:
         """Return an element's start with those of its attributes that a person reads."""
         if '="' not in token:
             return token
+        if token.startswith("<img "):
+            token = said_drawing(token, self._words)
         if "lang=" in token:
             token = _SPOKEN.sub(lambda spoken: f"{spoken[1]}{self._language}", token)
         if _DATA.search(token):
