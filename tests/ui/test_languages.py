@@ -13,7 +13,7 @@ from armlab.benches.lessons.own_commands import LoadFile
 from armlab.commands._translated import compared, of_translations
 from armlab.content.held import hold_lesson
 from armlab.content.languages import ENGLISH, keys, languages, messages, preferred, words_in
-from armlab.content.lessons import lesson
+from armlab.content.lessons import lesson, lessons
 from armlab.content.po import Message, read_po, write_po
 from armlab.content.robots import catalogue
 from armlab.content.upload import read_upload
@@ -109,6 +109,15 @@ def test_the_tasks_of_arms_are_translated(language):
     assert [title for title in titles if words_in(language)(title) == title] == []
 
 
+@pytest.mark.parametrize("language", OTHERS)
+def test_the_arms_of_lessons_have_translated_names(language):
+    listener = Listener(of_catalogue(language))
+    listener.at(LESSON)
+    for key in lessons().found:
+        listener.speech.text(lesson(key).robot_used.name)
+    assert sorted(listener.missing) == []
+
+
 @pytest.mark.parametrize("key", LESSONS)
 def test_a_translated_lesson_says_all_that_the_lesson_says_also_in_a_variant(key):
     assert [*of_translations(lesson(key)), *of_translations(lesson(key, 17))] == []
@@ -126,6 +135,7 @@ def test_a_translated_lesson_says_all_that_the_lesson_says_also_in_a_variant(key
         ),
         ("first_arm", (MoveJoint(0, 2.0),), "L'utensile è a 3570.1 mm da (2000.0, 0.0, 0.0) mm: x è −1399.7 mm e"),
         ("ik_2r", (Answer("px +"),), "La formula si interrompe: attesi alla fine un numero, un nome o una parentesi"),
+        ("ik_2r", (Answer("0,5 px"),), "Un numero decimale si scrive con il punto: 0.5, non 0,5"),
         ("ik_2r", (Answer("px"),), "La risposta deve dipendere anche da l1, l2, py."),
         ("ik_2r", (GoToStep(1), Answer("0.02")), "Non è ancora la risposta giusta."),
     ],

@@ -298,6 +298,9 @@ class _Reader:
         if self.token is _END:
             raise InputError("the formula breaks off: expected a number, a name or a bracket at its end")
         before = self._tokens[self._place - 1].text if self._place else ""
+        after = self._tokens[self._place + 1].text
+        if self.token.text == "," and before.isdecimal() and after.isdecimal():
+            raise InputError(f"a decimal number is written with a point: {before}.{after}, not {before},{after}")
         raise InputError(f"{self.token.text!r} cannot stand {f'after {before!r}' if before else 'at the beginning'}")
 
     def sum(self) -> _Node:
