@@ -9,10 +9,10 @@ from armlab.content.expressions import (
     FUNCTIONS,
     IN_DEGREES,
     LONGEST,
-    LONGEST_TOGETHER,
     RESERVED,
     parse,
 )
+from armlab.content.formula_tokens import LONGEST_TOGETHER
 from armlab.errors import InputError
 
 VALUES = {"q1": 0.7, "q2": -1.1, "l1": 2.0, "l2": 0.5, "c": 3.0, "c12": 5.0}
@@ -38,6 +38,8 @@ VALUES = {"q1": 0.7, "q2": -1.1, "l1": 2.0, "l2": 0.5, "c": 3.0, "c12": 5.0}
         ("atan2(1, -1) + min(3, 1, 2) + max(1, 2) + abs(-4)", 0.75 * math.pi + 7.0),
         ("rad(180) + deg(pi)", math.pi + 180.0),
         ("cos(60°) + sin(30 °)", 1.0),
+        ("cos(60 deg) + sin(30deg) + 2 rad + rad(180) - pi", 3.0),
+        ("180 deg^2 / pi^2", 1.0),
         ("asin(1) + acos(0) - 2 atan(1)", math.pi / 2),
         ("SIN(Pi/2)", 1.0),
         ("sqrt(tan(pi/4))", 1.0),
@@ -100,6 +102,7 @@ def test_random_formulas_have_python_s_values(rng):
         ("(" * (DEEPEST + 1) + "1" + ")" * (DEEPEST + 1), "nested too deep"),
         ("-" * 100 + "1", "nested too deep"),
         ("1^" * 100 + "1", "nested too deep"),
+        ("rad 2", "'rad' cannot stand at the beginning"),
         ("1" + "°" * (LONGEST - 1), "'°' cannot stand after '°'"),
         ("1" + "+1" * LONGEST, f"at most {LONGEST} characters"),
         ("³" * LONGEST, "characters"),

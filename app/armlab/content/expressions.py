@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 from typing import NoReturn, TypeVar
 
 from armlab.content.fold import Fold
+from armlab.content.formula_tokens import END, Known, Token, tokens_of
 from armlab.content.symbols import plain_symbols
 from armlab.errors import InputError, suggestion
 
@@ -19,9 +19,6 @@ LONGEST = 600
 
 DEEPEST = 40
 """Deepest nesting of brackets, functions, signs and powers."""
-
-LONGEST_TOGETHER = 60
-"""Longest run of names without separator, in characters, such as ``l1c12``."""
 
 LARGEST_POWER = 1000.0
 """Largest exponent, in magnitude."""
@@ -85,10 +82,6 @@ OPERATIONS: dict[str, Callable[..., float]] = {
     **{name: function for name, (function, _, _) in (FUNCTIONS | MORE_FUNCTIONS).items()},
 }
 """Operations and functions by name."""
-
-_TOKEN = re.compile(
-    r"\s*(?:(?P<number>\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d]\w*)|(?P<sign>\*\*|[-+*/^(),°]))"
-)
 
 
 @dataclass(frozen=True)
@@ -180,7 +173,7 @@ def parse(
     """Read a formula of numbers, pi, names, + - * / ^, brackets and functions.
 
     A product may leave out its sign, as in ``2 l1 cos(q1)`` or ``l1c12``; it is then evaluated from left to right like
-    any other. ``°`` after a factor turns degrees into radians.
+    any other. ``°`` or ``deg`` after a factor turns degrees into radians; ``rad`` changes nothing there.
 
     Parameters
     ----------
@@ -207,95 +200,28 @@ def parse(
     source = plain_symbols(text).strip() if len(text) <= LONGEST else text
     if len(source) > LONGEST:
         raise InputError(f"expected a formula of at most {LONGEST} characters, got {len(source)}")
-    reader = _Reader(_tokens(source, _Words(names, functions, together)))
+    reader = _Reader(tokens_of(source, Known(names, functions, together)))
     root = reader.sum()
-    if reader.token != _END:
+    if reader.token != END:
         reader.fail()
     return Expression(text, frozenset(reader.names), root)
-
-
-@dataclass(frozen=True)
-class _Token:
-    """A token; ``kind`` is number, name, function, sign or end."""
-
-    kind: str
-    text: str = ""
-
-
-_END = _Token("end")
-
-
-class _Words:
-    """The known names and functions, and the division of an identifier into them."""
-
-    def __init__(self, names: Collection[str], functions: Collection[str], joined: bool) -> None:
-        self.names = {plain_symbols(name): name for name in names}
-        self.functions = functions
-        self._pieces = sorted({*self.names, "pi"}, key=len, reverse=True) if joined else []
-
-    def tokens(self, word: str, before_bracket: bool) -> list[_Token]:
-        """Return the meaning of an identifier: a name, a function, or a product of names without separator."""
-        for spelling in (word, word.replace("_", "")):
-            if spelling in self.names:
-                return [_Token("name", self.names[spelling])]
-        lowered = word.lower()
-        if lowered in self.functions:
-            return [_Token("function", lowered)]
-        if lowered == "pi":
-            return [_Token("name", "pi")]
-        together = self._together(word, before_bracket) or self._together(word.replace("_", ""), before_bracket)
-        if together is None:
-            raise InputError(f"unknown name {word!r}{suggestion(word, {*self.names.values(), *self.functions, 'pi'})}")
-        return together
-
-    def _together(self, word: str, before_bracket: bool) -> list[_Token] | None:
-        """Return the names, longest first, that form a word, with a function at its end before a bracket; else None."""
-        if len(word) > LONGEST_TOGETHER:
-            return None
-        made: dict[int, list[_Token]] = {len(word): []}  # from each place to the end
-        for start in range(len(word) - 1, -1, -1):
-            if before_bracket and word[start:] in self.functions:
-                made[start] = [_Token("function", word[start:])]
-                continue
-            for piece in self._pieces:
-                if word.startswith(piece, start) and start + len(piece) in made:
-                    made[start] = [_Token("name", self.names.get(piece, piece)), *made[start + len(piece)]]
-                    break
-        return made.get(0)
-
-
-def _tokens(source: str, words: _Words) -> list[_Token]:
-    tokens: list[_Token] = []
-    position = 0
-    while position < len(source):
-        found = _TOKEN.match(source, position)
-        if found is None:
-            raise InputError(f"expected numbers, names, + - * / ^ and brackets, got {source[position:].strip()[:12]!r}")
-        position = found.end()
-        if found["number"]:
-            tokens.append(_Token("number", found["number"]))
-        elif found["name"]:
-            tokens += words.tokens(found["name"], source[position:].lstrip().startswith("("))
-        else:
-            tokens.append(_Token("sign", found["sign"].replace("**", "^")))
-    return tokens
 
 
 class _Reader:
     """A recursive descent parser: a sum of products of powers of factors."""
 
-    def __init__(self, tokens: list[_Token]) -> None:
-        self._tokens, self._place, self._depth = [*tokens, _END], 0, 0
+    def __init__(self, tokens: list[Token]) -> None:
+        self._tokens, self._place, self._depth = [*tokens, END], 0, 0
         self.names: set[str] = set()
 
     @property
-    def token(self) -> _Token:
+    def token(self) -> Token:
         """The next token."""
         return self._tokens[self._place]
 
     def fail(self) -> NoReturn:
         """Raise the error for an unexpected token."""
-        if self.token is _END:
+        if self.token is END:
             raise InputError("the formula breaks off: expected a number, a name or a bracket at its end")
         before = self._tokens[self._place - 1].text if self._place else ""
         after = self._tokens[self._place + 1].text
@@ -329,9 +255,8 @@ class _Reader:
 
     def _raised(self) -> _Node:
         base = self._factor()
-        if self._at("°"):
-            self._take()
-            base = _Node("rad", (base,))
+        if self._at("°", "rad"):
+            base = _Node("rad", (base,)) if self._take() == "°" else base
         if not self._at("^"):
             return base
         self._take()
@@ -379,7 +304,7 @@ class _Reader:
         return _Node(function, tuple(arguments))
 
     def _close(self) -> None:
-        if self.token is _END:
+        if self.token is END:
             raise InputError("a bracket is not closed")
         if not self._at(")"):
             self.fail()
