@@ -24,6 +24,8 @@ INSIDE = """() => {
   return bad;
 }"""
 
+SEEN = "tab => document.querySelector(`[data-tab=${tab}]`)?.parentElement.getClientRects().length > 0"
+
 
 def is_open(lab):
     return lab.page.evaluate("() => document.getElementById('al-search').open")
@@ -55,8 +57,7 @@ def active(lab):
 
 def sees(lab, tab):
     """Return whether a tab is seen, which its mark tells."""
-    seen = "tab => document.querySelector(`[data-tab=${tab}]`)?.parentElement.getClientRects().length > 0"
-    return lab.page.evaluate(seen, tab)
+    return lab.page.evaluate(SEEN, tab)
 
 
 def focused(lab):
@@ -266,3 +267,21 @@ def test_it_fits_screens_of_all_sizes_light_and_dark(visit):
                 lab.finds_none(INSIDE)
                 close_search(lab)
         lab.page.keyboard.press("l")
+
+
+def test_a_tab_that_takes_no_press_yet_is_pressed_again(visit):
+    """As a page that has just been opened may do it."""
+    lab = visit()
+    lab.page.evaluate(
+        """() => {
+          let rest = 3;
+          document.addEventListener('keydown', event => {
+            if (event.isTrusted || !event.target.closest('[data-dock-tab]') || !rest) return;
+            rest--;
+            event.stopImmediatePropagation();
+          }, true);
+        }"""
+    )
+    open_search(lab, "glossary")
+    lab.page.keyboard.press("Enter")
+    lab.page.wait_for_function(f"() => ({SEEN})('help')")

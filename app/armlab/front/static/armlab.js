@@ -236,17 +236,6 @@
     (place.isConnected ? place : twinOf(place))?.focus({ preventScroll: true }); // the browser itself goes on from there
   }, true);
 
-  // The keys of a clicker go through the lesson.
-  const steps = { PageDown: 'lesson-next', PageUp: 'lesson-back' };
-  document.addEventListener('keydown', event => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
-    if (event.target.closest?.('input, select, textarea, [contenteditable]')) return;
-    const button = steps[event.code] && document.querySelector(`.lesson-foot button[data-cell=${steps[event.code]}]`);
-    if (!button) return;
-    event.preventDefault();
-    button.click();
-  });
-
   // Keys that move the camera must not do so while a slider, a tab or a list has the focus.
   const cameraKeys = new Set(['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight']);
   document.addEventListener('keydown', event => {
@@ -267,6 +256,18 @@
     if (opening && tabCalled(opening)?.getAttribute('aria-selected') === 'true') opening = '';
     return opening !== '';
   };
+  let presses = 0;
+  let again = 0;
+  const bringForward = () => {
+    const tab = wanted && tabCalled(wanted);
+    if (!tab) return;
+    clearTimeout(again);
+    if (!presses-- || tab.getAttribute('aria-selected') === 'true') return void (wanted = '');
+    // A tab of the dock answers to the keyboard and to a whole press, not to a bare click.
+    if (tab.matches('button')) tab.click();
+    else tab.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }));
+    again = setTimeout(bringForward, 100); // at first it may take no press
+  };
   const obey = () => {
     const element = document.getElementById('al-notes');
     if (!element) return;
@@ -283,15 +284,10 @@
     if (notes.asked !== asked) {
       asked = notes.asked;
       wanted = opening = notes.tab;
+      presses = 30;
       setTimeout(() => { opening = ''; tellTabs(); }, OPENING);
     }
-    const tab = wanted && tabCalled(wanted);
-    if (tab) {
-      wanted = '';
-      // A tab of the dock answers to the keyboard and to a whole press, not to a bare click.
-      if (tab.matches('button')) tab.click();
-      else tab.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }));
-    }
+    bringForward();
   };
 
   // Another step of a lesson begins at its top.

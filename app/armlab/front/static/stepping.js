@@ -31,3 +31,19 @@ addEventListener('keydown', event => {
   event.preventDefault();
   back.click();
 }, true);
+
+// The keys of a clicker go through the lesson.
+(() => {
+  'use strict';
+
+  const BY_CLICKER = { PageDown: 'lesson-next', PageUp: 'lesson-back' };
+  document.addEventListener('keydown', event => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
+    if (event.target.closest?.('input, select, textarea, [contenteditable]')) return;
+    const cell = BY_CLICKER[event.code];
+    const button = cell && document.querySelector(`.lesson-foot button[data-cell=${cell}]`);
+    if (!button) return;
+    event.preventDefault();
+    button.click();
+  });
+})();
