@@ -33,7 +33,8 @@ def first_start(robot: Robot) -> NDArray[np.float64]:
 
     An arm of one's own often has none but q = 0, where it is stretched or its wrist is straight, and from where no
     method goes anywhere: then one of some random ones around home, inside the limits, from which Newton's method
-    reaches the target.
+    reaches the target; the most regular of them where it reaches the target from none, and home itself where all of
+    them are singular.
     """
     arm, named = robot.arm, np.array(list(robot.poses.values()), dtype=float)
     regular = named[_regularity(arm, named) > REGULAR]
@@ -43,7 +44,7 @@ def first_start(robot: Robot) -> NDArray[np.float64]:
 
 
 def _beside(arm: Arm, home: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return a configuration (n,) beside a singular one, or that one where the arm is singular everywhere."""
+    """Return a configuration (n,) beside a singular one, or that one where all that are tried are singular."""
     rng = np.random.default_rng(0)
     beside = np.asarray(arm.clip(home + 2.0 * _way(arm) * rng.uniform(-1.0, 1.0, (TRIED, arm.n))), dtype=np.float64)
     good = np.minimum(_regularity(arm, beside), _regularity(arm, _towards_target(arm, beside)))

@@ -115,8 +115,10 @@ def solve(
         First start; when left out, of random configurations the one whose tool is nearest, and with ``"dls"`` a closed
         form on its branch comes first where one is quick (see `armlab.kin.ik.at_once`). For a target that cannot be
         reached the result is the closest configuration downhill of it; when left out, the closest that is downhill of
-        `LOWEST` of those nearest. Angles of the solution are those nearest to it, whole turns apart, inside the limits;
-        in (-pi, pi], where the limits allow, when left out.
+        `LOWEST` of those nearest. Angles of a solution are those nearest to it, whole turns apart, inside the limits;
+        in (-pi, pi], where the limits allow, when left out. The closest configuration, and a solution that only the
+        way to it finds, stay where that way ends: inside the limits (locked joints apart), but where these are beyond
+        half a turn, angles may be outside (-pi, pi] and whole turns from the nearest to ``q0``.
     method : str
         Key of a compiled method (see `methods`) or of an iterative one (see `iteration_methods`; at its default
         parameters, some hundred times slower). ``"gradient"`` and ``"gauss_newton"``, which exist in both forms, mean
