@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from armlab.content.as_written import AsWritten, as_part
 from armlab.content.lessons import changed, lessons
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -45,6 +46,11 @@ late_percent = 50
 lesson = "v"
 points = 6
 """
+
+
+def named(title):
+    """Return a teacher's title as it stands in a sentence of the lab."""
+    return f"“{as_part(AsWritten(title))}”"
 
 
 def written(seconds):

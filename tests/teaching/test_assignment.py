@@ -26,11 +26,12 @@ from armlab.teaching.lesson_commands import Answer, CloseLesson, GoToStep, OpenL
 from armlab.teaching.parts.lesson import LessonPart
 from armlab.teaching.parts.shelf import ToSandbox
 from armlab.ui.html import tag
+from armlab.ui.speech import speech_in
 from armlab.window.lesson.assigned import Sheet
 from armlab.window.lesson.missing import still_missing
 from armlab.window.lesson.page import LessonPage
 from armlab.window.wished import wished
-from support.assigned import NOON, done, exam, folder_fixture, fresh_fixture, goal, points, refused, solved
+from support.assigned import NOON, done, exam, folder_fixture, fresh_fixture, goal, named, points, refused, solved
 from support.bare_gui import BareGui, content
 from support.small_lessons import library_fixture
 
@@ -63,8 +64,8 @@ def test_it_opens_in_the_variant_of_the_student_and_keeps_its_own_progress(fresh
 
 
 def test_it_opens_and_closes_at_its_dates(fresh):
-    refused(fresh, OpenAssignment("exam"), "The assignment “Exam” opens on ", NOON - 1)
-    refused(fresh, OpenAssignment("exam"), "The assignment “Exam” closed on ", NOON + 3600)
+    refused(fresh, OpenAssignment("exam"), f"The assignment {named('Exam')} opens on ", NOON - 1)
+    refused(fresh, OpenAssignment("exam"), f"The assignment {named('Exam')} closed on ", NOON + 3600)
     refused(fresh, OpenAssignment("exma"), "assignment: unknown name 'exma'; did you mean 'exam'")
     refused(fresh, OpenAssignment("exam", 10_000), "variant: expected 0 to 9999, got 10000")
     assert done(fresh, wished(fresh, "assignment/exam/8"))[LessonPart].where == "exam:v/8"
@@ -94,9 +95,19 @@ def test_nothing_else_opens_meanwhile_and_other_pages_are_closed(fresh):
     assert "joints" not in hidden_panels(state)
     assert {"lessons", "solutions", "pose", "robot"} <= hidden_panels(state)
     for command in (OpenLesson("t"), ToSandbox(), wished(state, f"state/{short(fresh)}"), OpenWork("{}")):
-        refused(state, command, "The assignment “Exam” is open. Leave it before")
-    refused(state, OpenAssignment("homework"), "The assignment “Exam” is open. Leave it before")
+        refused(state, command, f"The assignment {named('Exam')} is open. Leave it before")
+    refused(state, OpenAssignment("homework"), f"The assignment {named('Exam')} is open. Leave it before")
     assert hidden_panels(done(state, CloseLesson())) == frozenset()
+
+
+@pytest.mark.parametrize("command", [OpenAssignment("exam"), OpenLesson("t")])
+def test_a_refusal_in_another_language_leaves_the_title_as_it_was_written(fresh, command):
+    state = done(fresh, OpenAssignment("homework"))
+    with pytest.raises(InputError) as refusal:
+        apply(state, command, NOON)
+    said = speech_in("it").text(str(refusal.value))
+    assert named("Homework").strip("“”") in said
+    assert "assignment" not in said
 
 
 def test_a_lesson_of_assignments_opens_with_them_only(fresh, own, folder):

@@ -22,7 +22,7 @@ from armlab.ui.html import joined
 from armlab.window.lesson import assigned
 from armlab.window.lesson.assigned import Sheet
 from armlab.window.lesson.page import LessonPage
-from support.assigned import NOON, done, exam, folder_fixture, fresh_fixture, goal, points, refused, solved
+from support.assigned import NOON, done, exam, folder_fixture, fresh_fixture, goal, named, points, refused, solved
 from support.bare_gui import BareGui, content
 from support.forms import BareForm
 from support.small_lessons import library_fixture
@@ -84,13 +84,13 @@ def test_undo_ends_where_a_task_began(fresh):
 def test_start_fresh_forgets_no_open_work(fresh):
     student = session(exam(fresh))
     student.apply(StartFresh(), NOON)
-    assert student.notice.text == "The assignment “Exam” is open. Leave it before everything is forgotten."
+    assert student.notice.text == f"The assignment {named('Exam')} is open. Leave it before everything is forgotten."
     assert student.state[LessonPart].work.begun == NOON
 
 
 def test_work_that_was_handed_in_stays_in_its_variant(fresh):
     state = done(solved(exam(fresh)), OpenAssignment("exam", 5), OpenAssignment("exam", 3), HandIn())
-    says = "The work on “Exam” has been handed in in variant 3"
+    says = f"The work on {named('Exam')} has been handed in in variant 3"
     refused(state, OpenAssignment("exam", 5), says)
     refused(done(state, CloseLesson()), OpenAssignment("exam", 5), says)
     assert done(state, OpenAssignment("exam", 3)) is state
@@ -109,7 +109,7 @@ def test_saved_work_gives_no_time_and_no_look_ahead(fresh, folder):
     assert later[LessonPart].work.begun == NOON
     ahead = done(fresh, OpenWork(json.dumps({**file, "handed_in": NOON + 9e6, "begun": NOON + 8e6})), at=NOON + 5)
     assert ahead[LessonPart].work.begun == NOON + 5
-    refused(fresh, OpenWork(json.dumps(file)), "The assignment “Homework” opens on", NOON - 100)
+    refused(fresh, OpenWork(json.dumps(file)), f"The assignment {named('Homework')} opens on", NOON - 100)
 
 
 def test_a_file_of_an_earlier_attempt_changes_nothing_of_a_later_one(fresh):

@@ -14,6 +14,7 @@ from armlab.ui.asking import CHECK, CHOICE, ENTRY, Draft
 from armlab.ui.begin import ask_to_begin
 from armlab.ui.html import tag
 from armlab.ui.speech import speech_in
+from support.assigned import named
 from support.fake_browser import cookie_of
 from support.lab import running_lab
 from support.own_lessons import ARM, QUESTIONS, lesson, load, piece, to_step, write
@@ -206,7 +207,7 @@ def test_a_link_that_is_refused_or_starts_no_clock_does_not_ask(url):
     async def main():
         early = await followed(url, cookie_of(url), "assignment/later")
         assert not asks(early)
-        assert "The assignment “Final” opens on" in early.notices[-1]
+        assert f"The assignment {named('Final')} opens on" in early.notices[-1]
         free = await followed(url, cookie_of(url), "assignment/exam")
         assert not asks(free)
         assert "assignment-hand-in" in free.html()

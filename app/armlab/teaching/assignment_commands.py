@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
+from armlab.content.as_written import as_part
 from armlab.content.assignment import LAST_VARIANT, Assignment, said_date
 from armlab.content.held import is_held
 from armlab.content.lesson_lines import LessonError
@@ -13,7 +14,7 @@ from armlab.errors import ArmlabError, InputError, suggestion
 from armlab.registry import known_name
 from armlab.session.pages import pages
 from armlab.session.state import Command, State, apply
-from armlab.teaching.assignment_work import Work
+from armlab.teaching.assignment_work import Work, is_open
 from armlab.teaching.lesson_commands import OpenLesson
 from armlab.teaching.lesson_places import where_in
 from armlab.teaching.parts.former import Former
@@ -53,7 +54,7 @@ class OpenAssignment(Command):
         if part.assignment == self.key and part.work == work:
             return state
         if part.assigned is not None and part.assignment != self.key:
-            raise InputError(f"The assignment “{part.assigned.title}” is open. Leave it before you open another.")
+            raise InputError(f"{is_open(part.assigned)} Leave it before you open another.")
         in_preview = state[Preview].before is not None and not is_held(self.key)
         if state[Shelf].place != HOME or in_preview:
             raise InputError("assignment: go back to your own work first")
@@ -170,7 +171,7 @@ def refuse_unknown_pages(found: Assignment) -> None:
 def refuse_before(found: Assignment, now: float) -> None:
     """Raise `InputError` where an assignment is not open yet."""
     if found.opens is not None and now < found.opens:
-        raise InputError(f"The assignment “{found.title}” opens on {said_date(found.opens)}.")
+        raise InputError(f"The assignment “{as_part(found.title)}” opens on {said_date(found.opens)}.")
 
 
 def _begun(found: Assignment, part: LessonPart, now: float, number: int | None) -> Work:
@@ -180,7 +181,7 @@ def _begun(found: Assignment, part: LessonPart, now: float, number: int | None) 
     work = part.works.get(found.key)
     if work is not None and number not in (None, work.number) and work.handed is not None:
         # Else one could work in several variants, see all verdicts, and save the best of them.
-        raise InputError(f"The work on “{found.title}” has been handed in in variant {work.number}.")
+        raise InputError(f"The work on “{as_part(found.title)}” has been handed in in variant {work.number}.")
     if work is not None:
         # Who has begun can come back, whatever has become of the file.
         return work if number is None else replace(work, number=number)
@@ -189,7 +190,7 @@ def _begun(found: Assignment, part: LessonPart, now: float, number: int | None) 
     refuse_unknown_pages(found)
     refuse_before(found, now)
     if found.closes is not None and now >= found.closes:
-        raise InputError(f"The assignment “{found.title}” closed on {said_date(found.closes)}.")
+        raise InputError(f"The assignment “{as_part(found.title)}” closed on {said_date(found.closes)}.")
     return Work(part.number if number is None else number, now)
 
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from armlab.errors import InputError
+from armlab.teaching.assignment_work import is_open
 from armlab.teaching.parts.lesson import LessonPart
 
 
 def refuse_in_assignment(part: LessonPart) -> None:
     """Raise `InputError` while an assignment is open, which other work would replace."""
     if part.assigned is not None:
-        said = f"The assignment “{part.assigned.title}” is open. Leave it before you open anything else."
-        raise InputError(said)
+        raise InputError(f"{is_open(part.assigned)} Leave it before you open anything else.")
 
 
 def refuse_late(part: LessonPart, now: float) -> None:

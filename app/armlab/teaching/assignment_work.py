@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+from armlab.content.as_written import as_part
 from armlab.content.assignment import Assignment
 from armlab.errors import InputError
 from armlab.session.state import Json
@@ -83,3 +84,8 @@ class Work:
         if min(counts) < 0 or not all(map(math.isfinite, (found.begun, found.handed or 0.0))):
             raise InputError("assignment: expected moments and counts from 0")
         return found
+
+
+def is_open(found: Assignment) -> str:
+    """Return the sentence that tells that an assignment is open."""
+    return f"The assignment “{as_part(found.title)}” is open."

@@ -28,6 +28,7 @@ from armlab.teaching.parts.preview import Preview
 from armlab.teaching.parts.shelf import BackToLesson, OpenShared, ToSandbox
 from armlab.teaching.parts.teacher import LetIn, Teacher
 from armlab.teaching.preview_commands import EndPreview, PreviewAssignment, PreviewLesson
+from support.assigned import named
 from support.small_lessons import TWO_STEPS, VARIED, library_fixture
 
 own = pytest.fixture(library_fixture, name="own")
@@ -160,7 +161,7 @@ def test_the_exam_of_the_lab_is_seen_with_the_key_alone(own, tmp_path):
     assert "teacher" not in let_in.to_json()
     work = apply(state, OpenAssignment("exam"), 2e9)
     for command in (LoadFile(read_upload(f"a.md\n{TWO_STEPS}")), ForgetFile("a.md"), PreviewLesson("t", "author")):
-        with pytest.raises(ArmlabError, match="The assignment “E” is open"):
+        with pytest.raises(ArmlabError, match=f"The assignment {named('E')} is open"):
             apply(work, command)
 
 

@@ -26,7 +26,7 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Json, Part, PartType, State
-from armlab.teaching.assignment_work import Work
+from armlab.teaching.assignment_work import Work, is_open
 from armlab.teaching.closed_pages import closed_pages
 from armlab.teaching.lesson_films import films_played
 from armlab.teaching.lesson_locks import freed, refuse_locked
@@ -214,8 +214,7 @@ class LessonPart(Part):
     def refuse_forgetting(self) -> None:
         """Raise `InputError` while an assignment is worked on, of which everything would be lost."""
         if self.assigned is not None and not self.rests:
-            title = self.assigned.title
-            raise InputError(f"The assignment “{title}” is open. Leave it before everything is forgotten.")
+            raise InputError(f"{is_open(self.assigned)} Leave it before everything is forgotten.")
 
     def guard(self, before: State, now: State) -> None:
         """Refuse a change that the open lesson has locked."""
