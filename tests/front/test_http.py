@@ -4,6 +4,7 @@ import asyncio
 import socket
 import time
 from collections import Counter
+from urllib.parse import quote
 
 import pytest
 
@@ -53,20 +54,17 @@ def test_pages(url, path):
     [
         "nothing",
         "robot/",
-        "robot/UPPER",
         "robot/a%2Fb",
         "robot/%2e%2e",
         "robot/../secret",
         "robot/" + "x" * 65,
         "lesson/",
-        "lesson/UPPER",
         "lesson/first_arm.md",
         "lesson/%2e%2e",
         "lesson/first_arm/two",
         "lesson/first_arm/-1",
         "lesson/first_arm/10000",
         "lesson/first_arm/1/2",
-        "lesson/UPPER/1",
         "state/",
         "state/1abc/2",
         "index.html",
@@ -76,6 +74,29 @@ def test_pages(url, path):
 )
 def test_everything_else_is_not_there(url, path):
     assert get(url + path)[0] == 404
+
+
+@pytest.mark.parametrize(
+    ("typed", "path"),
+    [
+        ("robot/PUMA560", "/robot/puma560"),
+        ("Page/motion?tab=2", "/page/motion?tab=2"),
+        ("lesson/First_Arm/7", "/lesson/first_arm/7"),
+        ("EXAMPLE/Laws/Triangle", "/example/laws/triangle"),
+        ("Erratum/1.H1", "/erratum/1.H1"),
+        ("State/1aB", "/state/1aB"),
+        ("Course/Robotics", "/course/robotics"),
+        ("Formulas", "/formulas"),
+    ],
+)
+def test_capitals_lead_to_the_address_without(url, typed, path):
+    status, headers, _ = get(url + typed, follow=False)
+    assert (status, headers["Location"]) == (303, path)
+
+
+@pytest.mark.parametrize("path", ["robot/PUMA.560", "Nothing/here", "gu\u0131de", "le\u017f\u017fon/first_arm"])
+def test_what_is_no_address_in_small_letters_either_leads_nowhere(url, path):
+    assert get(url + quote(path), follow=False)[0] == 404
 
 
 @pytest.mark.parametrize("text", ["1", "1" * 1501, "1a.b", "1a%20b", "1a%3Cscript%3E", "1a%0A", "1%C3%A9"])
@@ -123,7 +144,7 @@ def test_other_names_that_point_here_are_refused(url, host):
         ("?websocket=x", {}, 302),
         ("", {"Upgrade": "websocket"}, 403),
         ("nothing", {}, 404),
-        ("robot/UPPER", {}, 404),
+        ("robot/UP.PER", {}, 404),
         ("erratum/5-58", {}, 404),
         ("", {"Host": "evil.example"}, 421),
     ],

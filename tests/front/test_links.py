@@ -111,6 +111,7 @@ def test_the_link_of_a_lesson_that_waits_leads_back_to_it():
         ("robot/puma", "There is no arm 'puma'. Did you mean /robot/puma560?"),
         ("assignment/speed", "There is no assignment 'speed'. Did you mean /assignment/speeds?"),
         ("erratum/5.999", "There is no erratum '5.999'."),
+        ("erratum/a.ARG", "There is no erratum 'a.ARG'. Did you mean one of /erratum/A.arg, /erratum/2.AR?"),
         ("example/laws/triangel", "There is no example 'laws/triangel'. Did you mean "),
     ],
 )

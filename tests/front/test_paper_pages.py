@@ -104,7 +104,7 @@ def test_a_page_is_in_the_language_of_its_address_or_of_the_browser_and_leads_to
 @pytest.mark.parametrize(
     ("path", "said"),
     [
-        ("robot/PUMA", "Questa pagina non esiste."),
+        ("robot/PUMA.560", "Questa pagina non esiste."),
         ("lesson/first_arm/x", "Questa pagina non esiste: una variante è un numero da 0 a 9999."),
         ("erratum/x", "Questa pagina non esiste: una correzione ha un codice come 5.58."),
         (

@@ -25,7 +25,7 @@ from armlab.front.paper_pages import POLICY as OF_PAPER
 from armlab.front.paper_pages import PaperPages, Printed, in_their_language
 from armlab.front.room import FORM, HIDDEN, POLICY, Room
 from armlab.front.tokens import Tokens
-from armlab.front.wishes import NAME, PAPERS, ROUTES, Wishes, refused
+from armlab.front.wishes import NAME, PAPERS, ROUTES, Wishes, refused, route, small
 from armlab.session.saved_up import SavedUpEach
 
 T = TypeVar("T")
@@ -103,9 +103,9 @@ class Front:
         self.app.on_shutdown.append(self._say_goodbye)
         self.app.router.add_get("/", self._visit)
         for path in ROUTES:
-            self.app.router.add_get(path, self._visit)
+            self.app.router.add_get(route(path), self._visit)
         for path in PAPERS:
-            self.app.router.add_get(path, self._visit_paper)
+            self.app.router.add_get(route(path), self._visit_paper)
 
     def open_labs(self, lines: Sequence[Line]) -> None:
         """Let the sockets of pages through to labs, also those that wait; to be called on the front's loop.
@@ -176,8 +176,11 @@ class Front:
             return _text(421, "This name is not served here.")
         if is_socket and request.headers.get("Origin", "").lower() not in (f"http://{host}", f"https://{host}"):
             return _text(403, "Cross-site connection refused.")
-        refusal = refused(request.match_info)
-        return _text(*refusal) if refusal is not None else None
+        parts = small(request.match_info)
+        refusal = refused(parts)
+        if refusal is not None:
+            return _text(*refusal)
+        return None if parts == dict(request.match_info) else _moved(request, "/" + "/".join(parts.values()))
 
     def _asked_for_code(self, request: web.Request) -> web.Response | None:
         """Return the form for the code of the room, a redirect after the right code, or None for somebody inside."""
@@ -305,6 +308,12 @@ def _said(request: web.Request, token: str, wish: str | None, language: str | No
     if accepted := request.headers.get("Accept-Language"):
         said["X-Armlab-Language"] = accepted[:200]
     return said
+
+
+def _moved(request: web.Request, path: str) -> web.Response:
+    """Return the answer that sends a browser to another path of the lab."""
+    to = request.rel_url.with_path(path).with_query(request.query)
+    return web.Response(status=303, headers={"Location": str(to)})
 
 
 def _give_cookie(request: web.Request, response: web.Response, name: str, value: str) -> None:

@@ -25,7 +25,25 @@ PAPERS = ("/course", "/course/{name}", "/guide", "/guide/{name}", "/formulas")
 
 NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}\Z")
 VARIANT = re.compile(r"[0-9]{1,4}\Z")
-ERRATUM = re.compile(r"[0-9A-Z]\.[0-9A-Za-z]{1,8}\Z")
+ERRATUM = re.compile(r"[0-9A-Za-z]\.[0-9A-Za-z]{1,8}\Z")
+
+
+_IN_SMALL_LETTERS = frozenset({"kind", "name", "example"})
+"""Parts of addresses that have no capitals."""
+
+
+def route(path: str) -> str:
+    """Return the route of one of these addresses whose first word, its ``kind``, may also be typed with capitals.
+
+    >>> route("/robot/{name}")
+    '/{kind:(?ai:robot)}/{name}'
+    """
+    return re.sub(r"\A/([a-z]+)", r"/{kind:(?ai:\1)}", path)
+
+
+def small(parts: Mapping[str, str]) -> dict[str, str]:
+    """Return the parts of a link, in their order, as they are written in addresses: many a title has capitals."""
+    return {part: text.lower() if part in _IN_SMALL_LETTERS else text for part, text in parts.items()}
 
 
 def refused(parts: Mapping[str, str]) -> tuple[int, str] | None:

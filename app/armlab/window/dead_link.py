@@ -77,6 +77,6 @@ def _is_kept(state: State, kind: str, name: str) -> bool:
 def _near(name: str, titles: Mapping[str, str]) -> list[str]:
     """Return the keys that hold a name, or whose titles do, and then those that are spelt much like it."""
     words = name.replace("_", " ").casefold()
-    holding = [key for key, title in titles.items() if name in key or words in title.casefold()]
+    holding = [key for key, title in titles.items() if name.casefold() in key.casefold() or words in title.casefold()]
     found = dict.fromkeys([*(holding if len(name) >= SHORTEST else ()), *get_close_matches(name, titles, n=MOST)])
     return list(found)[:MOST]
