@@ -160,7 +160,7 @@ class Units:
     def said(self, text: str) -> str:
         """Return a text of somebody's, written with degrees, with its angles in the unit on screen.
 
-        >>> Units(Notation(angle="rad")).said("200 counts of 0.36° in 0.1 s are 720°/s")
+        >>> Units(Notation(angle="rad")).said("200 counts of 0.36° in 0.1 s are 720 °/s")
         '200 counts of 0.00628 rad in 0.1 s are 12.6 rad/s'
         """
         return text if self.in_degrees else _DEGREES.sub(lambda at: f"{math.radians(float(at[1])):.3g} rad", text)
@@ -238,7 +238,7 @@ class Units:
         return min(max(value, low), high)
 
 
-_DEGREES = re.compile(r"(\d+(?:\.\d+)?)°")
+_DEGREES = re.compile(r"(\d+(?:\.\d+)?) ?°")
 ANGLES = {"deg": math.pi / 180.0, "°": math.pi / 180.0, "rad": 1.0}
 """Sizes, in radians, of the units of angles that can be typed."""
 

@@ -64,8 +64,8 @@ EXAMPLES = Registry(
             "An integral of zero, ten times smaller",
             (_pieces(TENTH, X, Y, MINUS_X, MINUS_Y), _pieces(TENTH, X, MINUS_X)),
             "body",
-            "Steps of 9° in place of 90° leave 1.4° about z: the square of 9° in radians. A gyroscope that shakes so "
-            "drifts, although its readings have the mean zero.",
+            "Steps of 9° in place of 90° leave 1.4° about z: the square of a step in radians. A gyroscope that shakes "
+            "so drifts, although its readings have the mean zero.",
         ),
         IntegralExample(
             "one_axis",

@@ -49,7 +49,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         about = form.chips("about", ABOUT, state[Integral].about, "The axes of ω", partial(Set, Integral, "about"))
         form.show(
-            examples(form, EXAMPLES, example_of(state), ChooseIntegralExample),
+            examples(form, EXAMPLES, example_of(state), ChooseIntegralExample, said=units_of(state).said),
             laws_markup(form, state),
             row("ω along", about),
             clock(form, state, CLIP_KEY, duration_of(state), film_time(state)),

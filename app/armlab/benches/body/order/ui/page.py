@@ -70,7 +70,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         nonlocal drawn
         form.show(
-            examples(form, EXAMPLES, example_of(state), ChooseOrderExample),
+            examples(form, EXAMPLES, example_of(state), ChooseOrderExample, said=units_of(state).said),
             rotations_markup(form, state),
             steps_bar(form, state, CLIP_KEY, "rotation", ShowRotation, ENDS),
         )

@@ -21,6 +21,7 @@ from armlab.ui.form import Form
 from armlab.ui.html import Markup
 from armlab.ui.markup import row
 from armlab.ui.plugin import Panel, Show
+from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
 
@@ -30,7 +31,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
     def show(state: State) -> None:
         form.show(
-            examples(form, EXAMPLES, example_of(state), ChooseSequenceExample),
+            examples(form, EXAMPLES, example_of(state), ChooseSequenceExample, said=units_of(state).said),
             angles_markup(form, state, with_rings=False),
             _order(form, state),
             steps_bar(form, state, CLIP_KEY, "turn", ShowTurn),

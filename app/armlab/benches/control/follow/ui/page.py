@@ -55,7 +55,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         if now == written and not any(each.stale for each in (head, runs, form, law, plant)):
             return
         written = now
-        head.show(examples(head, EXAMPLES, state[Control].example, ChooseControlExample, "Experiments"))
+        example, said = state[Control].example, units_of(state).said
+        head.show(examples(head, EXAMPLES, example, ChooseControlExample, "Experiments", said=said))
         runs.show(runs_markup(runs, state))
         card.show(card_markup(state))
         speeds.show(fold("Peak speeds of the joints", speeds_markup(state)))

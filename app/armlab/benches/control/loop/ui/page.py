@@ -49,7 +49,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
     def show(state: State) -> None:
         part = state[Loop]
-        head.show(_head(head, part))
+        head.show(_head(head, part, units))
         drawn.show(diagram(part, present_time(state)))
         form.show(form_markup(form, part))
         timing.show(clock(timing, state, CLIP_KEY, part.end))
@@ -95,8 +95,8 @@ def _written(says: str) -> Markup:
     return with_symbol(says, "v_d")
 
 
-def _head(form: Form, part: Loop) -> Markup:
-    chooser = examples(form, EXAMPLES, part.example, ChooseLoopExample, written=_written)
+def _head(form: Form, part: Loop, units: Units) -> Markup:
+    chooser = examples(form, EXAMPLES, part.example, ChooseLoopExample, written=_written, said=units.said)
     formula = mathml(r"M\,\dot v=F,\quad F=K\,(v_d-v)")
     title = "A mass without friction whose velocity is controlled by a force⟦; notes 7.3-7.10⟧"
     return joined(chooser, tag("div.eq.small", "\N{EM SPACE}", formula, title=title))

@@ -39,7 +39,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
                 "points", "Points", Set(Drives, "points", not part.points), "Points in the scene", part.points
             )
             form.show(
-                examples(form, EXAMPLES, part.example, ChooseDriveExample),
+                examples(form, EXAMPLES, part.example, ChooseDriveExample, said=units.said),
                 table_markup(form, part, units),
                 tag("div.bar", points),
             )

@@ -15,6 +15,7 @@ from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.matrices import MatrixView
 from armlab.ui.plugin import OF_THE_ARM, Panel, Show
+from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
 HIDES = (*OF_THE_ARM, "gizmo", "gap")
@@ -30,7 +31,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         found = state.derived(pair_of)
         top.show(
-            examples(top, EXAMPLES, state[Chain].example, ChooseChainExample),
+            examples(top, EXAMPLES, state[Chain].example, ChooseChainExample, said=units_of(state).said),
             frames_markup(top, state),
             pair_markup(top, state),
         )

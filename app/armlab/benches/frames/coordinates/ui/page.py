@@ -62,7 +62,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         part, found, units = state[Coordinates], state.derived(where_of), units_of(state)
         chips = form.chips("shown", SHOWN, part.shown, "What is drawn", partial(Set, Coordinates, "shown"))
         form.show(
-            examples(form, EXAMPLES, part.example, ChoosePointExample),
+            examples(form, EXAMPLES, part.example, ChoosePointExample, said=units.said),
             tag("h3", "One point, three kinds of coordinates"),
             _fields(form, found, units),
             tag("div.bar", tag("span.dim", "drawn in the scene "), chips),

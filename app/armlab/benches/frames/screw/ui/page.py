@@ -41,7 +41,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         found, s = state.derived(ways_of), part_of(state)
         top.show(
-            examples(top, EXAMPLES, state[Screw].example, ChooseScrewExample),
+            examples(top, EXAMPLES, state[Screw].example, ChooseScrewExample, said=units_of(state).said),
             _poses(top, state),
             tag("h3", "The screw from pose 1 to pose 2"),
             verdict(state),

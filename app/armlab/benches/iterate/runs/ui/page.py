@@ -73,7 +73,7 @@ def problem_markup(form: Form, state: State) -> Markup:
     part = state[Iterations]
     play = play_button(form, state, CLIP_KEY, "steps")
     return joined(
-        examples(form, EXAMPLES, part.example, ChooseExample),
+        examples(form, EXAMPLES, part.example, ChooseExample, said=units_of(state).said),
         tag("div.bar", play, tag("span.dim", _present(state))),
         _start_markup(form, state),
         _target_markup(form, state),

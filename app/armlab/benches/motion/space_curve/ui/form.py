@@ -54,7 +54,7 @@ def head(form: Form, state: State) -> Markup:
     """Return the choice of curve or turn, the examples, and the button of the film."""
     part = state[SpaceCurve]
     view = form.chips("shown", VIEWS, part.shown, "What is shown", _looking)
-    chooser = examples(form, EXAMPLES, part.example, ChooseExample)
+    chooser = examples(form, EXAMPLES, part.example, ChooseExample, said=units_of(state).said)
     play = play_button(form, state, CLIP_KEY, "curve")
     return joined(chooser, tag("div.bar", play, tag("span.sc-view", view)))
 

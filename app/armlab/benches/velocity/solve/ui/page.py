@@ -86,7 +86,7 @@ class SolvePage:
 def head_markup(form: Form, state: State, solved: Found, units: Units) -> Markup:
     """Return the choices of an example and of the rows, and the fields of the wanted velocity."""
     part = state[Solve]
-    chooser, asked = examples(form, EXAMPLES, part.example, ChooseSolveExample), None
+    chooser, asked = examples(form, EXAMPLES, part.example, ChooseSolveExample, said=units.said), None
     if has_choice(part.arm):
         hint = "What is asked of the tool; the rest of its motion is left free"
         chips = [form.chip(f"rows-{key}", text, AskFor(key), hint, key == part.rows) for key, text in ASKED.items()]
