@@ -63,6 +63,7 @@ def test_right_shares(text):
         (DEGREES, "1.5708", "The number is right in rad; write its unit, or give it in deg.", "degrees"),
         (DEGREES, "1.5708 deg", "The number is right in rad, but you wrote deg.", "degrees"),
         (DEGREES, "-270", "The direction is right, but it is a whole turn away.", "turn"),
+        (DEGREES, f"{360 * 10**6 + 90}", "This is not the answer yet.", ""),
         (DEGREES, "45", "This is half of what is asked", "factor 2"),
         (ROOT, "2*cos(30)", "sin, cos and tan take radians here", "degrees"),
         (SMALL, "0.035", "This is not the answer yet.", ""),

@@ -17,6 +17,10 @@ PLAIN_FACTOR = 4.0
 """Distance of an answer from zero, in tolerances, from which its double and half can be distinguished from it."""
 
 
+MOST_TURNS = 10
+"""Turns up to which an answer may have been counted on; of more the remainder is chance, and of huge ones rounding."""
+
+
 @dataclass(frozen=True)
 class WrongNumber:
     """A wrong number that a lesson expects, in the question's unit, and the lesson's text on it (HTML)."""
@@ -98,7 +102,9 @@ class NumberQuestion:
             yield Verdict(
                 False, "sin, cos and tan take radians here: write cos(rad(60)) or cos(60°) for 60 degrees.", "degrees"
             )
-        if quantity == "an angle" and self._near(self.answer + math.remainder(value - self.answer, math.tau / own)):
+        away = value - self.answer
+        turned = self.answer + math.remainder(away, math.tau / own)
+        if quantity == "an angle" and abs(away) < MOST_TURNS * math.tau / own and self._near(turned):
             yield Verdict(False, "The direction is right, but it is a whole turn away.", "turn")
         # Around zero every unit, the double and the half are right as well.
         if abs(self.answer) > PLAIN_FACTOR * self.tolerance:
