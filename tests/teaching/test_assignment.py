@@ -154,6 +154,15 @@ def test_a_wrong_prediction_gives_no_points_in_an_exam(fresh):
     assert points(homework, "homework") == 2.0  # as on screen
 
 
+def test_a_step_that_was_not_begun_asks_nobody_to_begin_once_the_work_is_handed_in(fresh):
+    gui = BareGui()
+    page = LessonPage(gui, print)
+    begun = done(fresh, SignAs("Ada"), OpenAssignment("homework", 3))
+    for state, says in ((begun, "As soon as you begin"), (done(begun, HandIn()), "This step was not begun.")):
+        page.show(state)
+        assert says in " ".join(map(content, gui.has))
+
+
 def test_the_dock_of_an_exam_says_that_a_prediction_cannot_be_changed_and_an_answer_can(fresh):
     gui = BareGui()
     page = LessonPage(gui, print)

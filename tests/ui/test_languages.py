@@ -18,6 +18,7 @@ from armlab.content.robots import catalogue
 from armlab.content.upload import read_upload
 from armlab.content.words import Words, placeholders
 from armlab.errors import ContentError
+from armlab.session.edits import PASTED
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.language import OF_BROWSER, LanguagePart, ReadIn
 from armlab.session.share import short
@@ -27,6 +28,7 @@ from armlab.teaching.parts.shelf import BackFromShared, OpenShared
 from armlab.teaching.preview_commands import PreviewLesson
 from armlab.ui.door import Door
 from armlab.ui.speech import Speech, speech_in
+from armlab.window.overlay import APART, FIRST_HINT
 from support.docks import LESSON, BareDock, every_dock
 from support.fake_browser import cookie_of
 from support.saying import Listener, every_kind_of_arm, every_page, known_before, stale
@@ -105,6 +107,12 @@ def test_pages_are_translated_with_arms_of_every_kind(language):
 def test_the_tasks_of_arms_are_translated(language):
     titles = {robot.arm.task.title for robot in catalogue().robots.values()}
     assert [title for title in titles if words_in(language)(title) == title] == []
+
+
+@pytest.mark.parametrize("language", OTHERS)
+@pytest.mark.parametrize("text", [APART, FIRST_HINT, PASTED])
+def test_what_stands_over_the_scene_is_translated(language, text):
+    assert words_in(language)(text) != text
 
 
 @pytest.mark.parametrize("language", OTHERS)
@@ -350,6 +358,19 @@ def test_a_text_that_is_known_in_part_is_no_name():
     known = Words([Message(source, text) for source, text in given.items()])
     assert known("row is wrong.") == "riga è sbagliato."
     assert known("It is right. Nobody knows is wrong.") == "È giusto. Nobody knows is wrong."
+
+
+def test_a_message_that_begins_small_is_known_at_the_beginning_of_a_sentence_before_any_with_names():
+    given = {"speed of the load": "velocità del carico", "Speed of {q}": "Velocità di {q}"}
+    known = Words([Message(source, text) for source, text in given.items()])
+    assert known("Speed of the load") == "Velocità del carico"
+    assert known("Speed of q₁") == "Velocità di q₁"
+
+
+def test_a_conjunction_is_said_only_with_the_words_around_it():
+    known = Words([Message("and", "e"), Message("Two rules hold:", "Valgono due regole:")])
+    assert known.find("Nobody knows this: <0/>, <1/>, and") is None
+    assert known.find("Two rules hold: <0/>, <1/>, and") == "Valgono due regole: <0/>, <1/>, e"
 
 
 def test_what_a_person_typed_comes_back_as_it_was_typed():

@@ -40,6 +40,9 @@ HELD = re.compile(r"\{(\d+)\}|<(/?)(\d+)(/?)>")
 UNIT = r"(?:°|mm|cm|m|rad|s|%|N|W|V|A|Hz|N m|mm²|m²|rpm)(?:/s[²³]?|/mm|/min)?"
 """Pattern of a unit behind a text."""
 
+JOINS = ("and", "or")
+"""Conjunctions."""
+
 _NAMED = re.compile(r"\{([a-z_]+)\}")
 _WORD = re.compile(r"[A-Za-zÀ-ÿ]{2,}")
 _AROUND = re.compile(
@@ -207,13 +210,18 @@ class Words:
         return self._in_pieces(text, _listed(text), whole=True) if found is None else found
 
     def _exact(self, text: str) -> str | None:
-        """Return the translation of a message, with the numbers that it has in the text."""
+        """Return the translation of a message, with the numbers that it has in the text.
+
+        A message that begins small is found at the beginning of a sentence, too.
+        """
         source, back = renumbered(text)
-        found = self._texts.get(source)
-        if found is None:
+        small = f"{source[:1].lower()}{source[1:]}"
+        known = next((each for each in (source, small) if each in self._texts), None)
+        if known is None:
             return None
-        self._on_hit(source)
-        return _as_in(found, back)
+        self._on_hit(known)
+        found = _as_in(self._texts[known], back)
+        return found if known == source else f"{found[:1].upper()}{found[1:]}"
 
     def _named(self, text: str) -> str | None:
         """Return the translation of a message with names, with the numbers and the names of the text."""
@@ -254,6 +262,8 @@ class Words:
             return None
         pieces = [text[first:end] for first, end in places]
         found = [self.find(piece) for piece in pieces]
+        if not all(found):  # a conjunction alone belongs to the words that are not known
+            found = [None if _core(piece)[1] in JOINS else each for piece, each in zip(pieces, found, strict=True)]
         missing = [piece for piece, each in zip(pieces, found, strict=True) if each is None and has_words(piece)]
         if not any(found) or (whole and missing):
             return None

@@ -102,7 +102,7 @@ def head(form: Form, sheet: Sheet) -> Inside:
 
     tasks = [entry(i) for i in range(len(sheet.of.tasks))]
     name = tag("b", "The tasks have changed: choose one." if here is None else sheet.lesson(here).title)
-    return title, tag("div.as-tasks", tag("span", "Task"), tasks, name)
+    return title, tag("div.as-tasks", tag("span", "Tasks"), tasks, name)
 
 
 class Clock:

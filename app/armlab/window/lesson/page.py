@@ -298,6 +298,8 @@ def _task(form: Form, state: State, lesson: Lesson) -> Markup | None:
         return verdict_box("ok", "Done", role="status")
     # Before anybody has moved or answered anything nothing is wrong yet.
     if not (state[LessonPart].progress.tried or state[LessonPart].name in state[LessonPart].progress.answers):
+        if state[LessonPart].rests:
+            return verdict_box("todo", "Not done", "This step was not begun.")
         return verdict_box("todo", "To do", "As soon as you begin, this card says what is still missing.")
     return verdict_box("todo", "Not there yet", with_values(state, without_links(says)))
 
