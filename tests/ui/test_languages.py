@@ -18,7 +18,6 @@ from armlab.content.robots import catalogue
 from armlab.content.upload import read_upload
 from armlab.content.words import Words, placeholders
 from armlab.errors import ContentError
-from armlab.session.edits import PASTED
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.language import OF_BROWSER, LanguagePart, ReadIn
 from armlab.session.share import short
@@ -28,7 +27,6 @@ from armlab.teaching.parts.shelf import BackFromShared, OpenShared
 from armlab.teaching.preview_commands import PreviewLesson
 from armlab.ui.door import Door
 from armlab.ui.speech import Speech, speech_in
-from armlab.window.overlay import APART, FIRST_HINT
 from support.docks import LESSON, BareDock, every_dock
 from support.fake_browser import cookie_of
 from support.saying import Listener, every_kind_of_arm, every_page, known_before, stale
@@ -107,12 +105,6 @@ def test_pages_are_translated_with_arms_of_every_kind(language):
 def test_the_tasks_of_arms_are_translated(language):
     titles = {robot.arm.task.title for robot in catalogue().robots.values()}
     assert [title for title in titles if words_in(language)(title) == title] == []
-
-
-@pytest.mark.parametrize("language", OTHERS)
-@pytest.mark.parametrize("text", [APART, FIRST_HINT, PASTED])
-def test_what_stands_over_the_scene_is_translated(language, text):
-    assert words_in(language)(text) != text
 
 
 @pytest.mark.parametrize("language", OTHERS)

@@ -6,8 +6,9 @@ from types import SimpleNamespace
 import pytest
 
 from armlab.benches.control.loop.state import Loop
-from armlab.content.languages import ENGLISH
+from armlab.content.languages import ENGLISH, keys, words_in
 from armlab.content.robots import catalogue
+from armlab.session.edits import PASTED
 from armlab.session.fields import Set
 from armlab.session.session import Redo, Session, Undo
 from armlab.teaching.parts.welcome import LeaveWelcome
@@ -77,6 +78,12 @@ def test_a_page_without_the_arm_says_so_where_no_other_has_to_do_with_it():
     assert [without_the_arm(opened) for opened in ([apart], [apart, other], [other], [])] == [True, False, False, False]
     told = {key for key in ("joints", "motion", "newton_1d", "drive", "target") if whole_panel(key).apart}
     assert told == {"newton_1d", "drive"}
+
+
+@pytest.mark.parametrize("language", keys()[1:])
+@pytest.mark.parametrize("text", [APART, FIRST_HINT, PASTED])
+def test_what_stands_over_the_scene_is_translated(language, text):
+    assert words_in(language)(text) != text
 
 
 def test_what_lies_over_the_scene_steps_back_and_forth_where_there_is_something(monkeypatch):
