@@ -176,7 +176,7 @@ def _is_none_either_when_it_was_on_its_way(lab, answer):
     lab.waits_for("Two?")
     assert lab.page.locator(answer).input_value() == ""
     lab.page.evaluate("() => window.letGo()")
-    lab.waits_for("The lesson has moved on")
+    lab.waits_for("This page has moved on")
     assert lab.page.locator(answer).input_value() == ""
     assert lab.page.locator(".ask ~ .verdict").count() == 0
 
