@@ -390,12 +390,8 @@ def test_homework_goes_on_at_another_computer_and_is_judged_anew_there(fresh):
 
 
 def test_what_a_task_locks_is_said_without_a_way_out_that_is_closed(fresh, folder, own):
-    text = (
-        (folder / "v.md")
-        .read_text(encoding="utf-8")
-        .replace("\n[variants]", 'locked = ["joints", "target"]\n[variants]')
-    )
-    own(v=text)
+    text = (folder / "v.md").read_text(encoding="utf-8")
+    own(v=text.replace("\n[variants]", 'locked = ["joints", "target"]\n[variants]'))
     with pytest.raises(InputError, match=r"keeps the joints as they are\. In your own sandbox"):
         apply(done(fresh, OpenLesson("v", variant=3)), MoveJoint(0, 0.1), NOON)
     with pytest.raises(InputError, match=r"keeps the joints as they are\.$"):
