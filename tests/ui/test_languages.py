@@ -26,6 +26,7 @@ from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson, Unlock
 from armlab.teaching.parts.shelf import BackFromShared, OpenShared
 from armlab.teaching.preview_commands import PreviewLesson
 from armlab.ui.door import Door
+from armlab.ui.picks import READING
 from armlab.ui.speech import Speech, speech_in
 from support.docks import LESSON, BareDock, every_dock
 from support.fake_browser import cookie_of
@@ -192,6 +193,10 @@ def test_elements_whose_texts_stay_end_where_they_end():
     inner = '<div title="Space">space<div>space</div> move joint 1<br><div></div></div>'
     html = f'<p>space <b translate="no">space</b></p><div translate="no">{inner}</div><p>space</p>'
     assert Speech(WORDS).markup(html) == html.replace("<p>space", "<p>spazio")
+
+
+def test_that_lessons_are_being_read_is_said_in_each_language():
+    assert all(words_in(language)(READING) != READING for language in OTHERS)
 
 
 def test_a_link_to_an_erratum_parts_no_sentence():

@@ -14,6 +14,8 @@ without its numbers:
     in the source of a message stands for any text, which is itself looked up: ``Undo: {what}``; where the name begins
     with "text", only a text that is known or has no words; where it begins with "typed", it stays as a person typed it.
 
+A text in radians or metres is found as the same one in degrees or millimetres is, whose units it has then.
+
 Signs, units and formulas around a text are no part of it. A text that is not found as a whole is looked up by its
 sentences and by the items of its list. A text that is not found at all stays English. The form of a catalogue is
 gettext's ``.po``; ``armlab/languages/it.po`` is that of Italian, and ``python tests/words.py it`` renews it from what
@@ -24,6 +26,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
+from functools import lru_cache
 from typing import NamedTuple
 
 from armlab.content.as_written import is_part
@@ -43,6 +46,8 @@ UNIT = r"(?:°|mm|cm|m|rad|s|%|N|W|V|A|Hz|N m|mm²|m²|rpm)(?:/s[²³]?|/mm|/min
 JOINS = ("and", "or")
 """Conjunctions."""
 
+_CHOSEN = re.compile(r"(?P<angle>(?<=\})(?: rad\b| ?°)|\brad\b|°)|(?<![\w<{])mm?(?![A-Za-z\d₀-₉>])")
+_ANGLE, _LENGTH = "∡", "↔"
 _NAMED = re.compile(r"\{([a-z_]+)\}")
 _WORD = re.compile(r"[A-Za-zÀ-ÿ]{2,}")
 _AROUND = re.compile(
@@ -97,6 +102,22 @@ def without_numbers(text: str) -> Plain:
     return Plain(NUMBER.sub(held, text), tuple(numbers))
 
 
+@lru_cache(MOST_KEPT)
+def without_units(text: str) -> tuple[str, tuple[str, ...]]:
+    """Return a text with signs in place of units of angles and lengths, which a person chooses, and these.
+
+    >>> without_units("{0} mm and {1}° away"), without_units("{0} m and {1} rad away")
+    (('{0} ↔ and {1}∡ away', ('mm', '°')), ('{0} ↔ and {1}∡ away', ('m', ' rad')))
+    """
+    units: list[str] = []
+
+    def held(found: re.Match[str]) -> str:
+        units.append(found[0])
+        return _ANGLE if found["angle"] else _LENGTH
+
+    return _CHOSEN.sub(held, text), tuple(units)
+
+
 def has_words(text: str) -> bool:
     """Return whether a text has words: symbols, units and names of functions are the same in every language."""
     return any(word not in NO_WORDS and not _AXES.fullmatch(word) for word in _WORD.findall(text))
@@ -140,6 +161,7 @@ class Words:
         on_hit: Callable[[str], None] = lambda source: None,
     ) -> None:
         self._texts: dict[str, str] = {}
+        self._in_any_units: dict[str, str] = {}  # sources by what they are without units
         self._patterns: list[tuple[re.Pattern[str], str, str]] = []
         self._known: dict[str, str | None] = {}
         self._on_miss, self._on_hit = on_miss, on_hit
@@ -150,6 +172,9 @@ class Words:
                 self._patterns.append((_pattern(message.source), message.source, message.text))
             else:
                 self._texts[message.source] = message.text
+                unitless, units = without_units(message.source)
+                if units:
+                    self._in_any_units.setdefault(unitless, message.source)
         # Of several that fit, the one that says most of the text is meant.
         self._patterns.sort(key=lambda each: -len(_NAMED.sub("", each[1])))
 
@@ -218,10 +243,24 @@ class Words:
         small = f"{source[:1].lower()}{source[1:]}"
         known = next((each for each in (source, small) if each in self._texts), None)
         if known is None:
-            return None
+            found = self._in_other_units(source)
+            return None if found is None else _as_in(found, back)
         self._on_hit(known)
         found = _as_in(self._texts[known], back)
         return found if known == source else f"{found[:1].upper()}{found[1:]}"
+
+    def _in_other_units(self, source: str) -> str | None:
+        """Return the translation of a message that differs in its units only, with those of the text."""
+        unitless, units = without_units(source)
+        known = self._in_any_units.get(unitless)
+        if known is None:
+            return None
+        says, of = without_units(self._texts[known])
+        if of != without_units(known)[1]:
+            return None  # in another order: nobody knows which is which
+        self._on_hit(known)
+        own = iter(units)
+        return re.sub(f"[{_ANGLE}{_LENGTH}]", lambda _: next(own), says)
 
     def _named(self, text: str) -> str | None:
         """Return the translation of a message with names, with the numbers and the names of the text."""

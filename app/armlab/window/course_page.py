@@ -25,7 +25,7 @@ ol > li { break-inside: avoid; }
 ol > li > i { box-sizing: border-box; width: 1em; height: 1em; margin-top: .2em; }
 ol > li > i { border: 1.3px solid var(--ink); border-radius: 2px; }
 ol > li > span { text-align: right; white-space: nowrap; }
-.in { margin-left: .5em; }
+.in { margin: 0 .7em 0 .5em; }
 ul { margin: .1em 0 0; padding: 0 0 0 1.1em; opacity: .85; font-size: .88em; }
 """
 """Rules of style besides those of all pages on paper."""
