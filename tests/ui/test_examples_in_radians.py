@@ -1,6 +1,5 @@
 """Titles and sentences of examples for a person who has radians, on all pages that have examples."""
 
-import asyncio
 import re
 
 import pytest
@@ -14,6 +13,7 @@ from armlab.session.parts.notation import Notation
 from armlab.ui.speech import Speech
 from armlab.ui.units import Units
 from support.bare_gui import BarePage, content
+from support.student import run
 
 RADIANS = Units(Notation(angle="rad"))
 
@@ -56,7 +56,7 @@ async def what_is_said(name):
 
 @pytest.mark.parametrize("name", WITH_DEGREES)
 def test_what_an_example_says_has_the_unit_of_the_person_in_every_language(name):
-    shown = asyncio.run(what_is_said(name))
+    shown = run(what_is_said(name))
     assert "<p" in shown
     assert "<select" in shown
     assert ("°" in shown) == (name in ABOUT_DEGREES)

@@ -378,7 +378,8 @@ def test_a_pasted_table_is_read_anew_in_the_other_convention(url):
         assert "if your book is Siciliano's" in heading(browser)
         assert value_of(browser, "dh-2-a") == "250"
         assert text in unescape(browser.html())  # the text stays for another try
-        await browser.press("load", write_table(catalogue()["scara"].arm, "csv").partition("\n")[2])
+        rows = write_table(catalogue()["scara"].arm, "csv").splitlines()[1:]
+        await browser.press("load", "\n".join(row.rsplit(",", 2)[0] for row in rows))  # without head and limits
         await browser.until(lambda: 'data-cell="dh-4-a"' in browser.html())
         assert "Read as modified (Craig)" in browser.html(), "a table in a file is read as is chosen, too"
         await browser.close()
