@@ -65,11 +65,13 @@ class TablePanel:
         if other or self._axes.stale:
             self._axes.show(axes_section(self._axes, self._facts, self._pair, self._units, self._choose_pair))
         if other or self._files.stale:
-            saves = lambda: save(self._gui, self._state)  # noqa: E731
-            self._files.show(files_markup(self._files, robot, self._units, saves, self._box.read))
+            self._files.show(files_markup(self._files, robot, self._units, self._save, self._box.read))
         if self._pasted.stale:
             self._box.show()
         self._point.show(point_line(state, self._units))
+
+    def _save(self) -> None:
+        save(self._gui, self._state)
 
     def _choose_pair(self, pair: int) -> None:
         self._pair = pair
