@@ -106,6 +106,27 @@ def test_parts_in_which_something_is_wrong_keep_nobody_from_the_others(of):
     assert all(lost)
 
 
+def test_a_part_that_would_read_anything_begins_anew_where_it_is_no_number(monkeypatch):
+    parts, fresh = saved(), SpaceCurve.initial(PUMA)
+    monkeypatch.setattr(SpaceCurve, "from_json", lambda data, robot: fresh)
+    _, lost = salvaged(parts | {"space_curve": {"speed": float("nan")}})
+    assert list(lost) == [SpaceCurve]
+    assert "space_curve: expected finite numbers" in lost[SpaceCurve]
+
+
+def test_a_part_that_could_not_be_saved_again_begins_anew(monkeypatch):
+    parts, write = saved(), SpaceCurve.to_json
+
+    def written_once(part):
+        monkeypatch.setattr(SpaceCurve, "to_json", write)
+        raise ValueError("cannot be written")
+
+    monkeypatch.setattr(SpaceCurve, "to_json", written_once)
+    _, lost = salvaged(parts)
+    assert list(lost) == [SpaceCurve]
+    assert "cannot be written" in lost[SpaceCurve]
+
+
 @pytest.mark.parametrize("kind", NEEDED, ids=lambda kind: kind.key)
 def test_without_the_arm_and_its_joints_nothing_is_read(kind):
     for rubbish in RUBBISH:
