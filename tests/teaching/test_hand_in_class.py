@@ -7,10 +7,11 @@ import json
 import numpy as np
 import pytest
 
+from armlab.content.lessons import changed
 from armlab.content.robots import catalogue
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.state import State, apply
-from armlab.teaching.assignment_commands import HandIn, OpenTask, TakeUp
+from armlab.teaching.assignment_commands import HandIn, OpenAssignment, OpenTask, TakeUp
 from armlab.teaching.hand_in import hand_in, judge
 from armlab.teaching.hand_in_assignment import judge_assignment
 from armlab.teaching.hand_in_class import by_list, looked_at_together
@@ -104,6 +105,15 @@ def test_two_students_of_one_name_have_a_row_each_also_where_the_lesson_does_not
     assert [each.file for each in by_list(judged, names)] == ["a", "", "b"]
     assert [each.file for each in by_list(judged[:1], names)] == ["a", "", ""]
     assert [each.file for each in by_list(judged, {1: "Anna"})] == ["a", "b"]
+
+
+def test_of_two_students_of_one_name_each_has_the_file_of_the_number_given(fresh, folder):
+    (folder / "plain.toml").write_text('title = "Plain"\n[[tasks]]\nlesson = "t"\npoints = 1\n')
+    changed()
+    texts = [hand_in(assigned(fresh, SignAs("Anna"), OpenAssignment("plain", k), HandIn())) for k in (6, 3)]
+    files = [Judged(file, judge_assignment(text, "plain")) for file, text in zip("ab", texts, strict=True)]
+    names = {3: "Anna", 6: "anna"}
+    assert [each.file for each in by_list(looked_at_together(files, names), names)] == ["b", "a"]
 
 
 def test_work_in_the_variant_of_another_does_not_count(fresh, own):
