@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import gc
 import json
-from collections.abc import Generator, Iterator
+from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -14,6 +14,9 @@ import pytest
 from armlab.content.robots import Robot, catalogue
 from support.compiling import compile_in_turns, turns
 from support.order import ordered
+
+if TYPE_CHECKING:
+    from armlab.front.start import Running
 
 DATA = Path(__file__).parent / "data"
 
@@ -68,6 +71,22 @@ def url() -> Iterator[str]:
 
     with running_lab() as address:
         yield address
+
+
+@pytest.fixture
+def open_lab() -> Iterator[Callable[..., Running]]:
+    """Opens labs as `support.lab.open_lab` does; those that still run at the end of the test are stopped."""
+    from support import lab as labs  # most tests need none
+
+    opened: list[Running] = []
+
+    def open_one(*arguments: Any, **options: Any) -> Running:
+        opened.append(labs.open_lab(*arguments, **options))
+        return opened[-1]
+
+    yield open_one
+    for lab in opened:
+        lab.stop()
 
 
 @pytest.fixture

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from armlab.window.view import View
-from support.lab import open_lab
 from support.page import COARSE, SMALL
 
 pytestmark = pytest.mark.browser
@@ -224,7 +223,7 @@ def a_finger_moves_sliders_and_handle(lab):
     assert lab.target()[0] < start[0] - 0.05
 
 
-def test_the_page_comes_back_by_itself_after_a_restart(desk, tmp_path):
+def test_the_page_comes_back_by_itself_after_a_restart(desk, open_lab, tmp_path):
     lab = open_lab(tmp_path)
     page = desk.sit_down(f"http://127.0.0.1:{lab.port}/?{COARSE}", SMALL, painted=False)
     page.drag_slider(1, 0.8)
@@ -232,10 +231,9 @@ def test_the_page_comes_back_by_itself_after_a_restart(desk, tmp_path):
     port = lab.port
     lab.stop()
     time.sleep(0.5)
-    lab = open_lab(tmp_path, port=port)
+    open_lab(tmp_path, port=port)
     page.until(lambda: page.page.locator(".al-over").count() > 0)
     page.ready()
     page.rest()
     assert page.slider_value(1) == pytest.approx(value, abs=0.11)
     desk.get_up(page, painted=False)
-    lab.stop()

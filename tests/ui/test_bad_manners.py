@@ -13,7 +13,6 @@ from armlab.ui.manners import DEAR, FORGIVEN, MOST, SENSELESS, SENSELESS_AT_ADDR
 from armlab.ui.pace import BUILDING, SLOWEST, Pace
 from support.bare import Bare
 from support.fake_browser import cookie_of
-from support.lab import open_lab
 from support.patience import Patience
 from support.student import run, student
 
@@ -161,7 +160,7 @@ def test_a_hand_that_drags_to_the_horizon_has_no_bad_manners():
         bare.stop()
 
 
-def test_the_lab_knows_strangers_by_their_address_and_students_by_themselves(tmp_path):
+def test_the_lab_knows_strangers_by_their_address_and_students_by_themselves(open_lab, tmp_path):
     lab = open_lab(tmp_path)
     url = f"http://127.0.0.1:{lab.port}/"
     price = lab.lab.pace.manners.price
@@ -197,14 +196,11 @@ def test_the_lab_knows_strangers_by_their_address_and_students_by_themselves(tmp
         await again.close()
         await newcomer.close()
 
-    try:
-        run(main())
-    finally:
-        lab.stop()
+    run(main())
 
 
 @pytest.mark.parametrize("prices", [[], [DEAR]], ids=["behind strangers", "forgiven meanwhile"])
-def test_nobody_waits_for_a_page_that_is_built_slowly_for_its_browsers_manners(tmp_path, monkeypatch, prices):
+def test_nobody_waits_for_a_page_that_is_built_slowly_for_its_browsers_manners(open_lab, tmp_path, monkeypatch, prices):
     lab, left = open_lab(tmp_path), list(prices)
     building = lab.lab._building[DEAR]
     monkeypatch.setattr(Manners, "price", lambda self, browser: left.pop() if left else 1.0)
@@ -215,7 +211,4 @@ def test_nobody_waits_for_a_page_that_is_built_slowly_for_its_browsers_manners(t
         await browser.close()
         assert building.locked()
 
-    try:
-        run(main())
-    finally:
-        lab.stop()
+    run(main())

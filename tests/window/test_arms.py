@@ -17,7 +17,6 @@ from armlab.session.state import State, apply
 from armlab.ui.figure.picture import HEIGHT, WIDTH
 from armlab.window.arms.choice import fits
 from armlab.window.arms.draft import Draft
-from support.lab import open_lab
 from support.student import run, student
 
 PUMA = catalogue()["puma560"]
@@ -153,7 +152,7 @@ def test_a_lesson_that_keeps_its_arm_shows_the_name_and_says_why_it_is_no_switch
 # -- a new arm -------------------------------------------------------------------------------------------------------
 
 
-def test_a_new_arm_takes_over_nothing_of_the_arm_before():
+def test_a_new_arm_takes_over_nothing_of_the_arm_before(open_lab):
     """The Panda has a tool, limits of its own, a base and poses."""
 
     async def main(lab, url):
@@ -183,10 +182,7 @@ def test_a_new_arm_takes_over_nothing_of_the_arm_before():
         await browser.close()
 
     running = open_lab()
-    try:
-        run(main(running.lab, f"http://127.0.0.1:{running.port}/"))
-    finally:
-        running.stop()
+    run(main(running.lab, f"http://127.0.0.1:{running.port}/"))
 
 
 def test_without_a_name_it_is_my_arm_and_stands_among_the_arms_as_ones_own(url):

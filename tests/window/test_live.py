@@ -13,7 +13,7 @@ from armlab.content.robots import catalogue
 from armlab.ui.plugin import layers
 from armlab.window.layer_drawing import Drawing
 from support.fake_browser import FakeBrowser, cookie_of
-from support.lab import open_lab, running_lab
+from support.lab import running_lab
 from support.student import arm_nodes, run, settled, student
 
 PUMA = catalogue()["puma560"]
@@ -271,7 +271,7 @@ def test_the_share_tunnel_is_off(url):
     run(main())
 
 
-def test_work_survives_a_restart_of_the_server(tmp_path):
+def test_work_survives_a_restart_of_the_server(open_lab, tmp_path):
     lab = open_lab(tmp_path)
     url = f"http://127.0.0.1:{lab.port}/"
 
@@ -284,7 +284,7 @@ def test_work_survives_a_restart_of_the_server(tmp_path):
     cookie = cookie_of(url)
     run(before())
     lab.stop()
-    lab = open_lab(tmp_path, port=lab.port)
+    open_lab(tmp_path, port=lab.port)
 
     async def after():
         browser = await student(url, cookie)
@@ -292,7 +292,6 @@ def test_work_survives_a_restart_of_the_server(tmp_path):
         await browser.close()
 
     run(after())
-    lab.stop()
 
 
 def test_a_class_has_several_labs_behind_one_front(tmp_path):

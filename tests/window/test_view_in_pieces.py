@@ -7,15 +7,12 @@ import pytest
 from armlab.session.parts.robot import ChooseRobot
 from armlab.window.turning import Turning
 from armlab.window.view import LINGER, View
-from support.lab import open_lab
 from support.student import run, student
 
 
 @pytest.fixture
-def lab():
-    running = open_lab()
-    yield running
-    running.stop()
+def lab(open_lab):
+    return open_lab()
 
 
 def on_one_page(lab, work):

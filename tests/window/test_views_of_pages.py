@@ -11,7 +11,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.eye import TALL, Eye, Z
 from support.fake_browser import CAMERA, cookie_of
-from support.lab import open_lab, running_lab
+from support.lab import running_lab
 from support.own_lessons import in_lesson, lesson, write
 from support.student import run, settled, student
 
@@ -132,7 +132,7 @@ def test_the_points_that_a_page_samples_come_into_the_picture(url):
     run(main())
 
 
-def test_the_camera_looks_at_the_arm_that_is_shown_while_the_worker_has_put_another_one_there():
+def test_the_camera_looks_at_the_arm_that_is_shown_while_the_worker_has_put_another_one_there(open_lab):
     lab = open_lab(opening="puma560")
 
     async def main():
@@ -148,7 +148,4 @@ def test_the_camera_looks_at_the_arm_that_is_shown_while_the_worker_has_put_anot
             view.session.state = there
         await browser.close()
 
-    try:
-        run(main())
-    finally:
-        lab.stop()
+    run(main())
