@@ -19,6 +19,7 @@ from armlab.content.synonyms import GROUPS
 from armlab.content.words import Words
 from armlab.errors import ArmlabError
 from armlab.session.bench import benches, choosing, page_of
+from armlab.session.facts import facts_of_benches
 from armlab.session.job import Deliver, jobs
 from armlab.session.pages import pages
 from armlab.ui.speech import Speech
@@ -258,13 +259,16 @@ def every_example(listener: Listener) -> None:
 
 
 def known_before(listener: Listener) -> None:
-    """Listen to what is known before a page is opened: titles, what scripts say, what is searched, and the formulas."""
+    """Listen to what is known before a page is opened: titles, facts, what scripts say and is searched, formulas."""
     listener.at("frame")
     for page in pages().values():
         for text in (page.title, page.name, *(export.title for export in page.exports)):
             listener.speech.text(text)
     for text in script_words.SCRIPT_WORDS:
         listener.speech.text(text)
+    listener.at("facts")
+    for fact in (each for found in facts_of_benches().values() for each in found.facts.values()):
+        listener.speech.text(fact.title)
     listener.at("page/lessons")
     listener.speech.text("3 lessons, 2 h")  # of a chapter of whole hours, which the course need not have
     listener.at("search")

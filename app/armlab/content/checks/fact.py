@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,6 +18,8 @@ from armlab.content.robots import Robot
 from armlab.content.seen_fact import SeenFact, Value
 
 MOST_COMPONENTS = 100
+
+_WORD = re.compile(r"[a-z]{2,}(?![\w(])")
 
 
 @dataclass(frozen=True)
@@ -69,9 +72,9 @@ class FactIs:
         seen, value = observation.facts.get(self.fact), self._now(observation)
         title = self.titled(seen.title if seen else self.fact)
         if seen is None or value is None:
-            return f"{title[:1].upper()}{title[1:]}: {_why_unknown(seen)}."
+            return f"{_begun(title)}: {_why_unknown(seen)}."
         asked = "" if self.is_met(observation) else f" Required: {self.asked(seen.unit, words)}."
-        return f"{title[:1].upper()}{title[1:]}: {self._said(value, seen.unit, words)}.{asked}"
+        return f"{_begun(title)}: {self._said(value, seen.unit, words)}.{asked}"
 
     def titled(self, title: str) -> str:
         """Return the subject of the check, by the title of the fact."""
@@ -103,6 +106,15 @@ class FactIs:
         if not isinstance(value, tuple) or not isinstance(self.value, tuple) or len(value) != len(self.value):
             return False
         return all(abs(one - other) <= (self.tolerance or 0.0) for one, other in zip(value, self.value, strict=True))
+
+
+def _begun(title: str) -> str:
+    """Return a title as it begins a sentence: a formula stays as it is, since R is not r.
+
+    >>> _begun("the rank of J"), _begun("x(t)"), _begun("r of the planar 3R")
+    ('The rank of J', 'x(t)', 'r of the planar 3R')
+    """
+    return f"{title[:1].upper()}{title[1:]}" if _WORD.match(title) else title
 
 
 def _why_unknown(seen: SeenFact | None) -> str:

@@ -38,7 +38,7 @@ FACTS = Facts(
     {
         "n": Fact("the number of joints n", lambda s: maps_of(s).n, kind="count"),
         "m": Fact("the number of components m of r", lambda s: maps_of(s).m, kind="count"),
-        "kind": Fact("how n and m compare: square, redundant, more or fixed", lambda s: maps_of(s).kind, kind="text"),
+        "kind": Fact("how n and m compare (square, redundant, more or fixed)", lambda s: maps_of(s).kind, kind="text"),
         "spare": Fact(
             "the dimension of the joint values that belong to one r", lambda s: maps_of(s).spare, kind="count"
         ),

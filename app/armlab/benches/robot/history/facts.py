@@ -24,7 +24,7 @@ FACTS = Facts(
             "whether all things are judged rightly", lambda s: s[History].right == len(THINGS), kind="truth"
         ),
         "decision": Fact(
-            "what the laws say: act, refrain, free or conflict", lambda s: decide(s[History].holds).kind, kind="text"
+            "what the laws say (act, refrain, free or conflict)", lambda s: decide(s[History].holds).kind, kind="text"
         ),
         "law": Fact("the law that decides", lambda s: decide(s[History].holds).law, kind="count"),
     },

@@ -10,7 +10,9 @@ FACTS = Facts(
     (Lines,),
     {
         "kind": Fact(
-            "how the lines lie: skew, parallel, intersecting or coincident", lambda s: s[Lines].normal.kind, kind="text"
+            "how the lines lie (skew, parallel, intersecting or coincident)",
+            lambda s: s[Lines].normal.kind,
+            kind="text",
         ),
         "a": Fact("the distance a of the lines", lambda s: s[Lines].normal.a, "m"),
         "alpha": Fact("the twist α from the first line to the second", lambda s: s[Lines].normal.alpha, "rad"),
