@@ -16,7 +16,7 @@ from armlab.content.assignment import said_date
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import Lessons, lessons
 from armlab.content.robots import catalogue
-from armlab.content.words import without_numbers
+from armlab.content.stand_ins import without_numbers
 from armlab.session.edits import RemoveJoint
 from armlab.session.parts.joints import LockJoint, MoveJoint
 from armlab.session.parts.robot import ChooseRobot

@@ -22,6 +22,7 @@ from armlab.session.bench import benches, choosing, page_of
 from armlab.session.facts import facts_of_benches
 from armlab.session.job import Deliver, jobs
 from armlab.session.pages import pages
+from armlab.session.state import Command
 from armlab.ui.speech import Speech
 from armlab.window import script_words
 from armlab.window.formulas_page import formulas_page
@@ -161,14 +162,25 @@ def controls_made() -> Iterator[list[dict[str, Any]]]:
         Handle.__init__ = begin  # type: ignore[method-assign]
 
 
-def every_page(listener: Listener, arms: Iterable[str] = ARMS) -> Iterator[BarePage]:
-    """Listen to every page of the lab as it opens and when its long work is done, with each arm; yields it then."""
+def every_page(listener: Listener, arms: Iterable[str] = ARMS, *chosen: Command) -> Iterator[BarePage]:
+    """Listen to every page of the lab as it opens and when its long work is done, with each arm; yields it then.
+
+    Parameters
+    ----------
+    listener : Listener
+    arms : iterable of str
+    *chosen : Command
+        Done on each page first, such as the choice of a unit.
+    """
     for key in pages():
         for arm in arms:
             with controls_made() as made:
                 page = BarePage(key, catalogue()[arm], READ_IN)
             listener.at(f"page/{key}")
             listener.hear_controls(made)
+            for command in chosen:
+                page._post(command)
+                page.show()
             listener.hear(page)
             _work_done(listener, page)
             yield page

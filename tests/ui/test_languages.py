@@ -15,11 +15,14 @@ from armlab.content.languages import ENGLISH, keys, languages, messages, preferr
 from armlab.content.lessons import lesson, lessons
 from armlab.content.po import Message, read_po, write_po
 from armlab.content.robots import catalogue
+from armlab.content.stand_ins import placeholders
 from armlab.content.upload import read_upload
-from armlab.content.words import Words, placeholders
+from armlab.content.words import Words
 from armlab.errors import ContentError
+from armlab.session.fields import Set
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.language import OF_BROWSER, LanguagePart, ReadIn
+from armlab.session.parts.notation import Notation
 from armlab.session.share import short
 from armlab.session.state import State, apply
 from armlab.teaching.lesson_commands import Answer, GoToStep, OpenLesson, UnlockHint
@@ -97,6 +100,17 @@ def test_pages_are_translated_with_arms_of_every_kind(language):
     async def main():  # some pages ask the loop to come back to them
         listener = Listener(of_catalogue(language))
         every_kind_of_arm(listener)
+        assert sorted(listener.missing) == []
+
+    run(main())
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_pages_are_translated_in_radians_and_metres(language):
+    async def main():
+        listener = Listener(of_catalogue(language))
+        for _ in every_page(listener, ["scara"], Set(Notation, "angle", "rad"), Set(Notation, "length", "m")):
+            pass
         assert sorted(listener.missing) == []
 
     run(main())
@@ -348,40 +362,6 @@ def test_an_option_is_chosen_in_one_language_and_heard_in_english():
 def test_a_broken_catalogue_is_refused_with_its_line(text):
     with pytest.raises(ContentError, match=r"^x\.po: line \d"):
         read_po("x.po", text)
-
-
-def test_a_text_that_is_known_in_part_is_no_name():
-    given = {"{text} is wrong.": "{text} è sbagliato.", "x": "x", "row": "riga", "It is right.": "È giusto."}
-    known = Words([Message(source, text) for source, text in given.items()])
-    assert known("row is wrong.") == "riga è sbagliato."
-    assert known("It is right. Nobody knows is wrong.") == "È giusto. Nobody knows is wrong."
-
-
-def test_a_message_that_begins_small_is_known_at_the_beginning_of_a_sentence_before_any_with_names():
-    given = {"speed of the load": "velocità del carico", "Speed of {q}": "Velocità di {q}"}
-    known = Words([Message(source, text) for source, text in given.items()])
-    assert known("Speed of the load") == "Velocità del carico"
-    assert known("Speed of q₁") == "Velocità di q₁"
-
-
-def test_a_conjunction_is_said_only_with_the_words_around_it():
-    known = Words([Message("and", "e"), Message("Two rules hold:", "Valgono due regole:")])
-    assert known.find("Nobody knows this: <0/>, <1/>, and") is None
-    assert known.find("Two rules hold: <0/>, <1/>, and") == "Valgono due regole: <0/>, <1/>, e"
-
-
-def test_what_a_person_typed_comes_back_as_it_was_typed():
-    given = {"{text}: got {typed}": "{text}: ricevuto {typed}", "speed": "velocità", "arm": "braccio"}
-    known = Words([Message(source, text) for source, text in given.items()])
-    assert known("speed: got 'arm'") == "velocità: ricevuto 'arm'"
-    assert known("v: got arm") == "v: ricevuto arm", "a name without words fits as well"
-    assert known("colour: got arm") == "colour: got arm", "one with unknown words does not"
-
-
-def test_a_power_of_ten_is_part_of_its_number():
-    words = Words([Message("largest error {0} of {1}", "errore massimo {0} su {1}")])
-    assert words("largest error 1.2·10⁻¹⁶ of 3²") == "errore massimo 1.2·10⁻¹⁶ su 3²"
-    assert words("largest error 10⁻¹⁶ of 5") == "errore massimo 10⁻¹⁶ su 5"
 
 
 def test_a_label_of_the_scene_is_said_and_stays_on_its_page():

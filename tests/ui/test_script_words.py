@@ -5,7 +5,7 @@ import re
 import pytest
 
 from armlab.content.languages import keys
-from armlab.content.words import placeholders
+from armlab.content.stand_ins import placeholders
 from armlab.ui.speech import speech_in
 from armlab.window.script_words import SCRIPT_WORDS
 from support.sources import PACKAGE

@@ -26,19 +26,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from functools import lru_cache
-from typing import NamedTuple
 
 from armlab.content.as_written import is_part
+from armlab.content.named_messages import Caught, NamedMessage, in_units, own_numbers
 from armlab.content.po import Message
-
-NUMBER = re.compile(
-    r"(?<![\w.{<⟨])[-−+±]?\d+(?:[.\u202f,]\d+)*(?:e[-−+]?\d+)?(?![A-Za-z\d])(?:·10(?=[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]))?(?:⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
+from armlab.content.stand_ins import (
+    HELD,
+    MOST_KEPT,
+    NAME,
+    as_in,
+    renumbered,
+    with_numbers,
+    without_numbers,
+    without_units,
 )
-"""A number that stands by itself, with its power of ten: none in UR5 or q₁."""
-
-HELD = re.compile(r"\{(\d+)\}|<(/?)(\d+)(/?)>")
-"""A stand-in of a number or an element."""
 
 UNIT = r"(?:°|mm|cm|m|rad|s|%|N|W|V|A|Hz|N m|mm²|m²|rpm)(?:/s[²³]?|/mm|/min)?"
 """Pattern of a unit behind a text."""
@@ -46,9 +47,6 @@ UNIT = r"(?:°|mm|cm|m|rad|s|%|N|W|V|A|Hz|N m|mm²|m²|rpm)(?:/s[²³]?|/mm|/min
 JOINS = ("and", "or")
 """Conjunctions."""
 
-_CHOSEN = re.compile(r"(?P<angle>(?<=\})(?: rad\b| ?°)|\brad\b|°)|(?<![\w<{])mm?(?![A-Za-z\d₀-₉>])")
-_ANGLE, _LENGTH = "∡", "↔"
-_NAMED = re.compile(r"\{([a-z_]+)\}")
 _WORD = re.compile(r"[A-Za-zÀ-ÿ]{2,}")
 _AROUND = re.compile(
     r"((?:<\d+/>|[^\w<{(“\[⟨∂ẋ]+ |\s)*)"
@@ -63,59 +61,18 @@ _ASIDE = re.compile(r".+?(<(\d+)>(?:(?!</\2>).)*</\2>)", re.DOTALL)
 _WRAPPED = re.compile(r"(<(\d+)>)((?:(?!</?\2>).)*)(</\2>)", re.DOTALL)
 
 _SAME = """
-    mm cm km rad deg kg Nm Hz kHz rpm min max sin cos tan atan det diag tr exp log ln sqrt sgn sign arg dim mod
+    mm cm km rad deg kg Nm mNm Ns mA mW kW Hz kHz rpm min max sin cos tan atan det diag tr exp log ln sqrt sgn sign
     DH PID SVD DLS IK FK TCP RPY UR PUMA SCARA CSV JSON LaTeX Python NumPy MATLAB SVG PNG TOML STL URDF GLB
-    Ctrl Esc Enter Shift Tab Alt Home End PgUp PgDn px py pz qx qy qz dq ms II III IV PPR WS SO SE
+    Ctrl Esc Enter Shift Tab Alt Home End PgUp PgDn px py pz qx qy qz dq ms II III IV PPR WS SO SE arg dim mod
     XYZ XZY YXZ YZX ZXY ZYX XYX XZX YXY YZY ZXZ ZYZ SciPy Newton Broyden Euler arccos arcsin arctan
 """
 
 NO_WORDS = frozenset(_SAME.split())
 """Words that are the same in every language: units, functions, formats, keys."""
 
-MOST_KEPT = 20_000
-"""Largest number of texts whose translation is kept."""
-
 LONGEST, LONGEST_NAMED = 3000, 300
 """Most characters of a text that is looked up, and of one that is compared with messages with names: what is longer
 comes from people, who may write anything, and a text is taken apart in a time that grows with its square."""
-
-
-class Plain(NamedTuple):
-    """A text without its numbers, and these."""
-
-    text: str
-    numbers: tuple[str, ...]
-
-
-def without_numbers(text: str) -> Plain:
-    """Return a text with ``{0}``, ``{1}`` in place of its numbers.
-
-    >>> without_numbers("2 of 8 solutions")
-    Plain(text='{0} of {1} solutions', numbers=('2', '8'))
-    """
-    numbers: list[str] = []
-
-    def held(found: re.Match[str]) -> str:
-        numbers.append(found[0])
-        return f"{{{len(numbers) - 1}}}"
-
-    return Plain(NUMBER.sub(held, text), tuple(numbers))
-
-
-@lru_cache(MOST_KEPT)
-def without_units(text: str) -> tuple[str, tuple[str, ...]]:
-    """Return a text with signs in place of units of angles and lengths, which a person chooses, and these.
-
-    >>> without_units("{0} mm and {1}° away"), without_units("{0} m and {1} rad away")
-    (('{0} ↔ and {1}∡ away', ('mm', '°')), ('{0} ↔ and {1}∡ away', ('m', ' rad')))
-    """
-    units: list[str] = []
-
-    def held(found: re.Match[str]) -> str:
-        units.append(found[0])
-        return _ANGLE if found["angle"] else _LENGTH
-
-    return _CHOSEN.sub(held, text), tuple(units)
 
 
 def has_words(text: str) -> bool:
@@ -134,11 +91,6 @@ def _core(text: str) -> tuple[str, str, str]:
         return match[1], match[3], match[4]
     match = _AROUND.fullmatch(text)
     return ("", text, "") if match is None or not match[2] else (match[1], match[2], match[3])
-
-
-def placeholders(text: str) -> list[str]:
-    """Return what stands for something else in a message, sorted."""
-    return sorted([found[0] for found in HELD.finditer(text)] + [found[0] for found in _NAMED.finditer(text)])
 
 
 class Words:
@@ -162,21 +114,21 @@ class Words:
     ) -> None:
         self._texts: dict[str, str] = {}
         self._in_any_units: dict[str, str] = {}  # sources by what they are without units
-        self._patterns: list[tuple[re.Pattern[str], str, str]] = []
+        self._named: list[NamedMessage] = []
         self._known: dict[str, str | None] = {}
         self._on_miss, self._on_hit = on_miss, on_hit
         for message in messages:
             if not message.text or message.fuzzy:
                 continue
-            if _NAMED.search(message.source):
-                self._patterns.append((_pattern(message.source), message.source, message.text))
+            if NAME.search(message.source):
+                self._named.append(NamedMessage.of(message))
             else:
                 self._texts[message.source] = message.text
                 unitless, units = without_units(message.source)
                 if units:
                     self._in_any_units.setdefault(unitless, message.source)
         # Of several that fit, the one that says most of the text is meant.
-        self._patterns.sort(key=lambda each: -len(_NAMED.sub("", each[1])))
+        self._named.sort(key=lambda each: -each.words)
 
     def __call__(self, text: str) -> str:
         """Return a text in the language, or as it is where it is not known.
@@ -221,10 +173,12 @@ class Words:
     def _find(self, text: str) -> str | None:
         start, core, end = _core(text)
         found = self._exact(text)
-        if found is None and core != text and (inside := self._exact(core)) is not None:
-            return f"{start}{inside}{end}"  # says more than a message with names that fits the signs as well
+        if found is None and core != text:  # says more than a message with names that fits the signs as well
+            for piece, before, behind in ((f"{core}{end}", start, ""), (core, start, end)):
+                if (inside := self._exact(piece)) is not None:
+                    return f"{before}{inside}{behind}"
         if found is None:
-            found = self._named(text)
+            found = self._with_names(text)
         if found is None and core != text:
             inside = self.find(core)
             return None if inside is None else f"{start}{inside}{end}"
@@ -244,53 +198,49 @@ class Words:
         known = next((each for each in (source, small) if each in self._texts), None)
         if known is None:
             found = self._in_other_units(source)
-            return None if found is None else _as_in(found, back)
+            return None if found is None else as_in(found, back)
         self._on_hit(known)
-        found = _as_in(self._texts[known], back)
+        found = as_in(self._texts[known], back)
         return found if known == source else f"{found[:1].upper()}{found[1:]}"
 
     def _in_other_units(self, source: str) -> str | None:
         """Return the translation of a message that differs in its units only, with those of the text."""
         unitless, units = without_units(source)
         known = self._in_any_units.get(unitless)
-        if known is None:
-            return None
-        says, of = without_units(self._texts[known])
-        if of != without_units(known)[1]:
-            return None  # in another order: nobody knows which is which
-        self._on_hit(known)
-        own = iter(units)
-        return re.sub(f"[{_ANGLE}{_LENGTH}]", lambda _: next(own), says)
+        says = None if known is None else in_units(self._texts[known], known, units)
+        if known is not None and says is not None:
+            self._on_hit(known)
+        return says
 
-    def _named(self, text: str) -> str | None:
+    def _with_names(self, text: str) -> str | None:
         """Return the translation of a message with names, with the numbers and the names of the text."""
         source, back = renumbered(text)
-        for pattern, of, says in self._patterns if len(source) <= LONGEST_NAMED else ():
-            match = pattern.fullmatch(source)
-            if match is not None and self._fits(match, back):
-                self._on_hit(of)
-                return self._filled(says, match, back)
+        for message in self._named if len(source) <= LONGEST_NAMED else ():
+            caught = message.caught(source)
+            if caught is not None and self._fits(caught, back):
+                self._on_hit(message.source)
+                return self._filled(caught, back)
         return None
 
-    def _filled(self, says: str, match: re.Match[str], back: dict[str, str]) -> str:
+    def _filled(self, caught: Caught, back: dict[str, str]) -> str:
         """Return the translation of a message with names, each of them looked up, and with the numbers of the text."""
 
         def named(name: re.Match[str]) -> str:
-            inside = _as_in(match[name[1]], back)
+            inside = as_in(caught.inside[name[1]], back)
             return inside if name[1].startswith("typed") else self.find(inside) or inside
 
-        return _NAMED.sub(named, _own_numbers(says, match, back))
+        return NAME.sub(named, own_numbers(caught, back))
 
-    def _fits(self, match: re.Match[str], back: dict[str, str]) -> bool:
+    def _fits(self, caught: Caught, back: dict[str, str]) -> bool:
         """Return whether all is known in a text that has to be."""
-        held = [_as_in(text, back) for name, text in match.groupdict().items() if name.startswith("text")]
+        held = [as_in(text, back) for name, text in caught.inside.items() if name.startswith("text")]
         # A head and what follows it are no name.
         return all("</" not in text and self._is_known(text) for text in held)
 
     def _is_known(self, text: str) -> bool:
         """Return whether all of a text is known, or has no words; that a part of it is not is told to nobody."""
         core = _core(text)[1]
-        if not has_words(text) or any(self._exact(each) or self._named(each) for each in (text, core)):
+        if not has_words(text) or any(self._exact(each) or self._with_names(each) for each in (text, core)):
             return True
         pieces = next((found for found in (_parts(text), _sentences(text), _listed(text)) if len(found) > 1), [])
         return bool(pieces) and all(self._is_known(text[first:end]) for first, end in pieces)
@@ -313,67 +263,6 @@ class Words:
             made += [text[last:first], piece if each is None else each]
             last = end
         return "".join(made)
-
-
-def renumbered(text: str) -> tuple[str, dict[str, str]]:
-    """Return a text whose numbers and elements are counted from 0, and what each of them was.
-
-    >>> renumbered("to {3} of <2>all</2>")
-    ('to {0} of <0>all</0>', {'{0}': '{3}', '<0': '<2'})
-    """
-    numbers: dict[str, str] = {}
-    elements: dict[str, str] = {}
-
-    def held(found: re.Match[str]) -> str:
-        if found[1] is not None:
-            return f"{{{numbers.setdefault(found[1], str(len(numbers)))}}}"
-        return f"<{found[2]}{elements.setdefault(found[3], str(len(elements)))}{found[4]}>"
-
-    text = HELD.sub(held, text)
-    back = {f"{{{now}}}": f"{{{was}}}" for was, now in numbers.items()}
-    return text, back | {f"<{now}": f"<{was}" for was, now in elements.items()}
-
-
-def _as_in(text: str, back: dict[str, str]) -> str:
-    """Return a text with the numbers of where it belongs; see `renumbered`."""
-
-    def held(found: re.Match[str]) -> str:
-        if found[1] is not None:
-            return back.get(found[0], found[0])
-        return f"<{found[2]}{back.get(f'<{found[3]}', found[3]).removeprefix('<')}{found[4]}>"
-
-    return HELD.sub(held, text) if back else text
-
-
-def _pattern(source: str) -> re.Pattern[str]:
-    """Return what fits the source of a message with names; its own numbers are caught as ``n0``, ``n1`` and so on."""
-    made, seen = [], set[str]()
-    for piece in re.split(r"(\{[a-z_]+\}|\{\d+\})", source):
-        name = piece[1:-1] if piece.startswith("{") else ""
-        if not name:
-            made.append(re.escape(piece))
-        elif name in seen:
-            made.append(f"(?P=n{name})" if name.isdigit() else f"(?P={name})")
-        else:
-            seen.add(name)
-            made.append(rf"(?P<n{name}>\{{\d+\}})" if name.isdigit() else f"(?P<{name}>.+?)")
-    return re.compile("".join(made), re.DOTALL)
-
-
-def with_numbers(text: str, numbers: tuple[str, ...]) -> str:
-    """Return a text with its numbers in place of ``{0}``, ``{1}``."""
-    return HELD.sub(lambda held: numbers[int(held[1])] if held[1] else held[0], text)
-
-
-def _own_numbers(says: str, match: re.Match[str], back: dict[str, str]) -> str:
-    """Return the translation of a message with names, with the numbers that were caught."""
-    caught = match.groupdict()
-
-    def own(held: re.Match[str]) -> str:
-        number = caught.get(f"n{held[1]}")
-        return _as_in(held[0] if number is None else number, back)
-
-    return HELD.sub(own, says)
 
 
 def _parts(text: str) -> list[tuple[int, int]]:

@@ -18,7 +18,8 @@ from markupsafe import escape
 
 from armlab.content.as_written import STAYS
 from armlab.content.languages import ENGLISH, words_in
-from armlab.content.words import HELD, NUMBER, Words, has_words, with_numbers, without_numbers
+from armlab.content.stand_ins import HELD, NUMBER, with_numbers, without_numbers
+from armlab.content.words import Words, has_words
 from armlab.ui.drawing_texts import said_drawing
 
 _TOKEN = re.compile(r"<(math|style|textarea|pre|output)\b.*?</\1>|<[^>]*>|[^<]+", re.DOTALL)
