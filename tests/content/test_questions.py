@@ -19,6 +19,7 @@ DEGREES = NumberQuestion("", 90.0, "deg", 0.1)
 ROOT = NumberQuestion("", math.sqrt(3), "", 0.01)
 SMALL = NumberQuestion("", 0.02, "m", 0.01)
 SHARE = NumberQuestion("", 5.0, "%", 0.1)
+TIME = NumberQuestion("", 5.0, "s", 0.1)
 
 
 def ask(text, kind="number"):
@@ -71,7 +72,10 @@ def test_right_shares(text):
         (SHARE, "0.05 %", "This is not the answer yet.", ""),
         (SHARE, "5 m", "This is a length; the question asks for a share in %.", "unit"),
         (ROOT, "173 %", "This is a share; the question asks for a pure number.", "unit"),
-        (LENGTH, "half", "I cannot read 'half': write a number such as 0.5, 50 cm, pi/2 or 90 deg.", "unreadable"),
+        (LENGTH, "half", "I cannot read 'half': write a number such as 0.5, 1/2 or 50 cm.", "unreadable"),
+        (DEGREES, "half", "I cannot read 'half': write a number such as 0.5, pi/2 or 90 deg.", "unreadable"),
+        (ROOT, "half", "I cannot read 'half': write a number such as 0.5, 1/2 or sqrt(2).", "unreadable"),
+        (TIME, "half", "I cannot read 'half': write a number such as 0.5, 1/2 or 0.5 s.", "unreadable"),
         (LENGTH, "<b>1</b>", "I cannot read '&lt;b&gt;1&lt;/b&gt;': write a number", "unreadable"),
         (LENGTH, "0.5 rad^2", "The unit rad^2 is not known; there are m, cm, mm,", "unreadable"),
         (LENGTH, "", "I cannot read ''", "unreadable"),

@@ -70,11 +70,11 @@ ASKED: tuple[tuple[str, tuple[str, ...]], ...] = (
         ("1", "-1", "57.3", "1 deg", "2", "0.5", "7.283", "5", "1 m", "1 m/s"),
     ),
     (NUMBER.format(answer=60, unit="deg", tolerance=0.5), ("1.0472", "60 rad", "1 m", "-60", "420")),
-    (NUMBER.format(answer=0.5, unit="", tolerance=0.001), ("cos(60)", "1 m", "0.25", "1")),
+    (NUMBER.format(answer=0.5, unit="", tolerance=0.001), ("foo", "cos(60)", "1 m", "0.25", "1")),
     (NUMBER.format(answer=25, unit="%", tolerance=0.1), ("0.25", "1 m")),
-    (NUMBER.format(answer=0.5, unit="m", tolerance=0.001), ("500", "50", "0.5 rad", "90°", "1")),
+    (NUMBER.format(answer=0.5, unit="m", tolerance=0.001), ("foo", "500", "50", "0.5 rad", "90°", "1")),
     *(
-        (NUMBER.format(answer=3, unit=unit, tolerance=0.1), ("3 m" if unit != "m" else "3 s",))
+        (NUMBER.format(answer=3, unit=unit, tolerance=0.1), ("foo", "3 m"))
         for unit in (
             *("s", "m/s", "deg/s", "m^2", "N", "Nm", "V", "mA", "kW", "rpm", "rad/s", "m/s^2", "rad/s^2", "1/s"),
             *("1/s^2", "m/rad", "1/m", "1/m^2", "m^2/s", "Ns/m"),

@@ -135,7 +135,7 @@ def test_a_prediction_counts_once_right_or_not(fresh, own):
 @pytest.mark.parametrize(
     ("text", "why"),
     [
-        ("", "I cannot read '': write a number such as 0.5, 50 cm, pi/2 or 90 deg."),
+        ("", "I cannot read '': write a number such as 0.5, 1/2 or sqrt(2)."),
         ("1/0", "'1/0': division by zero."),
     ],
 )

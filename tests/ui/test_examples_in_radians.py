@@ -6,12 +6,15 @@ import pytest
 
 from armlab.content.languages import keys, messages
 from armlab.content.robots import catalogue
+from armlab.content.rows import rows
 from armlab.content.words import Words
 from armlab.session.bench import benches, choosing, page_of
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
+from armlab.session.state import State, apply
 from armlab.ui.speech import Speech
 from armlab.ui.units import Units
+from armlab.window.search.markup import topic_head
 from support.bare_gui import BarePage, content
 from support.student import run
 
@@ -64,6 +67,20 @@ def test_what_an_example_says_has_the_unit_of_the_person_in_every_language(name)
     for language in keys()[1:]:
         Speech(Words(messages(language), missing.append)).markup(shown)
     assert missing == []
+
+
+def test_names_that_an_example_gives_to_runs_have_the_unit_of_the_person():
+    async def shown():
+        page = shown_in_radians("control/line_178")
+        return re.findall(r"<span>([^<]*), J⁻¹</span>", "".join(content(each) for each in page._gui.has))
+
+    assert run(shown()) == ["3.11 rad", "2.97 rad"]
+
+
+def test_a_topic_that_is_found_has_the_unit_of_the_person():
+    state = apply(State.initial(catalogue()["planar_2r"]), Set(Notation, "angle", "rad"))
+    titles = [topic_head(key, state)[0] for key, row in rows().items() if "°" in row.title]
+    assert "Simulation: a 2R along a line at 2.97 rad" in titles
 
 
 def test_numbers_stay_readable():

@@ -116,6 +116,10 @@ def test_pages_are_translated_in_radians_and_metres(language):
     run(main())
 
 
+def test_the_name_of_a_run_is_no_order_to_open_it():
+    assert words_in("it")("Open loop: Transpose αJᵀ") == "Anello aperto: Trasposta αJᵀ"
+
+
 @pytest.mark.parametrize("language", OTHERS)
 def test_the_tasks_of_arms_are_translated(language):
     titles = {robot.arm.task.title for robot in catalogue().robots.values()}
@@ -140,7 +144,7 @@ def test_a_translated_lesson_says_all_that_the_lesson_says_also_in_a_variant(key
 @pytest.mark.parametrize(
     ("key", "done", "says"),
     [
-        ("first_arm", (GoToStep(2), Answer("foo")), "Non riesco a leggere 'foo': scrivi un numero come 0.5, 50 cm"),
+        ("first_arm", (GoToStep(2), Answer("foo")), "Non riesco a leggere 'foo': scrivi un numero come 0.5, 1/2 o 50"),
         (
             "first_arm",
             (GoToStep(2), Answer("2 rad")),

@@ -97,13 +97,20 @@ def read_quantity(text: str) -> tuple[float, str | None]:
         raise _unreadable(text) from None
 
 
-def read_formula(text: str) -> tuple[Expression, str | None]:
-    """Return the quantity with the number as it was written; see `read_quantity`."""
+def read_formula(text: str, asked: str = "") -> tuple[Expression, str | None]:
+    """Return the quantity with the number as it was written; see `read_quantity`.
+
+    Parameters
+    ----------
+    text : str
+    asked : str
+        The unit that is asked for, in which examples are given to a person whose answer cannot be read.
+    """
     source, unit = _without_unit(plain_symbols(text).strip())
     try:
         return parse(with_decimal_points(source)), unit
     except InputError:
-        raise _unreadable(text) from None
+        raise _unreadable(text, asked) from None
 
 
 def with_decimal_points(source: str) -> str:
@@ -149,6 +156,11 @@ def _powers(written: str) -> frozenset[tuple[str, int]]:
 _BY_POWERS = {_powers(unit): unit for unit in UNITS if unit}
 
 
-def _unreadable(text: str) -> InputError:
+_EXAMPLES = {"a length": "0.5, 1/2 or 50 cm", "an angle": "0.5, pi/2 or 90 deg", "a pure number": "0.5, 1/2 or sqrt(2)"}
+"""Examples of answers, by the quantity that is asked for."""
+
+
+def _unreadable(text: str, asked: str = "") -> InputError:
     cut = text if len(text) <= 40 else text[:37] + "..."
-    return InputError(f"I cannot read {cut!r}: write a number such as 0.5, 50 cm, pi/2 or 90 deg.")
+    examples = _EXAMPLES.get(UNITS[asked][0], f"0.5, 1/2 or 0.5 {asked}")
+    return InputError(f"I cannot read {cut!r}: write a number such as {examples}.")

@@ -71,7 +71,7 @@ class NumberQuestion:
     def judge(self, text: str) -> Verdict:
         """Return the verdict on an answer as typed, such as ``0.5``, ``0,5``, ``50 cm``, ``pi/2`` or ``90°``."""
         try:
-            formula, unit = read_formula(text)
+            formula, unit = read_formula(text, self.unit)
             value = formula.value({})
         except InputError as error:
             return unreadable(error)

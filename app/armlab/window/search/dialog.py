@@ -147,7 +147,7 @@ class SearchDialog:
         if topic:
             found = [entry for entry in found if entry.kind != "row" and topic in entry.rows]
         listed = self._hits(found[:SHOWN], state)
-        shown: Inside = group(topic_head(topic), listed, "Topic") if topic else listed
+        shown: Inside = group(topic_head(topic, state), listed, "Topic") if topic else listed
         return _said(query, len(found), bool(topic), self._page.language), shown
 
     def _hits(self, entries: list[Entry], state: State) -> list[Markup]:

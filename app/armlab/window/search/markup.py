@@ -11,6 +11,7 @@ from armlab.ui.form import Form, Pressed, Typed
 from armlab.ui.format import so_many
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.search_button import glass
+from armlab.ui.units import units_of
 from armlab.window.search.offers import Offer
 
 FIELD, CLOSED, HIT = "search", "search-closed", "hit "
@@ -105,7 +106,8 @@ def hit(form: Form, number: int, entry: Entry, action: Pressed, offer: Offer | N
     """
     if asked := asked_of(entry):
         kind = f"{KINDS[entry.kind]} ›"
-        return _option(f"hit-{number}", _inside(entry.title, kind, _leads(entry)), data_ask=asked)
+        title = units_of(state).said(entry.title)
+        return _option(f"hit-{number}", _inside(title, kind, _leads(entry)), data_ask=asked)
     if entry.kind == "function":
         name = entry.key.removeprefix("armlab.kin.")
         module, _, last = entry.key.rpartition(".")
@@ -128,10 +130,10 @@ def asked_of(entry: Entry) -> str:
     return {"row": entry.key, "chapter": f"chapter {entry.key}"}.get(entry.kind, "")
 
 
-def topic_head(key: str) -> Inside:
+def topic_head(key: str, state: State) -> Inside:
     """Return the heading of what belongs to a topic of the notes."""
     row = rows()[key]
-    return row.title, tag("small", f" Section {row.section}")
+    return units_of(state).said(row.title), tag("small", f" Section {row.section}")
 
 
 def _option(name: str, inside: Inside, **more: str) -> Markup:

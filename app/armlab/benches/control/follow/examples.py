@@ -276,6 +276,9 @@ EXAMPLES: Registry[Example] = Registry(
 )
 """Examples by key, in the order of the list."""
 
+NAMES = frozenset(values["name"] for example in EXAMPLES.values() for values in example.runs if "name" in values)
+"""Names that they give to runs."""
+
 
 @dataclass(frozen=True)
 class ChooseControlExample(Command):

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from armlab.benches.control.follow.chosen import MOST_RUNS, Setup
 from armlab.benches.control.follow.commands import AddRun, RemoveRun, SelectRun
+from armlab.benches.control.follow.examples import NAMES
 from armlab.benches.control.follow.runs import Figures, Outcome, Peak
 from armlab.benches.control.follow.state import Control, questions
 from armlab.benches.control.follow.ui.form import sigma_unit
@@ -36,14 +37,15 @@ def runs_markup(form: Form, state: State) -> Markup:
     """Return the list of runs, and the button that adds one."""
     part = state[Control]
     full = len(part.runs) == MOST_RUNS
-    rows = [_run(form, part, i, run) for i, run in enumerate(part.runs)]
+    rows = [_run(form, part, i, run, units_of(state)) for i, run in enumerate(part.runs)]
     hint = f"At most {MOST_RUNS} runs" if full else "Keep this run for comparison, and change a copy of it"
     more = form.button("add", "+ Run", AddRun(), "chip", hint, off=full)
     return joined(tag("h3", "Runs", tag("span.copies", more)), tag("div.ct-runs", rows))
 
 
-def _run(form: Form, part: Control, i: int, run: Setup) -> Markup:
-    mark = dot(css(RUN_COLOURS[run.colour])), tag("span", run.title)
+def _run(form: Form, part: Control, i: int, run: Setup, units: Units) -> Markup:
+    title = units.said(run.title) if run.name in NAMES else run.title
+    mark = dot(css(RUN_COLOURS[run.colour])), tag("span", title)
     hint, selected = "Show and play this run", i == part.selected
     chosen = form.button(f"select {i}", mark, SelectRun(i), "chip", hint, f"Run {i + 1}", pressed=selected)
     away = None

@@ -19,7 +19,7 @@ from armlab.ui.option_form import option_form
 from armlab.ui.option_text import Scale
 from armlab.ui.units import units_of
 
-SPACES = {"joint": "Joint", "cartesian": "Cartesian"}
+SPACES = {"joint": "In joint space", "cartesian": "In Cartesian space"}
 
 
 class Industrial(NamedTuple):

@@ -140,7 +140,7 @@ def _list(found: Steps) -> Markup:
     """Return the decisions for any trajectory, in the list of the notes."""
     move, count = found.stretch.move, len(found.knot_q)
     rows = [
-        ("space", "Cartesian" if found.in_space else "joint"),
+        ("space", "Cartesian space" if found.in_space else "joint space"),
         ("task", "point to point" if count == 2 else f"multi-point, {count} knots"),
         ("path", lowered(move.kind.title)),
         ("timing law", lowered(law_types()[move.law.key].title)),
