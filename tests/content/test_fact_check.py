@@ -89,6 +89,14 @@ def test_the_sentence_says_what_is_and_what_is_asked():
     assert both.says(seen((0.0,))) == "The thing, component 1: 0. Required: at least 1 and at most 2."
 
 
+def test_a_key_is_told_in_words():
+    fact = SeenFact("the thing", "", "one", names={"one": "the first", "two": "the second"})
+    now = Observation.of(ROBOT.arm, [0, 0], facts={WORD: fact})
+    assert check('value = "two"').says(now) == "The thing: the first. Required: the second."
+    assert check('value = "one"').says(now) == "The thing: the first."
+    assert check('value = "six"').says(now) == "The thing: the first. Required: six."
+
+
 def test_a_component_that_will_never_be_is_told():
     third = check("component = 3\nat_least = 1")
     assert third.says(seen((1.0, 2.0))) == "The thing, component 3: there are only 2 components."

@@ -11,6 +11,7 @@ from armlab.content.languages import keys, words_in
 from armlab.content.observation import Observation
 from armlab.content.robots import catalogue
 from armlab.content.seen_fact import SeenFact
+from armlab.content.stand_ins import without_numbers
 from armlab.content.words import has_words
 from armlab.session.facts import facts_of_benches
 
@@ -38,13 +39,25 @@ ENGLISH = re.compile(
 """Words of the sentences in English; none of these is without one."""
 
 
+PROPER_NAMES = ("robot.history.event", "robot.history.definition")
+"""Facts whose keys stand for names of robots and of standards."""
+
+
 def said_of(word, fact):
     """Yield what is said of a fact that is not known yet, not there, or has another value than the required one."""
     bare = Observation.of(catalogue()["planar_2r"].arm, np.zeros(2))
     for given in CONDITIONS[fact.kind]:
         for value, slow in ((VALUES[fact.kind], False), (None, False), (None, True)):
-            seen = SeenFact(fact.title, fact.unit, value, slow)
+            seen = SeenFact(fact.title, fact.unit, value, slow, fact.names)
             yield FactIs(word, **given).says(replace(bare, facts={word: seen}))
+
+
+@pytest.mark.parametrize("language", keys()[1:])
+def test_the_words_for_keys_are_known_in_the_language(language):
+    words = words_in(language)
+    told = [fact for word, fact in FACTS.items() if word not in PROPER_NAMES]
+    names = {without_numbers(name).text for fact in told for name in fact.names.values()}
+    assert [name for name in names if words.find(name) is None and has_words(name)] == []
 
 
 @pytest.mark.parametrize("language", keys()[1:])

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 from armlab.content import evidence
 from armlab.kin.checks import wrong
@@ -27,12 +28,19 @@ class SeenFact:
         None where the arm has no such thing, or it is not worked out yet.
     slow : bool
         Whether it takes long to work out.
+    names : mapping of str to str
+        Words for its values, where these are keys.
     """
 
     title: str
     unit: str
     value: Value | None
     slow: bool = False
+    names: Mapping[str, str] = field(default_factory=dict, compare=False)
+
+    def named(self, value: Value | None) -> Value | None:
+        """Return a value of the fact, for a key its words."""
+        return self.names.get(value, value) if isinstance(value, str) else value
 
 
 def read_value(value: object, where: str) -> Value | None:

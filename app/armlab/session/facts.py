@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any, Literal, TypeVar
 
@@ -58,6 +58,8 @@ class Fact:
         Some of `KINDS`.
     only : str
         Where there is such a thing, for authors; empty where every arm has it.
+    names : mapping of str to str
+        Of a text that is a key: the words for each, which students are told.
     """
 
     title: str
@@ -65,6 +67,7 @@ class Fact:
     unit: str = ""
     kind: Kind = "number"
     only: str = ""
+    names: Mapping[str, str] = field(default_factory=dict)
 
     def now(self, state: State) -> SeenFact:
         """Return the value of the fact in a state."""
@@ -72,7 +75,7 @@ class Fact:
             found = self.value(state)
         except ArmlabError:
             found = None
-        return SeenFact(self.title, self.unit, _plain(found))
+        return SeenFact(self.title, self.unit, _plain(found), names=self.names)
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -73,8 +73,9 @@ class FactIs:
         title = self.titled(seen.title if seen else self.fact)
         if seen is None or value is None:
             return f"{_begun(title)}: {_why_unknown(seen)}."
-        asked = "" if self.is_met(observation) else f" Required: {self.asked(seen.unit, words)}."
-        return f"{_begun(title)}: {self._said(value, seen.unit, words)}.{asked}"
+        required = replace(self, value=seen.named(self.value)).asked(seen.unit, words)
+        asked = "" if self.is_met(observation) else f" Required: {required}."
+        return f"{_begun(title)}: {self._said(seen.named(value), seen.unit, words)}.{asked}"
 
     def titled(self, title: str) -> str:
         """Return the subject of the check, by the title of the fact."""

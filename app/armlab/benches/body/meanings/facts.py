@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from armlab.benches.body.forms.state import Body
-from armlab.benches.body.meanings.state import Meanings, elementary_of, image_of
+from armlab.benches.body.meanings.state import SHOWN, Meanings, elementary_of, image_of
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
@@ -20,7 +20,7 @@ FACTS = Facts(
     __name__,
     (Body, Meanings),
     {
-        "shown": Fact("the meaning that is shown", lambda s: s[Meanings].shown, kind="text"),
+        "shown": Fact("the meaning that is shown", lambda s: s[Meanings].shown, kind="text", names=SHOWN),
         "vector": Fact("the vector p", lambda s: s[Meanings].p, kind="numbers"),
         "image": Fact("R p", image_of, kind="numbers"),
         "axis": Fact("the axis of an elementary rotation", lambda s: _of(s, "axis"), kind="text"),

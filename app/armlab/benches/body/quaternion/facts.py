@@ -12,7 +12,7 @@ from armlab.benches.body.quaternion.between import film_share, present_way, turn
 from armlab.benches.body.quaternion.film import second
 from armlab.benches.body.quaternion.from_matrix import METHODS, found_of
 from armlab.benches.body.quaternion.state import Quaternions
-from armlab.benches.body.quaternion.state_view import WAYS, QuaternionView
+from armlab.benches.body.quaternion.state_view import SHOWN, WAYS, QuaternionView
 from armlab.kin.quaternions import inverse, logarithm, product
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
@@ -40,12 +40,12 @@ FACTS = Facts(
         "reversed": Fact("q p, with the quaternion q of the body", lambda s: _both(s)[1], kind="numbers"),
         "inverse": Fact("the inverse of q", lambda s: inverse(s.derived(forms_of).q), kind="numbers"),
         "logarithm": Fact("the logarithm of q", lambda s: logarithm(s.derived(forms_of).q), kind="numbers"),
-        "shown": Fact("what is shown of quaternions", lambda s: s[QuaternionView].shown, kind="text"),
+        "shown": Fact("what is shown of quaternions", lambda s: s[QuaternionView].shown, kind="text", names=SHOWN),
         **{
             f"{key}_off": Fact(f"the largest difference of an entry of R from that of q, {title}", _off(key))
             for key, title in METHODS.items()
         },
-        "way": Fact("the way between both orientations", lambda s: s[QuaternionView].way, kind="text"),
+        "way": Fact("the way between both orientations", lambda s: s[QuaternionView].way, kind="text", names=WAYS),
         "shorter": Fact("whether the shorter way is taken", lambda s: s[QuaternionView].shorter, kind="truth"),
         "along": Fact("the scalar product of p and q", lambda s: s.derived(ways_of).along),
         **{

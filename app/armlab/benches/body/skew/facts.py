@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from armlab.benches.body.skew.state import Skew
+from armlab.benches.body.skew.state import SHOWN, Skew
 from armlab.kin.matrix_parts import dyads, quadratic_form, skew_part, skew_vector, symmetric_part
 from armlab.kin.rotations import skew
 from armlab.session.facts import Fact, Facts
@@ -52,7 +52,7 @@ FACTS = Facts(
     __name__,
     (Skew,),
     {
-        "shown": Fact("what is shown of the matrix", lambda s: s[Skew].shown, kind="text"),
+        "shown": Fact("what is shown of the matrix", lambda s: s[Skew].shown, kind="text", names=SHOWN),
         "matrix": Fact("A, row by row", lambda s: matrix_of(s).ravel(), kind="numbers"),
         "symmetric": Fact("the symmetric part, row by row", lambda s: symmetric_part(s[Skew].A).ravel(), "", "numbers"),
         "skew": Fact("the skew part, row by row", lambda s: skew_part(s[Skew].A).ravel(), kind="numbers"),

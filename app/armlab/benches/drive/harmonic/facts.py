@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from armlab.benches.drive.harmonic.film import counted_now
 from armlab.benches.drive.harmonic.state import Harmonic
-from armlab.kin.drive.strain_wave import counted_teeth
+from armlab.kin.drive.strain_wave import FIXED, counted_teeth
 from armlab.session.facts import Fact, Facts
 from armlab.session.parts.timeline import Timeline
 
@@ -15,7 +15,7 @@ FACTS = Facts(
         "flexspline": Fact("the teeth of the flexspline", lambda s: s[Harmonic].flexspline, kind="count"),
         "circular": Fact("the teeth of the circular spline", lambda s: s[Harmonic].drive.circular, kind="count"),
         "ratio": Fact("the ratio, negative against the input", lambda s: s[Harmonic].drive.ratio),
-        "fixed": Fact("the part that is fixed", lambda s: s[Harmonic].fixed, kind="text"),
+        "fixed": Fact("the part that is fixed", lambda s: s[Harmonic].fixed, kind="text", names=FIXED),
         "counted": Fact(
             "the teeth that the flexspline moves along the circular spline in a turn of the wave generator, counted",
             lambda s: float(counted_teeth(s[Harmonic].drive)),

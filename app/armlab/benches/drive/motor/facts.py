@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from armlab.benches.drive.motor.state import Motor, present_time
+from armlab.benches.drive.motor.state import SHOWN, Motor, present_time
 from armlab.benches.drive.motor.twins import twins_of
 from armlab.kin.drive.motor import Balance, DcMotor
 from armlab.kin.drive.motor_run import Moment, MotorRun
@@ -115,6 +115,6 @@ FACTS = Facts(
         "state_rest": Fact(
             "the residual of dx/dt = A x + B u with (i, ω, θ)", lambda s: s.derived(twins_of).right_rest
         ),
-        "shown": Fact("what is shown of the motor", lambda s: s[Motor].shown, kind="text"),
+        "shown": Fact("what is shown of the motor", lambda s: s[Motor].shown, kind="text", names=SHOWN),
     },
 )

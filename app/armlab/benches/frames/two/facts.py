@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from armlab.benches.frames.two.reach import Meeting, Way, meeting_of, shown_way
-from armlab.benches.frames.two.state import TwoRobots
+from armlab.benches.frames.two.state import VERSIONS, TwoRobots
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
@@ -43,7 +43,7 @@ FACTS = Facts(
         "joints": Fact("the joint values of robot B as drawn", lambda s: _way("q", s), "rad", "numbers"),
         "name": Fact("the solution in which robot B is drawn", lambda s: _way("name", s), kind="text"),
         "turned_off": Fact("the angle by which the tool of B misses", lambda s: _way("turned_off", s), "rad"),
-        "version": Fact("the kind of robot B", lambda s: s[TwoRobots].version, kind="text"),
+        "version": Fact("the kind of robot B", lambda s: s[TwoRobots].version, kind="text", names=VERSIONS),
         "base_of_b": Fact("the base of B in the world", lambda s: s[TwoRobots].base_b, "m", "numbers"),
         "turn_of_b": Fact("the angle of the base of B", lambda s: s[TwoRobots].turn_b, "rad"),
         "link": Fact("the length of the links of robot B", lambda s: s[TwoRobots].link, "m"),

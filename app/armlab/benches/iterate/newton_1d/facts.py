@@ -13,6 +13,16 @@ def _root(state: State) -> float | None:
     return float(found.iterates[-1].x) if found.status == "converged" else None
 
 
+ENDS = {
+    "converged": "converged to a root",
+    "level": "a horizontal tangent",
+    "round": "a cycle",
+    "away": "diverged",
+    "undefined": "f has no value there",
+    "most": "no root after the most steps",
+}
+"""Words for how it ends."""
+
 FACTS = Facts(
     __name__,
     (Newton1D,),
@@ -25,6 +35,7 @@ FACTS = Facts(
             "how it ends (converged, level, round, away, undefined or most)",
             lambda s: s.derived(solution).status,
             kind="text",
+            names=ENDS,
         ),
         "first_step": Fact(
             "the first step, x₁ − x₀",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from armlab.benches.iterate.runs.films import Film
 from armlab.benches.iterate.runs.job import JOB
 from armlab.benches.iterate.runs.state import Iterations, questions
+from armlab.benches.iterate.runs.worked import methods
 from armlab.session.facts import Fact, Facts, facts_of
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
@@ -32,7 +33,12 @@ FACTS = Facts(
             "the error of the orientation at the end", _of_film(lambda f: f.rotation_error[-1]), "rad"
         ),
         "end": Fact("the joint values at the end, in rad and m", _of_film(lambda f: f.q[-1]), kind="numbers"),
-        "method": Fact("the method", lambda s: s[Iterations].run.method, kind="text"),
+        "method": Fact(
+            "the method",
+            lambda s: s[Iterations].run.method,
+            kind="text",
+            names={key: f"{each.title[:1].upper()}{each.title[1:]}" for key, each in methods().items()},
+        ),
         "start": Fact("the start, in rad and m", lambda s: s[Iterations].start, kind="numbers"),
     },
     JOB,

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from armlab.benches.motion.curves.made import Made
 from armlab.benches.motion.curves.state import Curves
+from armlab.kin.motion.path_types import path_types
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
@@ -33,7 +34,10 @@ FACTS = Facts(
     {
         "knots": Fact("the number of knots", lambda s: len(s[Curves].knots), kind="count"),
         "path": Fact(
-            "the key of the path of the curve", lambda s: s[Curves].curves[s[Curves].selected].path.key, kind="text"
+            "the key of the path of the curve",
+            lambda s: s[Curves].curves[s[Curves].selected].path.key,
+            kind="text",
+            names={key: each.title for key, each in path_types().items()},
         ),
         "duration": Fact("the time from the first knot to the last", _of_curve(lambda m: m.trajectory.duration), "s"),
         "overshoot": Fact("how far the curve goes beyond its knots", _of_curve(lambda m: m.overshoot)),

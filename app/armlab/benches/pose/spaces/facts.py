@@ -9,7 +9,7 @@ import numpy as np
 
 from armlab.benches.pose.spaces.arms import misfit, r_of, tools_apart, twins_of
 from armlab.benches.pose.spaces.maps import maps_of
-from armlab.benches.pose.spaces.state import Spaces
+from armlab.benches.pose.spaces.state import BY, DESCRIBED, SHOWN, Spaces
 from armlab.session.facts import Fact, Facts
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
@@ -32,21 +32,34 @@ def _apart(state: State) -> float | None:
     return None if found is None else found[0]
 
 
+KINDS = {
+    "square": "m = n",
+    "redundant": "m < n",
+    "more": "m > n",
+    "fixed": "r has numbers that this arm cannot choose",
+}
+"""Words for the ways in which n and m compare."""
+
 FACTS = Facts(
     __name__,
     (Spaces, Joints),
     {
         "n": Fact("the number of joints n", lambda s: maps_of(s).n, kind="count"),
         "m": Fact("the number of components m of r", lambda s: maps_of(s).m, kind="count"),
-        "kind": Fact("how n and m compare (square, redundant, more or fixed)", lambda s: maps_of(s).kind, kind="text"),
+        "kind": Fact(
+            "how n and m compare (square, redundant, more or fixed)",
+            lambda s: maps_of(s).kind,
+            kind="text",
+            names=KINDS,
+        ),
         "spare": Fact(
             "the dimension of the joint values that belong to one r", lambda s: maps_of(s).spare, kind="count"
         ),
-        "shown": Fact("what is shown of the spaces", lambda s: s[Spaces].shown, kind="text"),
-        "by": Fact("the representation of the stick", lambda s: s[Spaces].by, kind="text"),
+        "shown": Fact("what is shown of the spaces", lambda s: s[Spaces].shown, kind="text", names=SHOWN),
+        "by": Fact("the representation of the stick", lambda s: s[Spaces].by, kind="text", names=BY),
         "residual": Fact("the residual of the constraint of the stick, in m²", lambda s: s[Spaces].residual),
         "theta": Fact("the angle of the stick", lambda s: s[Spaces].theta, "rad"),
-        "described": Fact("the description of the arm", lambda s: s[Spaces].described, kind="text"),
+        "described": Fact("the description of the arm", lambda s: s[Spaces].described, kind="text", names=DESCRIBED),
         "arms": Fact("the number of arms of the same r", _of_3r(lambda s: 1 + len(twins_of(s).others)), kind="count"),
         "r": Fact("r of the planar 3R, in m and rad", _of_3r(lambda s: twins_of(s).r), kind="numbers"),
         "r_residual": Fact("the largest difference of r of these arms", _of_3r(_residual)),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from armlab.benches.robot.market.state import Market
+from armlab.benches.robot.market.state import NUMBERS, Market
 from armlab.kin.growth import doubling_time
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
@@ -23,7 +23,7 @@ FACTS = Facts(
         "years": Fact("the number of years", _number("years")),
         "rate": Fact("the rate a year, as a fraction", _number("rate")),
         "doubling": Fact("the years in which the value doubles or halves", lambda s: doubling_time(_number("rate")(s))),
-        "unknown": Fact("which number is computed", lambda s: s[Market].unknown, kind="text"),
+        "unknown": Fact("which number is computed", lambda s: s[Market].unknown, kind="text", names=NUMBERS),
         "log": Fact("whether the axis is logarithmic", lambda s: s[Market].log, kind="truth"),
     },
 )

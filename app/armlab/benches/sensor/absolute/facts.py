@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from armlab.benches.sensor.absolute.state import Absolute
-from armlab.kin.sensors.absolute import changes
+from armlab.kin.sensors.absolute import CODES, changes
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
@@ -27,7 +27,7 @@ FACTS = Facts(
     (Absolute,),
     {
         "tracks": Fact("the number of tracks", lambda s: s[Absolute].tracks, kind="count"),
-        "code": Fact("the code of the disk", lambda s: s[Absolute].code, kind="text"),
+        "code": Fact("the code of the disk", lambda s: s[Absolute].code, kind="text", names=CODES),
         "resolution": Fact("the width of a sector", lambda s: s[Absolute].disk.width, "rad"),
         "angle": Fact("the angle of the disk", lambda s: s[Absolute].angle, "rad"),
         "sector": Fact(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from armlab.benches.sensor.incremental.counting import Counted, Now, electrical_angle, led, now
-from armlab.benches.sensor.incremental.state import Incremental
+from armlab.benches.sensor.incremental.state import RULES, Incremental
 from armlab.kin.sensors.quadrature import DECODERS
 from armlab.session.facts import Fact, Facts
 from armlab.session.parts.timeline import Timeline
@@ -34,11 +34,17 @@ FACTS = Facts(
     (Incremental, Timeline),
     {
         "pulses": Fact("the number of periods in a turn", lambda s: s[Incremental].pulses, kind="count"),
-        "decoder": Fact("the rule of counting", lambda s: s[Incremental].decoder, kind="text"),
+        "decoder": Fact(
+            "the rule of counting",
+            lambda s: s[Incremental].decoder,
+            kind="text",
+            names={key: each.title for key, each in DECODERS.items()},
+        ),
         "rule": Fact(
             "the directions for which both orders of the edges are taken, opposite or same",
             lambda s: s[Incremental].rule,
             kind="text",
+            names=RULES,
         ),
         "per_period": Fact("D, the counts in a period", lambda s: _chosen(s).per_period, kind="count"),
         "resolution": Fact("AR, the angle of a count", lambda s: _chosen(s).resolution, "rad"),
