@@ -8,11 +8,19 @@ import re
 import pytest
 
 from armlab.benches.control.follow.chosen import setup_of
-from armlab.benches.control.follow.commands import ChooseInverse, SetOffset, SetOption, SetStart, SetValue, SizePush
+from armlab.benches.control.follow.commands import (
+    ChooseInverse,
+    NameRun,
+    SetOffset,
+    SetOption,
+    SetStart,
+    SetValue,
+    SizePush,
+)
 from armlab.benches.control.follow.examples import EXAMPLES
 from armlab.benches.control.follow.runs import Peak
 from armlab.benches.control.follow.state import Control
-from armlab.benches.control.follow.ui.card import card_markup, runs_markup, small
+from armlab.benches.control.follow.ui.card import card_markup, name_markup, runs_markup, small
 from armlab.benches.control.follow.ui.form import (
     ELSEWHERE,
     law_markup,
@@ -101,6 +109,21 @@ def test_what_is_typed_and_pressed_becomes_commands():
     assert typed(state, "remove 0") == ()
     with pytest.raises(InputError, match="offset of joint 2: expected"):
         typed(state, "offset 1", "much")
+
+
+def test_a_run_without_a_name_is_called_by_its_law_and_nothing_counts_as_typed():
+    state = State.initial(catalogue()["planar_2r"])
+    called = state[Control].run.title
+    form = BareForm()
+    empty = str(name_markup(form, state))
+    assert 'value=""' in empty
+    assert f'placeholder="{called}"' in empty
+    form.show(name_markup(form, state))
+    form.press("name", "mine")
+    assert form.commands == (NameRun("mine"),)
+    named = apply(state, *form.commands)
+    assert 'value="mine"' in name_markup(BareForm(), named)
+    assert apply(named, NameRun(""))[Control].run.title == called
 
 
 def test_a_run_that_leaves_the_range_of_a_joint_says_where_and_when():

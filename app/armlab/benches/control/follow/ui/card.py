@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 
 from armlab.benches.control.follow.chosen import MOST_RUNS, Setup
-from armlab.benches.control.follow.commands import AddRun, RemoveRun, SelectRun
+from armlab.benches.control.follow.commands import AddRun, NameRun, RemoveRun, SelectRun
 from armlab.benches.control.follow.examples import NAMES
 from armlab.benches.control.follow.runs import Figures, Outcome, Peak
 from armlab.benches.control.follow.state import Control, questions
@@ -52,6 +52,13 @@ def _run(form: Form, part: Control, i: int, run: Setup, units: Units) -> Markup:
     if len(part.runs) > 1:
         away = form.button(f"remove {i}", "✕", RemoveRun(i), "chip", "Remove this run", f"Remove run {i + 1}")
     return tag("div.ct-run", chosen, away)
+
+
+def name_markup(form: Form, state: State) -> Markup:
+    """Return the field for the name of the selected run; what a run without one is called stands in it, not typed."""
+    part = state[Control]
+    name = form.field("name", part.run.name, "Name of the run", NameRun, placeholder=part.run.title)
+    return tag("label.option.wide.ct-name", tag("span", f"Run {part.selected + 1}"), name)
 
 
 def card_markup(state: State) -> Markup:

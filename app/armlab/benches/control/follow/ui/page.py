@@ -7,11 +7,11 @@ from functools import partial
 
 from armlab.benches.control.follow.chosen import REFERENCES
 from armlab.benches.control.follow.clip import duration, time_of
-from armlab.benches.control.follow.commands import DropPushes, NameRun, PushNow, SizePush
+from armlab.benches.control.follow.commands import DropPushes, PushNow, SizePush
 from armlab.benches.control.follow.examples import EXAMPLES, ChooseControlExample
 from armlab.benches.control.follow.runs import reference_points
 from armlab.benches.control.follow.state import CLIP_KEY, Control, fresh, questions
-from armlab.benches.control.follow.ui.card import card_markup, runs_markup, speeds_markup
+from armlab.benches.control.follow.ui.card import card_markup, name_markup, runs_markup, speeds_markup
 from armlab.benches.control.follow.ui.form import law_markup, law_words, plant_markup, plant_words, reference_markup
 from armlab.benches.control.follow.ui.plots import VIEWS, Plots
 from armlab.benches.motion.api import Plan
@@ -61,7 +61,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         card.show(card_markup(state))
         speeds.show(fold("Peak speeds of the joints", speeds_markup(state)))
         run = state[Control].run
-        named = _named(form, state)
+        named = name_markup(form, state)
         form.show(_fold("Reference", REFERENCES[run.reference], named, reference_markup(form, state)))
         law.show(_fold("Control law", law_words(run), law_markup(law, state)))
         plant.show(_fold("Plant", with_symbol(plant_words(run), "T_s"), plant_markup(plant, state)))
@@ -112,12 +112,6 @@ def _views(form: Form, chosen: str, look: Callable[[str], None]) -> Markup:
     return tag(
         "div.bar", [form.chip(key, text, partial(look, key), hint, key == chosen) for key, text in VIEWS.items()]
     )
-
-
-def _named(form: Form, state: State) -> Markup:
-    part = state[Control]
-    name = form.field("name", part.run.title, "Name of the run", NameRun)
-    return tag("label.option.wide.ct-name", tag("span", f"Run {part.selected + 1}"), name)
 
 
 def _around(state: State) -> Points:
