@@ -137,9 +137,10 @@ def test_a_prediction_counts_once_right_or_not(fresh, own):
     [
         ("", "I cannot read '': write a number such as 0.5, 1/2 or sqrt(2)."),
         ("1/0", "'1/0': division by zero."),
+        ("30 m", "This is a length; the question asks for a pure number."),
     ],
 )
-def test_what_cannot_be_read_is_no_prediction_and_says_why(fresh, own, text, why):
+def test_what_is_no_answer_is_no_prediction_and_says_why(fresh, own, text, why):
     state = done(fresh, OpenLesson("v", variant=0), GoToStep(1))
     with pytest.raises(InputError) as refused:
         done(state, Answer(text))

@@ -21,6 +21,9 @@ ToHtml = Callable[[str, str], str]
 HIDDEN = ("arm", "values")
 """Parts of the screen that a question may hide until it is answered."""
 
+UNREADABLE, OTHER_QUANTITY = "unreadable", "quantity"
+"""Names of what is no answer."""
+
 NOT_YET = "This is not the answer yet."
 
 
@@ -42,6 +45,11 @@ class Verdict:
     says: str
     name: str = ""
 
+    @property
+    def counts(self) -> bool:
+        """Whether it is on an answer, right or wrong: none is what cannot be read, or another quantity than asked."""
+        return self.name not in (UNREADABLE, OTHER_QUANTITY)
+
 
 RIGHT = Verdict(True, "Right.")
 
@@ -49,7 +57,7 @@ RIGHT = Verdict(True, "Right.")
 def unreadable(problem: object) -> Verdict:
     """Return the verdict on an unreadable answer; the problem is plain text."""
     text = str(problem)
-    return Verdict(False, escape(text[:1].upper() + text[1:], quote=False), "unreadable")
+    return Verdict(False, escape(text[:1].upper() + text[1:], quote=False), UNREADABLE)
 
 
 @dataclass(frozen=True)

@@ -387,4 +387,4 @@ def _is_no_prediction(step: Step, typed: str | None) -> bool:
     """Return whether the prediction is invalid, as one that the screen would not accept."""
     if typed is None or step.question is None or not step.question.hide:
         return False
-    return step.question.judge(typed).name == "unreadable"
+    return not step.question.judge(typed).counts

@@ -257,7 +257,7 @@ class Answer(Command):
         if step.question.hide and name in progress.answers:
             raise InputError("Your prediction is noted; only the first one counts.")
         verdict = step.question.judge(typed)
-        if step.question.hide and verdict.name == "unreadable":
+        if step.question.hide and not verdict.counts:
             raise InputError(_still_open(plain(verdict.says)))
         answers = {other: text for other, text in progress.answers.items() if other != name}
         # In an exam what stands last counts: with no verdict in sight one could else try all options.
@@ -271,7 +271,7 @@ class Answer(Command):
 
 
 def _still_open(why: str) -> str:
-    """Return what is said of a prediction that cannot be read: why, and that nothing is lost."""
+    """Return what is said of a prediction that is no answer: why, and that nothing is lost."""
     return f"{why}{'' if why.endswith(('.', '?', '!')) else '.'} Your prediction is still open."
 
 

@@ -9,7 +9,19 @@ from dataclasses import dataclass
 from armlab.content.arithmetic import shortest
 from armlab.content.expressions import IN_DEGREES, Expression
 from armlab.content.quantities import UNITS, is_near, read_formula
-from armlab.content.question import NOT_YET, RIGHT, Asked, Field, QuestionType, ToHtml, Verdict, Wrong, says, unreadable
+from armlab.content.question import (
+    NOT_YET,
+    OTHER_QUANTITY,
+    RIGHT,
+    Asked,
+    Field,
+    QuestionType,
+    ToHtml,
+    Verdict,
+    Wrong,
+    says,
+    unreadable,
+)
 from armlab.content.reader import Table
 from armlab.errors import InputError
 
@@ -80,7 +92,8 @@ class NumberQuestion:
         if unit is not None:
             got, size = UNITS[unit]
             if got != quantity:
-                return Verdict(False, f"This is {got}; the question asks for {quantity}{self._written_unit()}.", "unit")
+                says = f"This is {got}; the question asks for {quantity}{self._written_unit()}."
+                return Verdict(False, says, OTHER_QUANTITY)
         converted = value * size / own
         if self._near(converted):
             return RIGHT

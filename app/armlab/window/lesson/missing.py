@@ -55,8 +55,8 @@ def _without_answer(lesson: Lesson, answers: Mapping[str, str]) -> list[int]:
 
 
 def _is_answered(step: Step, typed: str) -> bool:
-    """Return whether a step asks for nothing, or has an answer that can be read."""
-    return step.question is None or (bool(typed) and step.question.judge(typed).name != "unreadable")
+    """Return whether a step asks for nothing, or has what counts as an answer."""
+    return step.question is None or (bool(typed) and step.question.judge(typed).counts)
 
 
 def _not_done(lesson: Lesson, progress: Progress, answers: Mapping[str, str]) -> list[int]:

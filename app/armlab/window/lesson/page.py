@@ -164,7 +164,7 @@ class LessonPage:
         fields = asked(self._question, question, typed, draft, fixed, order, word, shown_step(part))
         right = part.progress.right.get(part.name)
         verdict = part.verdict
-        if part.silent and (verdict is None or verdict.name != "unreadable"):
+        if part.silent and (verdict is None or verdict.counts):
             self._question.show(fields, assigned.noted(typed, settled))
             return
         done, told = part.index in part.progress.passed(lesson), _told(part, question) if settled else None
