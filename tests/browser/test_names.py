@@ -5,6 +5,7 @@ import pytest
 from armlab.session.pages import pages, tabs
 from support.lab import running_lab
 from support.own_lessons import lesson, write
+from support.walk import PLACES
 
 pytestmark = pytest.mark.browser
 
@@ -49,21 +50,6 @@ UNREADABLE = """least => {
 }"""
 """What is wrong with the names of the tabs, while no pointer is over them."""
 
-PLACES = """() => {
-  const strip = [...document.querySelectorAll('.al .pages')].find(each => each.getClientRects().length);
-  return [...strip.children].map(page => {
-    const { left, top, width, height } = page.getBoundingClientRect();
-    return [page.dataset.name, left, top, width, height];
-  });
-}"""
-"""Name and place of each page of the open tab."""
-
-OPENED = """key => {
-  const strip = [...document.querySelectorAll('.al .pages')].find(each => each.getClientRects().length);
-  for (const page of strip.children) page.ariaSelected = String(page.dataset.cell === key);
-}"""
-"""Marks a page as the open one, as the lab does."""
-
 
 @pytest.fixture(scope="module")
 def url(tmp_path_factory):
@@ -95,13 +81,13 @@ def test_every_tab_can_be_read_and_hit_without_a_pointer_over_it(visit):
 
 
 def test_tabs_and_pages_say_what_they_are_and_keep_their_places(visit):
+    """The places of the pages of every tab are looked at in `test_every_page`."""
     lab = visit("robot/puma560", size=SIZES[0])
     what_is_in_a_tab_is_said_at_once_and_not_once_more_a_second_later(lab)
     turning_the_pages_of_a_tab_moves_none_of_them(lab)
     the_key_of_every_page_still_opens_it(lab)
     lab.resize(SIZES[1])
     a_screen_reader_hears_each_tab_and_page_by_its_name(lab)
-    pages_of_a_tab_have_the_same_places_whichever_is_open(lab)
     lab.resize(SIZES[0])
     a_tab_is_torn_off_the_rail_sideways_and_tabs_apart_stand_above_their_panels(lab)
 
@@ -145,17 +131,6 @@ def a_screen_reader_hears_each_tab_and_page_by_its_name(lab):
     for page in tabs()["control"]:
         assert lab.page.get_by_role("tab", name=page.name, exact=True).count() == 1
     assert lab.page.get_by_role("tablist", name="Pages of Control").count() == 1
-
-
-def pages_of_a_tab_have_the_same_places_whichever_is_open(lab):
-    for first, *more in (tab for tab in tabs().values() if len(tab) > 1):
-        lab.open_tab(first.title)
-        places = lab.page.evaluate(PLACES)
-        assert [name for name, *_ in places] == [page.name for page in (first, *more)]
-        assert min(min(width, height) for *_, width, height in places) >= LEAST
-        for page in (first, *more):
-            lab.page.evaluate(OPENED, page.key)
-            assert lab.page.evaluate(PLACES) == places
 
 
 def a_tab_is_torn_off_the_rail_sideways_and_tabs_apart_stand_above_their_panels(lab):

@@ -7,6 +7,15 @@ from collections.abc import Iterator
 from armlab.session.pages import pages, tab_of
 from support.page import LabPage
 
+PLACES = """() => {
+  const strip = [...document.querySelectorAll('.al .pages')].find(each => each.getClientRects().length);
+  return [...strip?.children ?? []].map(page => {
+    const { left, top, width, height } = page.getBoundingClientRect();
+    return [page.dataset.name, left, top, width, height];
+  });
+}"""
+"""Name and place of each page of the open tab, if it has several."""
+
 
 def every_page(lab: LabPage) -> Iterator[str]:
     """Open the pages in the order of their tabs; yields the key of each while it is open."""
