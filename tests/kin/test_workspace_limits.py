@@ -50,7 +50,7 @@ def test_a_long_stroke_of_joint_1_ends(rng):
 
 def test_scorbot_is_as_far_from_a_point_as_its_nearest_configuration(rng):
     arm = catalogue()["scorbot"].arm
-    whole, point = section(arm), np.array([-0.597, 0.044, 0.367])
+    whole, point = section(arm, 128, 65_536), np.array([-0.597, 0.044, 0.367])
     q = np.array([0.001, 2.266, 1.172, 0.175, -2.48])
     assert arm.within_limits(q)
     away = np.linalg.norm(arm.position(whole.nearest(point)) - point)

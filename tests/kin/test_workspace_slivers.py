@@ -1,7 +1,6 @@
 """Thin workspaces: their cells are halved until the error is small, and what is stated holds."""
 
 import sys
-from dataclasses import replace
 from functools import cache
 from math import cos, pi
 from pathlib import Path
@@ -12,6 +11,9 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from armlab.content.robots import catalogue
 from armlab.kin.arm import Arm
+from armlab.kin.workspace.first_joint import first_joint
+from armlab.kin.workspace.section import Section
+from armlab.kin.workspace.section_grid import grid_for
 from armlab.kin.workspace.section_size import MOST_CELLS, WANTED, _between, size
 from armlab.kin.workspace.sections import section, sections
 
@@ -32,9 +34,18 @@ def volume(thickness: float) -> float:
     return 2.0 * (cos(0.7) - cos(2.4)) * ((1.0 + thickness) ** 3 - 1.0) / 3.0
 
 
+@cache
+def walked(thickness: float) -> tuple[list[tuple[bool, float, bool]], Section]:
+    """Return of the sections of a shell whether they are finished, their steps and whether arcs are known; the last."""
+    told = []
+    for found in sections(shell(thickness), CELLS, SAMPLES):
+        told.append((found.finished, found.step, found.arcs is not None))
+    return told, found
+
+
 @pytest.mark.parametrize("thickness", [0.02, 0.005])
 def test_a_shell_thinner_than_two_cells_has_the_volume_of_its_closed_form(thickness):
-    found = size(section(shell(thickness), CELLS, SAMPLES))
+    found = size(walked(thickness)[1])
     assert found.error <= WANTED * found.value
     assert abs(found.value - volume(thickness)) <= found.error
 
@@ -48,25 +59,23 @@ def test_the_cells_of_a_shell_too_thin_for_all_of_them_are_bounded_and_its_error
 
 
 def test_a_smaller_error_may_be_wanted_and_a_larger_one_be_enough():
-    arm = shell(0.02)
-    steps = [section(arm, CELLS, SAMPLES, wanted=wanted).step for wanted in (1.0, 0.05, 0.01)]
-    assert steps[0] > steps[1] >= steps[2]
+    steps = [section(shell(0.02), CELLS, SAMPLES, wanted=wanted).step for wanted in (1.0, 0.05)]
+    assert steps[0] > steps[1] >= walked(0.02)[1].step
+    assert WANTED < 0.05
 
 
 def test_an_ordinary_arm_keeps_its_cells():
     arm = catalogue()["puma560"].arm
-    found = section(arm, 64, SAMPLES)
-    assert found.step == section(arm, 64, SAMPLES, wanted=1.0).step
+    asked, _ = grid_for(first_joint(arm), 64, np.random.default_rng(0))
+    assert section(arm, 64, SAMPLES).step == asked.step
 
 
 def test_while_the_cells_are_halved_what_there_was_before_is_yielded():
-    found = list(sections(replace(shell(0.02)), CELLS // 2, SAMPLES))
-    assert [each.finished for each in found] == [False] * (len(found) - 1) + [True]
-    steps = [each.step for each in found]
-    assert sorted(steps, reverse=True) == steps
-    whole = next(each for each in found if each.arcs is not None)
-    assert found.index(whole) < len(found) / 2
-    assert all(each.arcs is not None for each in found[found.index(whole) :])
+    finished, steps, whole = zip(*walked(0.02)[0], strict=True)
+    assert finished == (False,) * (len(finished) - 1) + (True,)
+    assert sorted(steps, reverse=True) == list(steps)
+    assert whole.index(True) < len(whole) / 2
+    assert all(whole[whole.index(True) :])
 
 
 @pytest.mark.parametrize(("joints", "times"), [(3, 1), (4, 4)])
@@ -81,8 +90,8 @@ def test_where_s_comes_in_intervals_as_many_samples_tell_about_a_smaller_cell(jo
         return at(joint, cells, samples, *more)
 
     monkeypatch.setattr(module, "_at", noted)
-    section(arm, 16, 1024, wanted=1e-9)
-    assert asked[:2] == [(16, 1024), (32, 1024 * times)]
+    next(None for _ in sections(arm, 16, 1024, wanted=1e-9) if len(asked) == 2)
+    assert asked == [(16, 1024), (32, 1024 * times)]
 
 
 @pytest.mark.parametrize(("i", "j"), [(0, 0), (0, 1), (1, 0), (1, 1)])

@@ -218,10 +218,10 @@ def _copy(source: NDArray[np.floating], target: NDArray[np.floating]) -> None:
 
 def _not_finite(inputs: NDArray[np.floating]) -> NDArray[np.bool_] | None:
     """Return a mask of the columns that are not finite, set to zero to avoid warnings; None when all are finite."""
-    with np.errstate(over="ignore", invalid="ignore"):
-        if np.isfinite(inputs.sum()):
-            return None
-    spoilt: NDArray[np.bool_] = ~np.isfinite(inputs).all(axis=0)
+    finite = np.isfinite(inputs)
+    if finite.all():
+        return None
+    spoilt: NDArray[np.bool_] = ~finite.all(axis=0)
     inputs[:, spoilt] = 0.0
     return spoilt
 

@@ -276,7 +276,7 @@ def along(joint: FirstJoint, q: Floats, places: Floats, wanted: Floats) -> Float
             turn = np.einsum("ka,kan->kn", across, J) / np.maximum(found[:, 0], 1e-9)[:, None]
         else:
             turn = np.einsum("a,kan->kn", joint.axes[:, 2], J)
-        return np.concatenate([section_rates(joint, values), weight[rows, None, None] * turn[:, None, :]], axis=1)
+        return np.concatenate([section_rates(joint, J), weight[rows, None, None] * turn[:, None, :]], axis=1)
 
     return least_squares(joint, q, residual, rates, joint.moving, 0.0, ALONG)[0]
 

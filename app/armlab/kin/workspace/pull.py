@@ -75,7 +75,7 @@ def pull(
         return left if weights is None else np.asarray(left * weights[rows])
 
     def rates(values: Floats, rows: NDArray[np.intp]) -> Floats:
-        found = section_rates(joint, values)
+        found = section_rates(joint, joint.arm.jacobian(values))
         return found if weights is None else np.asarray(found * weights[rows][:, :, None])
 
     return least_squares(joint, q, residual, rates, joint.moving, tolerance, iterations)
@@ -95,9 +95,9 @@ def pull_in_space(
     return least_squares(joint, q, residual, rates, tuple(range(joint.arm.n)), tolerance, iterations)
 
 
-def section_rates(joint: FirstJoint, q: Floats) -> Floats:
-    """Return d(u, v)/dq, shape (k, 2, n), in metres per radian or metre."""
-    J = np.asarray(joint.arm.jacobian(q)[:, :3, :])
+def section_rates(joint: FirstJoint, jacobians: NDArray[np.floating]) -> Floats:
+    """Return d(u, v)/dq, shape (k, 2, n), in metres per radian or metre, from Jacobians (k, 6, n)."""
+    J = np.asarray(jacobians[:, :3, :], dtype=np.float64)
     if not joint.revolute:
         return np.asarray(joint.axes[:, :2].T @ J)
     # Joint 1 carries a point across, by as much as it is away from the axis; a quarter turn back lies outward.
@@ -134,11 +134,16 @@ def least_squares(
     moving = _columns(joints)
     low, high = joint.arm.limits[moving].T
     scale = np.where(joint.arm.revolute[moving], 1.0, joint.arm.length_scale)
+    # A step that led away leaves its configuration, whose rates are known: as many are refused as are taken.
+    known, moved = np.empty((len(q), e.shape[1], len(joints))), np.ones(len(q), dtype=bool)
     for _ in range(iterations if joints else 0):
         rows = np.flatnonzero((error > tolerance) & (damping < MOST_DAMPING))
         if not rows.size:
             break
-        J = rates(q[rows], rows)[..., moving] * scale
+        new = rows[moved[rows]]
+        if new.size:
+            known[new] = rates(q[new], new)[..., moving] * scale
+        J = known[rows]
         trial = q[rows]
         here = trial[:, moving]
         step = _step(J, e[rows], damping[rows], here <= low, here >= high) * scale
@@ -147,7 +152,7 @@ def least_squares(
         length = lengths(left)
         nearer = length < error[rows]
         taken = rows[nearer]
-        q[taken], e[taken], error[taken] = trial[nearer], left[nearer], length[nearer]
+        q[taken], e[taken], error[taken], moved[rows] = trial[nearer], left[nearer], length[nearer], nearer
         damping[rows] = np.where(nearer, np.maximum(damping[rows] * EASIER, LEAST_DAMPING), damping[rows] * HARDER)
     return q, error
 
