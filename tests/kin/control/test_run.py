@@ -101,7 +101,7 @@ def test_scaling_keeps_the_direction_of_the_tool_where_clipping_bends_it():
     for key in ("clip", "scale"):
         q, line = notes_line(178)
         limits = plant(TWO_R, saturation=key, speed_limits=math.radians(300.0))
-        run = simulate(TWO_R, "open_loop", line, q, Settings(inverse="inverse", plant=limits))
+        run = simulate(TWO_R, "open_loop", line, q, Settings(inverse="inverse", plant=limits, step=0.004))
         along = line.velocity[:2] / 0.6
         off = (run.p[:, :2] - run.p[0, :2]) @ np.array([-along[1], along[0]])
         away[key] = np.abs(off).max()
