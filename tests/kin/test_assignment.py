@@ -96,7 +96,7 @@ def test_every_robot_has_a_table_for_random_legal_choices(robot, rng):
 @pytest.mark.parametrize("special", [False, True])
 def test_random_arms_have_tables_too(convention, special, rng):
     for n in (1, 2, 3, 5):
-        for _ in range(6):
+        for _ in range(3):
             arm = random_arm(rng, n, convention=convention, special=special)
             q = random_q(arm, rng)
             assert_same_motion(arm, legal_choices(arm, q, rng), q, rng)

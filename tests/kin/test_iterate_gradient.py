@@ -90,7 +90,7 @@ def test_the_stretched_arm_pulled_along_its_own_line_stays_stuck_and_says_so(tru
 
 def test_the_line_search_never_raises_the_cost_and_reaches_where_a_fixed_step_fails(rng):
     arm = catalogue()["elbow_3r"].arm
-    for _ in range(20):
+    for _ in range(10):
         T = arm.fk(rng.uniform(*arm.limits.T))
         trace = ik.iterate(arm, T, rng.uniform(*arm.limits.T), "gradient_search", most=500)
         assert np.all(np.diff(trace.cost) <= 0)
@@ -121,7 +121,7 @@ def test_the_slope_is_the_exact_derivative_of_the_cost_for_every_robot(robot, rn
 def test_the_lyapunov_function_never_rises_and_falls_as_its_formula_says(robot, rng):
     arm = robot.arm
     q = rng.uniform(*arm.limits.T)
-    flow = ik.transpose_flow(arm, arm.fk(rng.uniform(*arm.limits.T)), q, gain=0.5, duration=1.0, dt=0.01)
+    flow = ik.transpose_flow(arm, arm.fk(rng.uniform(*arm.limits.T)), q, gain=0.5, duration=0.5, dt=0.01)
     assert np.all(np.diff(flow.V) <= 1e-12)
     assert flow.V[-1] < flow.V[0]
     assert np.all(flow.V_dot <= 0)
