@@ -18,7 +18,7 @@ from support.fake_browser import FakeBrowser, Message
 
 TITLE = "Dragging: handle event to new pose at the client"
 CLASSES, ROUNDS = sized(((1, 10, 30, 60), 3), ((1,), 1))
-RATE, SECONDS = 20.0, sized(6.0, 0.5)
+RATE, SECONDS = 20.0, sized(6.0, 0.3)
 LABS = sized(2, 1)
 EVENTS = int(RATE * SECONDS)
 LAST = sized(0.5, 0.1)

@@ -19,7 +19,7 @@ from rounds import sized
 
 TITLE = "Inverse kinematics against a judge: false claims about all solutions, and poses without one"
 SEED = 11
-FEW, MANY, EVERY = 256, 2000, 10
+FEW, MANY, EVERY = sized((256, 2000, 10), (16, 32, 10))
 """Random starts of the judge's search for what a list does not have, and of every tenth case."""
 
 SAID = ("complete", "none", "at least", "infinite")

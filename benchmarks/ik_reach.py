@@ -13,8 +13,8 @@ from rounds import quantile, sized
 from support.arms import limited_arm, random_q
 
 TITLE = "Inverse kinematics: reachable poses that are reached, and all solutions with joints to spare"
-POSES = sized(2500, 3)
-ARMS, POSES_OF_ARM = sized(40, 1), sized(10, 2)
+POSES = sized(2500, 1)
+ARMS, POSES_OF_ARM = sized(40, 1), sized(10, 1)
 LATTICE = sized(40, 1)
 SPARE = ("iiwa7", "canadarm2", "panda", "gen3")
 STARTS = 20

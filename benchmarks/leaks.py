@@ -16,7 +16,7 @@ from rounds import sized
 from support.fake_browser import FakeBrowser, cookie_of
 
 TITLE = "Memory of the lab after students have come and gone"
-WARM, COMINGS, RETURNS, IDLE = sized((300, 300, 2_000, 200), (2, 3, 3, 3))
+WARM, COMINGS, RETURNS, IDLE = sized((300, 300, 2_000, 200), (2, 2, 2, 2))
 STUDENTS = sized(10, 2)
 """Browsers that come again and again: what is kept of 200 students who have gone is no leak."""
 

@@ -2,6 +2,7 @@
 
 import importlib.util
 from collections.abc import Callable
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -162,6 +163,7 @@ class Compiled(NamedTuple):
     jacobians: Callable[[np.ndarray, np.ndarray], None]
 
 
+@cache
 def numba_kernels(arm: Arm) -> Compiled | None:
     """Return compiled loops of a modified, all-revolute arm whose base is the world, if numba is installed."""
     if not is_installed("numba"):

@@ -21,8 +21,8 @@ TITLE = "Playback of a moving arm: poses shown in Chromium with a software rende
 WINDOWS = sized({(640, 420): (0, 10), (1400, 850): (0,)}, {(640, 420): (1,)})
 """Each with the numbers of other students who drag meanwhile."""
 
-ROUNDS, SECONDS = sized((3, 5.0), (1, 1.0))
-EASING = sized(4.0, 0.5)
+ROUNDS, SECONDS = sized((3, 5.0), (1, 0.5))
+EASING = sized(4.0, 0.1)
 """Seconds in which the page finds out how much it can draw."""
 
 EXPLAINED = """\

@@ -154,10 +154,9 @@ def test_a_section_takes_the_place_of_the_one_before():
         (["cores"], f"no benchmark 'cores'; there are {', '.join(NAMES)}"),
     ],
 )
-def test_what_cannot_be_measured_is_one_line(arguments, says):
-    command = [sys.executable, str(HERE / "report.py"), *arguments]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stdout, done.stderr) == (2, "", f"benchmarks: {says}\n")
+def test_what_cannot_be_measured_is_one_line(arguments, says, capsys):
+    assert loaded("report").main(arguments) == 2
+    assert capsys.readouterr() == ("", f"benchmarks: {says}\n")
 
 
 def test_each_of_several_drags_ends_where_the_arm_was_not():
