@@ -86,11 +86,15 @@ class Listener:
         self._at, self._heard = "", set[str]()
         self._names = {robot.name for robot in catalogue().robots.values()}
         self._messages, self.opened = tuple(messages), set[str]()
+        self._words = self._words_of()
+
+    def _words_of(self) -> Words:
+        return Words(self._messages, self._miss, self._hit)
 
     def at(self, place: str) -> None:
         """Look at another place from now on."""
         self._at = place
-        self.speech = Speech(Words(self._messages, self._miss, self._hit))  # keeps nothing of the place before
+        self.speech = Speech(self._words.anew())  # keeps nothing of the place before
 
     def _miss(self, text: str) -> None:
         if text not in self._names:
@@ -103,6 +107,7 @@ class Listener:
         """Take texts of a lesson as translated, in the form of messages: they belong to a catalogue of their own."""
         have = {message.source for message in self._messages}
         self._messages += tuple(Message(text, text) for text in texts if text not in have)
+        self._words = self._words_of()
         self.at(self._at)
 
     def hear(self, page: BarePage) -> None:
