@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import re
 from collections.abc import Callable, Iterable, Iterator
+from copy import copy
 from typing import Any
 
 from armlab.content.absent import ABSENT, HAS
@@ -94,7 +95,9 @@ class Listener:
     def at(self, place: str) -> None:
         """Look at another place from now on."""
         self._at = place
-        self.speech = Speech(self._words.anew())  # keeps nothing of the place before
+        words = copy(self._words)
+        words._known = {}  # keeps nothing of the place before
+        self.speech = Speech(words)
 
     def _miss(self, text: str) -> None:
         if text not in self._names:

@@ -26,7 +26,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from copy import copy
 
 from armlab.content.as_written import is_part
 from armlab.content.named_messages import Caught, NamedMessage, in_units, own_numbers
@@ -130,12 +129,6 @@ class Words:
                     self._in_any_units.setdefault(unitless, message.source)
         # Of several that fit, the one that says most of the text is meant.
         self._named.sort(key=lambda each: -each.words)
-
-    def anew(self) -> Words:
-        """Return the same words as if none had been looked up yet: what is found, and what is not, is told again."""
-        words = copy(self)
-        words._known = {}
-        return words
 
     def __call__(self, text: str) -> str:
         """Return a text in the language, or as it is where it is not known.
