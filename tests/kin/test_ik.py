@@ -37,7 +37,7 @@ def controlled_difference(arm, T, q):
 
 
 def test_every_robot_solves_its_own_poses(robot, rng):
-    for k in range(15):
+    for k in range(40):
         T = robot.arm.fk(random_q(robot.arm, rng))
         result = ik.solve(robot.arm, T, seed=k)
         assert result.success, (robot.key, result.reason)
@@ -51,7 +51,7 @@ def test_every_robot_solves_its_own_poses(robot, rng):
 @pytest.mark.parametrize("method", METHODS)
 def test_every_method_solves_near_the_start(method, robot, rng):
     steps = 0
-    for _ in range(3):
+    for _ in range(5):
         spread = np.ptp(robot.arm.limits, axis=1) / 30
         q = robot.arm.clip(robot.arm.limits.mean(axis=1) + spread * rng.normal(size=robot.arm.n))
         T = robot.arm.fk(q)
