@@ -104,6 +104,15 @@ def test_a_component_that_will_never_be_is_told():
     assert third.says(seen(None, slow=True)) == "The thing, component 3: not known yet."
 
 
+@pytest.mark.parametrize(
+    ("title", "begun"),
+    [("the rank of J", "The rank of J"), ("r of the planar 3R", "r of the planar 3R"), ("x(t)", "x(t)")],
+)
+def test_a_sentence_begins_with_a_capital_unless_a_formula_does(title, begun):
+    now = Observation.of(ROBOT.arm, [0, 0], facts={WORD: SeenFact(title, "", 1.0)})
+    assert check("at_most = 2").says(now) == f"{begun}: 1."
+
+
 def test_the_torque_of_an_arm_with_a_slide_is_not_promised_for_later():
     word = "velocity.statics.largest_torque"
     facts = seen_facts(State.initial(catalogue()["scara"]), (word,))
