@@ -47,7 +47,7 @@ class Registry(dict[str, K]):
     >>> from armlab.kin.motion import law_types
     >>> law_types()["cubik"]
     Traceback (most recent call last):
-    armlab.errors.UnknownName: law: unknown name 'cubik'; did you mean 'cubic'?
+    armlab.errors.UnknownName: law: unknown name 'cubik'; did you mean 'cubic'? Available: ...
     """
 
     def __init__(self, word: str, things: Iterable[K], origins: Iterable[str] = ()) -> None:

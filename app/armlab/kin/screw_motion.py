@@ -112,7 +112,7 @@ def screw_motion(T: ArrayLike, where: str = "T") -> ScrewMotion:
     Examples
     --------
     >>> found = screw_motion([[0, -1, 0, 1], [1, 0, 0, 1], [0, 0, 1, 0.5], [0, 0, 0, 1]])
-    >>> found.kind, (found.point + 0.0).round(12).tolist(), round(found.angle, 4), found.distance
+    >>> found.kind, (found.point.round(12) + 0.0).tolist(), round(found.angle, 4), found.distance
     ('screw', [0.0, 1.0, 0.0], 1.5708, 0.5)
     """
     pose = as_pose(T, where)

@@ -1,13 +1,9 @@
-"""A path and a timing law are one new file each, and the examples in the docstrings are right."""
-
-import doctest
-import importlib
-import pkgutil
+"""A path and a timing law are one new file each."""
 
 import pytest
 
 from armlab.errors import PluginError
-from armlab.kin import motion, paths, timing
+from armlab.kin import paths, timing
 from armlab.kin.motion.law_types import law_types
 from armlab.kin.motion.path_types import path_types
 
@@ -51,13 +47,3 @@ def test_a_file_in_the_folder_is_found(folder, text, kinds, tmp_path, monkeypatc
         monkeypatch.undo()
         kinds.cache_clear()
     assert "made_up" not in kinds()
-
-
-@pytest.mark.parametrize("package", [motion, paths, timing], ids=lambda package: package.__name__)
-def test_the_examples_in_the_docstrings_are_right(package):
-    tried, modules = 0, [info.name for info in pkgutil.iter_modules(package.__path__)]
-    for name in [package.__name__, *(f"{package.__name__}.{module}" for module in modules)]:
-        found = doctest.testmod(importlib.import_module(name))
-        assert found.failed == 0, name
-        tried += found.attempted
-    assert tried > 0

@@ -136,7 +136,7 @@ def extremes(coils: int) -> tuple[float, float, float]:
     The sum of the sines of N angles pi/N apart is cos(theta - pi/2N) / sin(pi/2N) while theta is between 0 and pi/N.
 
     >>> extremes(2)
-    (1.0000000000000002, 1.414213562373095, 1.2732395447351628)
+    (1.0000000000000002, 1.4142135623730951, 1.2732395447351628)
     """
     half = 0.5 * math.pi / whole_number(coils, "coils", 1)
     if coils == 1:

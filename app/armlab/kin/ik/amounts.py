@@ -9,7 +9,7 @@ LEAST_M, LEAST_RAD = 5e-12, 5e-12
 
 
 def missed_in_words(position: float, rotation: float) -> str:
-    """Return both parts of an error that are more than rounding, such as ``"0.4 µm and 0.02°"``; empty for none.
+    """Return both parts of an error that are more than rounding, such as ``"400 nm and 0.02°"``; empty for none.
 
     Parameters
     ----------
@@ -19,7 +19,7 @@ def missed_in_words(position: float, rotation: float) -> str:
     Examples
     --------
     >>> missed_in_words(4e-7, 0.0), missed_in_words(0.0123, 2e-3)
-    ('0.4 µm', '12.3 mm and 0.11°')
+    ('400 nm', '12.3 mm and 0.11°')
     """
     parts = []
     if position > LEAST_M:

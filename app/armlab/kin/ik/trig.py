@@ -104,7 +104,7 @@ def half_tangents(a: float, b: float, c: float) -> tuple[float, ...]:
     Examples
     --------
     >>> half_tangents(1.3, -0.4, 0.4)
-    (inf, 0.30769230769230765)
+    (inf, 0.3076923076923077)
     """
     square = a * a + b * b - c * c
     if square < 0.0:
