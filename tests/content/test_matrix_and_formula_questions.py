@@ -61,7 +61,10 @@ def test_a_vector_may_lie_or_stand(text):
 
 @pytest.mark.parametrize(
     "text",
-    ["60 90 -60", "60 deg 90 deg, -60 deg", "pi/3 rad, 90, -60°", "60deg 90° −pi/3rad", "60; 90; -60"],
+    [
+        *("60 90 -60", "60 deg 90 deg, -60 deg", "pi/3 rad, 90, -60°", "60deg 90° −pi/3rad", "60; 90; -60"),
+        *("90°-30° 180°/2 30° - 90°", "90 deg - 30 deg 45 deg + 45 deg -60 deg", "pi/2-30°, 2*45°, -(60°)"),
+    ],
 )
 def test_angles_in_a_matrix_may_have_their_unit(text):
     assert ask("matrix", 'answer = [[60, 90, -60]]\ntolerance = 0.5\nunit = "deg"').judge(text).right

@@ -41,6 +41,38 @@ def test_right_angles(text):
     assert DEGREES.judge(text).right is (text not in ("pi/2", "π/2", "1.57"))
 
 
+BY_TERMS = (
+    *("180° - 30°", "180 deg - 30 deg", "180 degrees−30 degrees", "300°/2", "2*(90° - 15°)", "-(-150°)", "abs(-150°)"),
+    *("pi - 30°", "90° + pi/3", "90° + pi/3 rad", "4 acos(0.5) - 90°", "5π/3/2 rad"),
+    *("deg(pi) - 30°", "180 - 30°", "2*75°", "(180 - 30)°", "1/2*300°", "300/2 deg", "300°/2 deg"),
+)
+
+
+@pytest.mark.parametrize("text", BY_TERMS)
+def test_a_unit_of_angles_belongs_to_its_term_where_others_have_their_own(text):
+    degrees = NumberQuestion("", 150.0, "deg", 0.1)
+    assert degrees.judge(text).right
+    assert NumberQuestion("", 5.0 * math.pi / 6.0, "rad", 0.01).judge(text).right is (text != "300°/2 deg")
+    assert not NumberQuestion("", -150.0, "deg", 0.1).judge(text).right
+
+
+@pytest.mark.parametrize(
+    ("text", "asked", "expected"),
+    [
+        ("180°/30°", "", (6.0, None)),
+        ("cos(60°)", "deg", (0.5, None)),
+        ("90°/2", "deg/s", (math.pi / 4.0, "rad/s")),
+        ("0.5*(2 rad)", "deg", (1.0, "rad")),
+        ("180° * 0.3", "m", (0.3 * math.pi, None)),
+        ("asin(0.5)°", "deg", (math.pi / 6.0, "deg")),
+        ("atan2(1, 1)", "deg", (math.pi / 4.0, None)),
+    ],
+)
+def test_what_has_no_unit_at_its_end_is_read_as_what_is_asked(text, asked, expected):
+    number, unit = read_quantity(text, asked)
+    assert (pytest.approx(number), unit) == expected
+
+
 @pytest.mark.parametrize("text", ["5", "5 %", "5%", "5,05 %", "10/2 %", "5 percent", "5％"])
 def test_right_shares(text):
     assert SHARE.judge(text).right

@@ -6,7 +6,8 @@ import math
 import re
 from collections import Counter
 
-from armlab.content.expressions import Expression, parse
+from armlab.content.angle_terms import angle_terms, is_in_radians, units_in
+from armlab.content.expressions import LONGEST, Expression, parse
 from armlab.content.symbols import plain_symbols
 from armlab.errors import InputError
 
@@ -74,11 +75,20 @@ _UNIT = re.compile(
 )
 """A product of powers of units at the end of a quantity: m/s^2, rad s^-2, N*m, 1/s."""
 
+_WORD = re.compile(r"(?<![a-zA-Z])(deg|rad)(?:rees?|ians?)(?![a-zA-Z])")
+"""A unit of angles written out."""
+
 _PART = re.compile(rf"(?P<over>/)?[\s*]*(?P<name>{_NAME})(?:\s*\^?\s*\(?(?P<power>[+-]?[1-3]))?")
 
 
-def read_quantity(text: str) -> tuple[float, str | None]:
+def read_quantity(text: str, asked: str = "") -> tuple[float, str | None]:
     """Return the number and the unit, None when there is none, of an answer as typed.
+
+    Parameters
+    ----------
+    text : str
+    asked : str
+        The unit that is asked for.
 
     Raises
     ------
@@ -90,11 +100,11 @@ def read_quantity(text: str) -> tuple[float, str | None]:
     >>> read_quantity("50 cm"), read_quantity("0,5"), read_quantity("90°"), read_quantity("2·10⁻³ m")
     ((50.0, 'cm'), (0.5, None), (90.0, 'deg'), (0.002, 'm'))
     """
-    expression, unit = read_formula(text)
+    expression, unit = read_formula(text, asked)
     try:
         return expression.value({}), unit
     except InputError:
-        raise _unreadable(text) from None
+        raise _unreadable(text, asked) from None
 
 
 def read_formula(text: str, asked: str = "") -> tuple[Expression, str | None]:
@@ -104,9 +114,13 @@ def read_formula(text: str, asked: str = "") -> tuple[Expression, str | None]:
     ----------
     text : str
     asked : str
-        The unit that is asked for, in which examples are given to a person whose answer cannot be read.
+        The unit that is asked for: examples are given in it to a person whose answer cannot be read, and it tells what
+        an angle with its own unit is part of, such as an angular speed.
     """
-    source, unit = _without_unit(plain_symbols(text).strip())
+    if len(text) > LONGEST:
+        raise _unreadable(text, asked)
+    source = _WORD.sub(r"\1", plain_symbols(text).strip())
+    source, unit = _without_unit(source, asked)
     try:
         return parse(with_decimal_points(source)), unit
     except InputError:
@@ -128,14 +142,23 @@ def is_near(value: float, answer: float, tolerance: float) -> bool:
     return abs(value - answer) <= tolerance * (1.0 + ROUNDING)
 
 
-def _without_unit(source: str) -> tuple[str, str | None]:
+def _without_unit(source: str, asked: str) -> tuple[str, str | None]:
+    """Return a formula and its unit: without the unit at its end, unless this belongs to the last term only.
+
+    Angles that are read with their unit are in radians: 180° - 30°, pi - 30° and 90°/2 are.
+    """
     found = _UNIT.search(source)
+    terms = angle_terms(source)
     if found is None:
-        return source, None
+        has_angle = any(units_in(term) == 1 for term in terms)
+        return source, asked.replace("deg", "rad") if has_angle and re.search("deg|rad", asked) else None
     unit = _BY_POWERS.get(_powers(found[0]))
     if unit is None:
         written = re.sub(r"[\s()]", "", found[0])
         raise InputError(f"The unit {written} is not known; there are {', '.join(filter(None, UNITS))}.")
+    *before, last = terms
+    if unit == "deg" and (units_in(last) > 1 or any(units_in(term) or is_in_radians(term) for term in before)):
+        return source, "rad" if any(units_in(term) == 1 for term in terms) else None
     return source[: found.start()].strip() or "1" * found[0].startswith("/"), unit
 
 

@@ -94,9 +94,9 @@ def _at_spaces(line: str) -> list[str]:
     ``1 - 2`` is one entry, ``1 -2`` two, ``60 deg`` one.
     """
     line = re.sub(r"\s*([*/^·×])\s*", r"\1", line)
-    line = re.sub(r"(?<=[\w)])\s+([-+])\s+(?=\S)", r"\1", line)
-    line = re.sub(r"([a-z])\s+\(", r"\1(", line)
     line = re.sub(rf"(?<=[\d.)])\s+(?=(?:{_UNIT})(?:\s|$))", "", line)
+    line = re.sub(r"(?<=[\w)°])\s+([-+])\s+(?=\S)", r"\1", line)
+    line = re.sub(r"([a-z])\s+\(", r"\1(", line)
     return [word for word in _outside(line, " ") if word]
 
 
@@ -132,7 +132,7 @@ def _entry(word: str, i: int, k: int, unit: str) -> float:
 def _with_unit(word: str, place: str, unit: str) -> float | None:
     """Return an entry that has its own unit, or None when it has none."""
     try:
-        number, own = read_quantity(word)
+        number, own = read_quantity(word, unit)
     except InputError:
         return None
     if own is None:
