@@ -147,3 +147,50 @@ def test_a_sheet_says_what_is_done_to_a_motion(typed, place, action, words):
     text = MOTION.replace('[[do]]\nkind = "move_kind"\npath = "overfly"', f"[[do]]\n{action}", 1)
     (place / "mine" / "m.md").write_text(text, encoding="utf-8")
     assert words in typed("lesson", "sheet", "mine/m.md")[1]
+
+
+PLACED = """+++
+title = "Target"
+chapter = "1"
+teaches = ["S4.0-2R"]
+robot = "elbow_3r"
+q_deg = [0, 20, 30]
++++
+## Place it
+```check
+kind = "target_at"
+position = [0.6, 0, 0.3]
+tolerance_m = 0.01
+```
+```solution
+[[do]]
+kind = "move"
+q_deg = [0, 0, 90]
+[[do]]
+kind = "target"
+position = [0.6, 0, 0.3]
+[[do]]
+kind = "robot"
+key = "cartesian_3p"
+[[do]]
+kind = "move"
+q_m = [0.5, 0.4, 0.3]
+[[do]]
+kind = "target"
+position = [0.6, 0, 0.3]
+rpy_deg = [10, -90, 0]
+```
+"""
+
+
+def test_a_sheet_tells_joint_values_and_targets_of_the_arm_that_is_there_by_then(typed, place):
+    (place / "mine" / "p.md").write_text(PLACED, encoding="utf-8")
+    status, out, err = typed("lesson", "sheet", "mine/p.md")
+    assert (status, err) == (0, "")
+    assert "q = (0°, 0°, 90°), then target at (0.6, 0, 0.3) m, then choose cartesian" in out
+    assert "q = (0.5 m, 0.4 m, 0.3 m), then target at (0.6, 0, 0.3) m with roll, pitch and yaw (10°, −90°, 0°)" in out
+
+
+def test_a_sheet_tells_the_orientation_of_a_target_for_an_arm_whose_task_has_one(capsys):
+    assert main(["lesson", "sheet", "ik_cases", "--variants", "0"]) == 0
+    assert "target at (1, −0.15, 0.67) m with roll, pitch and yaw (0°, 0°, 0°)" in capsys.readouterr().out

@@ -16,7 +16,10 @@ from armlab.content.bench_words import BenchWord
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lesson_head import time_said
 from armlab.content.lesson_values import written
+from armlab.content.robots import catalogue
 from armlab.content.vocabulary import vocabularies
+from armlab.content.write_robot import roll_pitch_yaw
+from armlab.kin.arm import Arm
 from armlab.teaching.plain_text import plain, printable
 
 _MEANS_SOMETHING = re.compile(r"([\\`*{}\[\]<>#|~&$]|(?<!\w)_|_(?!\w))")
@@ -61,7 +64,11 @@ def escaped(text: str) -> str:
 
 def solution(lesson: Lesson, step: Step) -> str:
     """Return what is to be done in a step; empty when its file does not say."""
-    return ", then ".join(_done(action, lesson) for action in step.solution)
+    arm, done = lesson.robot_used.arm, []
+    for action in step.solution:
+        arm = catalogue()[action.key].arm if isinstance(action, actions.TakeRobot) else arm
+        done.append(_done(action, arm))
+    return ", then ".join(done)
 
 
 def _asked(lesson: Lesson) -> Iterator[str]:
@@ -109,11 +116,12 @@ def _row(cells: Sequence[str] | Mapping[str, Column]) -> str:
     return f"| {' | '.join(cells)} |"
 
 
-def _done(action: actions.Action, lesson: Lesson) -> str:
+def _done(action: actions.Action, arm: Arm) -> str:
+    """Return in words what is done with the arm that is there by then."""
     if isinstance(action, actions.Move):
-        return f"q = ({_joint_values(action.q, lesson)})"
+        return f"q = ({_joint_values(action.q, arm)})"
     if isinstance(action, actions.MoveTarget):
-        return f"target at ({', '.join(written(float(value)) for value in action.T[:3, 3])}) m"
+        return f"target at {_pose(action.T, arm)}"
     if isinstance(action, actions.SetCell):
         value = _angle(action.value) if action.field in ("alpha", "theta") else f"{written(action.value)} m"
         return f"row {action.row + 1}, {action.field} = {value}"
@@ -135,15 +143,19 @@ def _done(action: actions.Action, lesson: Lesson) -> str:
     return action.says()
 
 
-def _joint_values(q: NDArray[np.float64], lesson: Lesson) -> str:
-    """Return joint values with units; those of another arm, which a solution may take, only as far as it has joints."""
-    revolute = lesson.robot_used.arm.revolute
-    if len(q) != len(revolute):
-        return ", ".join(written(float(value)) for value in q) + " in rad or m"
+def _joint_values(q: NDArray[np.float64], arm: Arm) -> str:
     return ", ".join(
         _angle(float(value)) if turns else f"{written(float(value))} m"
-        for value, turns in zip(q, revolute, strict=True)
+        for value, turns in zip(q, arm.revolute, strict=True)
     )
+
+
+def _pose(T: NDArray[np.float64], arm: Arm) -> str:
+    """Return a position, and an orientation where the arm's task has one or somebody has turned it."""
+    place = f"({', '.join(written(float(value)) for value in T[:3, 3])}) m"
+    if arm.task.rotation == "none" and np.array_equal(T[:3, :3], np.eye(3)):
+        return place
+    return f"{place} with roll, pitch and yaw ({', '.join(map(_angle, roll_pitch_yaw(T[:3, :3])))})"
 
 
 def _angle(value: float) -> str:
