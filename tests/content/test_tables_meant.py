@@ -183,6 +183,22 @@ def test_links_of_a_toolbox_are_read_in_its_order_and_convention():
     assert modified.rows == pasted.rows
 
 
+@pytest.mark.parametrize(
+    ("beside", "notes"),
+    [
+        ("%{\nL(4) = Link([0 0 9 0]);\nL(1).mdh = 1;\n%}", ()),
+        ("# L4 = Link([0, 0, 9, 0])", ()),
+        ("L(1).qlim = [-pi pi]; if L(1).offset == 0, end", ()),
+        ("bot = SerialLink(L, 'tool', transl(0, 0, 0.1));", ("Not read: tool.",)),
+        ("bot.tool = transl(0, 0, 0.1); bot.base = trotx(pi);", ("Not read: base and tool.",)),
+        ("arm = DHRobot(L, base=SE3(0, 0, 1))", ("Not read: base.",)),
+    ],
+)
+def test_what_stands_beside_the_links_of_a_program_is_told_when_it_is_not_read(beside, notes):
+    pasted = parse_table(f"{LINKS}\n{beside}")
+    assert (pasted.rows, pasted.convention, pasted.notes) == (parse_table(LINKS).rows, "standard", notes)
+
+
 FORMS = "paste its Denavit-Hartenberg table instead, a row with a, alpha, d, theta for each joint: from a spreadsheet"
 
 
@@ -200,6 +216,12 @@ FORMS = "paste its Denavit-Hartenberg table instead, a row with a, alpha, d, the
         ("L(1) = Link([0 0.4 0]);", "link 1: expected theta, d, a, alpha, perhaps sigma and offset, got 3 numbers"),
         ("Link([0 0 1 0 2])", r"link 1: expected sigma 0 \(turns\) or 1 \(slides\), got '2'"),
         ("Link([0 0 1 0])\nLink([0 0 1 0], 'modified')", "expected all links in one convention"),
+        (f"{LINKS}\nL(4) = Link('d', 0, 'a', 0.3, 'alpha', 0);", f"only Link.* is read; {FORMS}"),
+        (f"{LINKS}\nL(4) = Link(row);", f"only Link.* is read; {FORMS}"),
+        (f"{LINKS}\nL(2).offset = -pi/2;", rf"about a link inside Link.*, got 'L\(2\).offset ='; {FORMS}"),
+        (f"{LINKS}\nL(1).mdh = 1;", r"about a link inside Link\(.*, 'modified'\), got 'L\(1\).mdh ='"),
+        ("bot = SerialLink(Link([0 0 1 0]), 'offset', [1])", "about a link inside Link.*, got \"'offset'\""),
+        ("L1 = Link([0, 0, 1, 0], mdh=True)", "about a link inside Link.*, got 'mdh=True'"),
         ("a (in),alpha (deg),d (in),theta (deg)\n12,0,0,q1", r"column a: expected m, cm or mm, got 'a \(in\)'"),
         ("a,alpha [grad],d,theta\n12,0,0,q1", r"column alpha: expected deg or rad, got 'alpha \[grad\]'"),
     ],

@@ -93,6 +93,7 @@ REFUSED = (
     "L(1) = Link([0 0.4 0]);",
     "Link([0 0 1 0 2])",
     "Link([0 0 1 0])\nLink([0 0 1 0], 'modified')",
+    "L(1) = Link([0 0 1 0]);\nL(1).offset = pi/2;",
 )
 """Texts that are refused."""
 

@@ -83,7 +83,7 @@ def read_grid(text: str) -> Grid:
     refuse_other_files(text)
     links = read_links(text)
     if links is not None:
-        return Grid(links[0], said=links[1])
+        return Grid(links[0], said=links[1], left_out=links[2])
     said, named = _conventions(text)
     grid = _cells(text)
     left_out = grid.left_out or " and ".join(_IN_OWN_COMMENT.findall(text))
