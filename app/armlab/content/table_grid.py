@@ -6,6 +6,7 @@ import csv
 import re
 from dataclasses import dataclass, replace
 
+from armlab.content.symbols import plain_symbols
 from armlab.content.table_programs import read_links, refuse_other_files
 from armlab.errors import InputError
 
@@ -27,7 +28,13 @@ _WORDS = {
     "modified": ("modified", "proximal"),
 }
 _BOOKS = {"standard": r"siciliano|spong|sdh", "modified": r"craig|khalil|mdh"}
-_SUBJECT = r"(?:DH|D[-\u2013]H|Denavit|convention)\b"
+_SUBJECT = r"(?:DH|D-H|Denavit|convention)\b"
+_DENIED = re.compile(
+    r"(?:\b(?:non|not|than|unlike|instead of)|n't)[\s-]+(?:(?:the|a|in)\s+)?"
+    rf"(?:{'|'.join(word for words in _WORDS.values() for word in words)})\b",
+    re.IGNORECASE,
+)
+"""A convention that the text says is not the one: non-standard, not the modified."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +65,7 @@ class Grid:
 def _conventions(text: str) -> tuple[str, str]:
     """Return the convention a text states and the one of the books it names; none when two differ."""
     said, named = set(), set()
+    text = _DENIED.sub(" ", plain_symbols(text))
     for convention, words in _WORDS.items():
         word = rf"\b(?:{'|'.join(words)})"
         if re.search(rf"{word}\s+{_SUBJECT}|{_SUBJECT}\s*[:,(]\s*{word}\b", text, re.IGNORECASE):
