@@ -174,6 +174,18 @@ def test_a_first_row_as_in_craig_is_a_hint_only():
     assert parse_table("DH (standard)\n" + FRANKA).convention == "standard"
 
 
+# --- Rows that may be joints or not
+
+
+def test_a_row_with_a_joint_variable_is_a_joint_whatever_it_is_called():
+    rows = "Base,0,90,d1,0\n1,0.3,0,0,q2\nGripper,0,0,0.1,q3\nTCP,0,0,0.2,0\nWorld,0,0,0,0"
+    pasted = parse_table(f"joint,a,alpha (deg),d,theta\n{rows}")
+    same(pasted, [("P", 0, H, 0, 0), ("R", 0.3, 0, 0, 0), ("R", 0, 0, 0.1, 0)])
+    assert pasted.notes[0] == "Not read, because it is not a joint: TCP 0 0 0.2 0; World 0 0 0 0."
+    with_tool = parse_table(f"joint,a,alpha (deg),d,theta\n{rows.partition('World')[0]}")
+    assert (with_tool.rows, [row.d for row in with_tool.flange]) == (pasted.rows, [0.2])
+
+
 # --- Files and programs
 
 LINKS = """% Peter Corke's toolbox, first figures of a PUMA

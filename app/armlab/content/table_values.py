@@ -20,6 +20,12 @@ LARGEST_ROUNDING = 2e-3
 LARGEST_METRES = 20.0
 """Largest length in metres: a larger one without a unit is taken as millimetres."""
 
+TOOL = re.compile(r"flange|tool|tcp|hand|gripper|ee|end[ -]?effector")
+"""Names of what comes after the last joint, in lower case."""
+
+FIXED = re.compile(rf"{TOOL.pattern}|base|world")
+"""Names of what is no joint, unless its row has a variable."""
+
 _PRISMATIC = re.compile(r"\b(p|pris\w*|sliding|linear|transl\w*|p ?\d+)\b")
 _REVOLUTE = re.compile(r"\b(r|rev\w*|rotary|rotation\w*|turning|r ?\d+)\b")
 _NUMBERED = re.compile(r"(?:joint|link|j|l|axis|frame|q)?[ _.]*\d+\.?(?: ?(?:to|->|-) ?\d+)?|")
@@ -187,7 +193,8 @@ class PastedCells:
                 found = [kind for kind, words_ in (("R", _REVOLUTE), ("P", _PRISMATIC)) if words_.search(word)]
                 if len(found) == 1:
                     return "R" if found[0] == "R" else "P"
-                if found or role == "type" or (role == "joint" and not _NUMBERED.fullmatch(word)):
+                numbered = _NUMBERED.fullmatch(word) or FIXED.fullmatch(word)
+                if found or role == "type" or (role == "joint" and not numbered):
                     raise InputError(
                         f"row {i + 1}, column {role}: expected a joint number or R (revolute) or P (prismatic), "
                         f"got {text!r}"

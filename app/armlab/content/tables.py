@@ -11,7 +11,7 @@ from armlab.content.table_cells import plain
 from armlab.content.table_convention import concluded, convention_said
 from armlab.content.table_grid import Grid, read_grid
 from armlab.content.table_header import DH, SHOWN, Column, read_header
-from armlab.content.table_values import PastedCells
+from armlab.content.table_values import FIXED, TOOL, PastedCells
 from armlab.errors import InputError
 from armlab.kin.arm import MAX_JOINTS
 from armlab.kin.dh import CONVENTIONS, Convention, Kind, Row
@@ -26,9 +26,6 @@ MOST_TITLES = 4
 Lines = Sequence[tuple[str, ...]]
 
 _BETWEEN_NOTES = re.compile(r"(?<=\.) (?=[A-Z])")
-
-_TOOL = re.compile(r"flange|tool|tcp|hand|gripper|ee|end[ -]?effector")
-_FIXED = re.compile(rf"{_TOOL.pattern}|base|world")
 
 
 @dataclass(frozen=True)
@@ -143,9 +140,13 @@ def _joints(grid: Grid, at: int, columns: Sequence[Column], notes: list[str]) ->
     def named(line: tuple[str, ...], names: re.Pattern[str]) -> bool:
         return any(i < len(line) and names.fullmatch(plain(line[i]).lower()) for i in places)
 
-    joints = [line for line in lines if not named(line, _FIXED)]
-    after = list(takewhile(lambda line: named(line, _TOOL), reversed(lines)))[::-1]
-    flange = after if joints and all(_constant(line, columns, grid.decimal_comma) for line in after) else []
+    def variables(line: tuple[str, ...]) -> list[str] | None:
+        return _variables(line, columns, grid.decimal_comma)
+
+    # A joint may move the base or be called the gripper: then its row has a variable.
+    joints = [line for line in lines if not named(line, FIXED) or variables(line)]
+    after = list(takewhile(lambda line: named(line, TOOL) and line not in joints, reversed(lines)))[::-1]
+    flange = after if joints and all(variables(line) is not None for line in after) else []
     unread = [line for line in lines if line not in joints and line not in flange]
     if unread:
         notes.append(f"Not read, because it is not a joint: {'; '.join(' '.join(line) for line in unread)}.")
@@ -154,11 +155,12 @@ def _joints(grid: Grid, at: int, columns: Sequence[Column], notes: list[str]) ->
     return joints, flange
 
 
-def _constant(line: tuple[str, ...], columns: Sequence[Column], decimal_comma: bool) -> bool:
+def _variables(line: tuple[str, ...], columns: Sequence[Column], decimal_comma: bool) -> list[str] | None:
+    """Return the joint variables in a row; None for one that cannot be read."""
     try:
-        return not PastedCells([line], columns, decimal_comma).variables(0)
+        return PastedCells([line], columns, decimal_comma).variables(0)
     except InputError:
-        return False
+        return None
 
 
 def _columns_without_header(lines: Sequence[Sequence[str]], order: Sequence[str]) -> tuple[Column, ...]:
