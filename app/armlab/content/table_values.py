@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from armlab.content.table_cells import ANGLES, LENGTHS, Cell, plain, read_cell
 from armlab.content.table_header import DH, Column, unit_refused
 from armlab.errors import InputError
-from armlab.kin.dh import Kind
+from armlab.kin.dh import LARGEST_ANGLE, Kind
 
 LARGEST_RADIANS = 6.3
 """Largest angle in radians: a larger one without a unit is taken as degrees."""
@@ -117,12 +117,20 @@ class PastedCells:
         for i, role, cell in cells:
             unit = self._checked(i, role, cell, ANGLES) or self._column_unit(role, ANGLES) or default
             value = math.radians(cell.value) if unit == "deg" else _quarter_turn(cell)
+            if abs(value) > LARGEST_ANGLE + EXACT:
+                raise self._fail(i, role, "expected at most a full turn either way")
             if unit == "rad" and abs(value - cell.value) > EXACT:
                 meant.setdefault(plain(self._written[i][role]), _in_quarters(value))
             values["theta" if role == "offset" else role][i] += value
         if meant:
             pairs = ", ".join(f"{written} ({exact})" for written, exact in meant.items())
             notes.append(f"Rounded angles are taken as quarter turns: {pairs}.")
+        beyond = [i for i, theta in enumerate(values["theta"]) if abs(theta) > LARGEST_ANGLE]
+        for i in beyond:
+            values["theta"][i] -= math.copysign(math.tau, values["theta"][i])
+        if beyond:
+            rows = " · ".join(self._place(i, "theta") for i in beyond)
+            notes.append(f"With its offset an angle is beyond a full turn, which is left out: {rows}.")
         return values
 
     def in_metres(self, kinds: Sequence[Kind], notes: list[str]) -> dict[str, list[float]]:
