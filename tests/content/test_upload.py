@@ -65,9 +65,10 @@ def test_what_is_none_is_one_sentence(said, says):
     assert says in str(told.value)
 
 
-@pytest.mark.parametrize("folder", ["", "reach_up/", "deep/in/reach_up/"])
+@pytest.mark.parametrize("folder", ["", "reach_up/", "deep/in/reach_up/", "reach_up\\", "in\\reach_up\\"])
 def test_a_lesson_with_pictures_comes_as_an_archive(folder):
     files = [(f"{folder}lesson.md", LESSON), (f"{folder}arm.svg", SVG), ("__MACOSX/._arm.svg", b"x")]
+    files += [(folder, b"")] if folder else []
     found = read_upload(zipped(files, "reach_up.zip"))
     assert (found.name, found.file, found.text, list(found.pictures)) == (
         "reach_up",

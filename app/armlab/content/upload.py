@@ -162,8 +162,9 @@ def _of_archive(file: str, archive: zipfile.ZipFile) -> Upload:
     inside: dict[str, zipfile.ZipInfo] = {}
     folders = set()
     for entry in archive.infolist():
-        folder, _, name = entry.filename.rpartition("/")
-        if entry.is_dir() or name.startswith(".") or folder.startswith("__MACOSX"):
+        # Windows PowerShell 5 writes its own separator.
+        folder, _, name = entry.filename.replace("\\", "/").rpartition("/")
+        if not name or name.startswith(".") or folder.startswith("__MACOSX"):
             continue
         folders.add(folder)
         inside[name] = entry
