@@ -1,11 +1,13 @@
 """The kinds of checks a lesson can have."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from armlab.content.check import read_check, read_state_check
+from armlab.content.checks.within_seconds import WithinSeconds
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import catalogue
@@ -133,6 +135,27 @@ def test_manipulability_is_sin_q2_for_the_planar_arm():
     assert not asked.is_met(seen([10, 29.9]))
     assert asked.says(seen([10, 20])) == "The manipulability is 0.342 and should be at least 0.500."
     assert asked.says(seen([10, 0])).endswith("The arm is singular here.")
+
+
+@pytest.mark.parametrize(
+    ("kind", "limit", "q2", "says"),
+    [
+        ("at_most", 0.5, 30.002, "is 0.50003 and should be at most 0.50000."),
+        ("at_most", 0.0004, 90, "is 1.0000 and should be at most 0.0004."),
+        ("at_least", 0.5, 29.99, "is 0.4998 and should be at least 0.5000."),
+        ("at_least", 0.0004, 0.01, "is 0.0002 and should be at least 0.0004."),
+    ],
+)
+def test_a_manipulability_that_misses_its_limit_by_little_is_told_apart_from_it(kind, limit, q2, says):
+    asked = check(f'kind = "manipulability_{kind}"\nvalue = {limit}')
+    assert asked.says(seen([10, q2])) == f"The manipulability {says}"
+
+
+def test_a_time_beyond_its_limit_is_told_as_more():
+    def said(seconds):
+        return WithinSeconds(30.0).says(replace(seen([0, 0]), seconds=seconds)).partition(" s")[0]
+
+    assert list(map(said, (29.96, 30.0, 30.02, 61.0))) == ["In time: 29.9", "In time: 30", "It took 30.1", "It took 61"]
 
 
 def test_an_observation_is_of_the_tool():

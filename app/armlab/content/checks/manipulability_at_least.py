@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from armlab.content.check import PLAIN, CheckType, Words, tolerance
+from armlab.content.checks._compared import compared
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import Robot
@@ -26,7 +27,8 @@ class ManipulabilityAtLeast:
         if now >= self.value:
             return "The manipulability is large enough."
         singular = " The arm is singular here." if now < 1e-6 * self.value else ""
-        return f"The manipulability is {now:.3f} and should be at least {self.value:.3f}.{singular}"
+        written, asked = compared(now, self.value)
+        return f"The manipulability is {written} and should be at least {asked}.{singular}"
 
     def _of(self, observation: Observation) -> float:
         return float(observation.arm.manipulability(observation.q))

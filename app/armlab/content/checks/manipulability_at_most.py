@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from armlab.content.check import PLAIN, CheckType, Words, tolerance
+from armlab.content.checks._compared import compared
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import Robot
@@ -25,7 +26,8 @@ class ManipulabilityAtMost:
         now = self._of(observation)
         if now <= self.value:
             return "The manipulability is small enough."
-        return f"The manipulability is {now:.3f} and should be at most {self.value:.3f}."
+        written, asked = compared(now, self.value)
+        return f"The manipulability is {written} and should be at most {asked}."
 
     def _of(self, observation: Observation) -> float:
         return float(observation.arm.manipulability(observation.q))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -24,10 +25,11 @@ class WithinSeconds:
         return observation.seconds <= self.most
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return a sentence on the time it took."""
+        """Return a sentence on the time it took, in tenths of a second on the side of the limit where it is."""
+        tenths = 10.0 * observation.seconds
         if self.is_met(observation):
-            return f"In time: {observation.seconds:.0f} s of the {self.most:g} s allowed."
-        return f"It took {observation.seconds:.0f} s; at most {self.most:g} s are allowed. Begin the step again."
+            return f"In time: {math.floor(tenths) / 10.0:g} s of the {self.most:g} s allowed."
+        return f"It took {math.ceil(tenths) / 10.0:g} s; at most {self.most:g} s are allowed. Begin the step again."
 
 
 def read(table: Table, robot: Robot) -> WithinSeconds:
