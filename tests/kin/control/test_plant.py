@@ -1,6 +1,7 @@
 """What is not ideal, what can be followed, and that no number is ever none."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -30,7 +31,10 @@ from armlab.kin.control.null_term import middle_slopes
 from armlab.kin.control.reference import JointAims
 from armlab.kin.control.run import pushed_joints
 from armlab.kin.control.scaled_task import ScaledTask
+from armlab.kin.convert import converted
 from armlab.kin.motion import ToolPath, Trajectory, held, law_type, path_type
+from armlab.kin.rotations import rotation_about
+from armlab.kin.transforms import transform
 from support.arms import random_q
 from support.control import TWO_R, bent, notes_line, notes_run
 
@@ -101,6 +105,29 @@ def test_a_wrong_link_length_stays_as_an_error_that_feedback_does_not_see():
     assert believed(TWO_R, plant(TWO_R)) is TWO_R
     whole = believed(TWO_R, plant(TWO_R, wrong_by=-0.1))
     assert [row.a for row in whole.rows] == pytest.approx([1.0 / 0.9] * 2)
+
+
+@pytest.mark.parametrize("key", ["planar_2r", "r4", "ur5e", "panda", "gripper"])
+def test_the_same_link_is_wrong_in_both_conventions(key, rng):
+    gripper = transform(rotation_about("y", 0.5 * math.pi), [0.0, 0.1, 0.2])
+    arm = replace(TWO_R, tool=gripper) if key == "gripper" else catalogue()[key].arm
+    other = converted(arm, "standard" if arm.convention == "modified" else "modified")
+    q = random_q(arm, rng)
+    moved = []
+    for link in range(arm.n + 1):
+        wrong = plant(arm, wrong_by=0.02, link=link)
+        known = believed(arm, wrong).fk(q)
+        np.testing.assert_allclose(believed(other, wrong).fk(q), known, atol=1e-12)
+        moved.append(np.linalg.norm((known - arm.fk(q))[:3, 3]) > 1e-3)
+    assert all(moved) or arm.n > 2
+
+
+def test_what_stands_before_joint_1_is_known_to_the_controller():
+    arm = Arm.from_dh([("R", 0.5, 0.0, 0.0, 0.0), ("R", 1.0, 0.0, 0.0, 0.0)], convention="modified")
+    wrong = plant(arm, wrong_by=0.02)
+    q = [0.3, 0.8]
+    np.testing.assert_allclose(believed(arm, wrong).fk(q), believed(converted(arm, "standard"), wrong).fk(q))
+    assert believed(arm, wrong).rows[0].a == 0.5
 
 
 @pytest.mark.parametrize("law", ["open_loop", "cartesian_tracking"])

@@ -20,6 +20,7 @@ from armlab.kin.checks import finite_floats, whole_number, wrong
 from armlab.kin.control.encoder import Encoder
 from armlab.kin.control.saturation import checked_saturation
 from armlab.kin.field import positive_bounds
+from armlab.kin.transforms import as_pose
 
 Floats = NDArray[np.float64]
 
@@ -116,15 +117,24 @@ def plant(
 
 
 def believed(arm: Arm, plant: Plant) -> Arm:
-    """Return the arm as the controller knows it.
+    """Return the arm as the controller knows it, the same one in both conventions.
 
-    Its link is shorter by the factor 1 / (1 + wrong): the constant lengths of the row, a and, of a joint that turns, d.
+    Its link i is shorter by the factor 1 / (1 + wrong): the constant lengths a_i and, of a joint that turns, d_i. In a
+    modified table a_i is in row i + 1, and that of the last link is the part of the tool along x of frame n, where
+    `armlab.kin.convert.converted` puts it. The link before joint 1 belongs to the base, and the rest of a tool is
+    mounted on the last link: both are known.
     """
     if plant.wrong == 0.0:
         return arm
-    factor = 1.0 / (1.0 + plant.wrong)
+    known = 1.0 / (1.0 + plant.wrong)
+    factors = [1.0] + [known if plant.link in (0, link) else 1.0 for link in range(1, arm.n + 1)]
+    of_a = factors[1:] if arm.convention == "standard" else factors[:-1]
     rows = tuple(
-        replace(row, a=row.a * factor, d=row.d * factor if row.revolute else row.d) if plant.link in (0, i + 1) else row
-        for i, row in enumerate(arm.rows)
+        replace(row, a=row.a * a, d=row.d * d if row.revolute else row.d)
+        for row, a, d in zip(arm.rows, of_a, factors[1:], strict=True)
     )
-    return replace(arm, rows=rows)
+    if arm.convention == "standard":
+        return replace(arm, rows=rows)
+    tool = arm.tool.copy()
+    tool[0, 3] *= factors[-1]
+    return replace(arm, rows=rows, tool=as_pose(tool, "tool"))
