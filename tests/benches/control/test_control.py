@@ -1,5 +1,6 @@
 """Runs of kinematic control: their setups, and what becomes of them."""
 
+import json
 import math
 from functools import cache
 
@@ -33,12 +34,14 @@ from armlab.benches.motion.plan.limits import LastFor
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.control import FixedPose, LineReference, Settings, simulate
+from armlab.kin.dh import Row
 from armlab.kin.transforms import transform
 from armlab.session.bench import choosing
-from armlab.session.edits import PasteTable
+from armlab.session.edits import NewArm, PasteTable
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline, duration
+from armlab.session.share import state_of_parts
 from armlab.session.state import apply
 from support.control import done, opened, short_run
 
@@ -137,6 +140,15 @@ def test_the_first_run_of_an_own_arm_that_is_singular_at_zero_stays_on_its_line(
     assert found.figures.position.value < 0.05 * run.speed * run.duration
     assert not starts_elsewhere(apply(state, SetStart(tuple(np.zeros(arm.n)))))
     assert not starts_elsewhere(opened("puma560"))
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_the_largest_arm_is_put_on_the_table_and_read_back(convention):
+    state = apply(opened(), NewArm((Row("R", a=100.0),) * 12, convention))
+    part = state[Control]
+    assert (part.run.speed, part.run.radius, part.push) == (20.0, 100.0, 10.0)
+    written = json.dumps(state.to_json())
+    assert json.dumps(state_of_parts(json.loads(written)).to_json()) == written
 
 
 # -- setups ----------------------------------------------------------------------------------------------------------

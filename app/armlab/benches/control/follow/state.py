@@ -9,7 +9,7 @@ from typing import ClassVar, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.control.follow.chosen import MOST_RUNS, Setup, joint_values, setup_from, setup_of
+from armlab.benches.control.follow.chosen import FIELDS, MOST_RUNS, Setup, joint_values, setup_from, setup_of
 from armlab.benches.control.follow.runs import Outcome, Question
 from armlab.benches.motion.api import question as plan_question
 from armlab.content.robots import Robot
@@ -26,6 +26,9 @@ CLIP_KEY = "control"
 
 FIRST_SPEED = 0.15
 """Speed of the line with which an arm begins, in length scales a second."""
+
+MOST_PUSHED = 10.0
+"""Largest push, metres."""
 
 Floats = NDArray[np.float64]
 
@@ -72,13 +75,13 @@ class Control(Part):
         run = setup_of(
             robot,
             start,
-            speed=_round(FIRST_SPEED * scale),
+            speed=_round(FIRST_SPEED * scale, FIELDS["speed"].high),
             azimuth=np.pi if _in_front(robot, start) else 0.0,
-            radius=_round(0.3 * scale),
+            radius=_round(0.3 * scale, FIELDS["radius"].high),
             inverse="dls_variable",
             duration=4.0,
         )
-        return cls((run,), first_target(robot), push=_round(0.05 * scale), revolute=_kinds(robot))
+        return cls((run,), first_target(robot), push=_round(0.05 * scale, MOST_PUSHED), revolute=_kinds(robot))
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep all runs if the joints are the same, else begin anew."""
@@ -154,16 +157,16 @@ def _in_front(robot: Robot, q: Floats) -> bool:
     return float(base[:3, 0] @ (p - base[:3, 3])) >= 0.0
 
 
-def _round(value: float) -> float:
-    """Return a number rounded to one digit, as a person would choose it."""
-    return float(f"{value:.0e}")
+def _round(value: float, most: float) -> float:
+    """Return a number rounded to one digit, as a person would choose it, and not above the largest permitted."""
+    return min(float(f"{value:.0e}"), most)
 
 
 def checked_push(push: float) -> float:
-    """Return the size of a push, metres; `InputError` unless it is more than 0 and at most 10."""
+    """Return the size of a push, metres; `InputError` unless it is more than 0 and at most `MOST_PUSHED`."""
     metres = float(finite_floats(push, "push", (), "metres"))
-    if not 0.0 < metres <= 10.0:
-        raise InputError("push: expected more than 0 and at most 10 m")
+    if not 0.0 < metres <= MOST_PUSHED:
+        raise InputError(f"push: expected more than 0 and at most {MOST_PUSHED:g} m")
     return metres
 
 

@@ -107,10 +107,10 @@ PART = PartType(Solve, order=96)
 
 
 def usual_twist(arm: Arm) -> tuple[float, ...]:
-    """Return the velocity with which a bench begins."""
+    """Return the velocity with which a bench begins, not above the largest that can be asked for."""
     twist = [0.0] * arm.task.m
     if arm.task.position:
-        twist[0] = float(f"{USUAL['position'] * arm.length_scale:.1g}")
+        twist[0] = min(float(f"{USUAL['position'] * arm.length_scale:.1g}"), FASTEST)
     else:
         twist[0] = 0.5
     return tuple(twist)

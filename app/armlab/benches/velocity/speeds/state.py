@@ -189,8 +189,10 @@ def ends_of(arm: Arm, link: int) -> tuple[Xyz, Xyz]:
     if link == arm.n:
         far = arm.tool[:3, 3]
     if float(np.linalg.norm(far - near)) < 1e-6 * arm.length_scale:
-        far = near + np.array([APART * arm.length_scale, 0.0, 0.0])
-    return _points((near + 0.0, far + 0.0))
+        apart = min(APART * arm.length_scale, FARTHEST)
+        far = near + np.array([apart if near[0] + apart <= FARTHEST else -apart, 0.0, 0.0])
+    # A length of just the largest distance may be rounded up.
+    return _points(np.clip((near, far), -FARTHEST, FARTHEST) + 0.0)
 
 
 @lru_cache(maxsize=128)
