@@ -190,6 +190,19 @@ def test_each_choice_changes_the_selected_run_and_only_that(short):
     assert other[Control].run.law_options == ()
 
 
+def test_an_error_is_predicted_only_for_a_law_that_brings_it_to_zero(short):
+    def predicted(*commands):
+        state = done(short, SetOffset((0.2, -0.1)), *commands)
+        return state[Control].outcome.predicted
+
+    assert predicted(ChooseLaw("cartesian_tracking")) is None
+    assert predicted(ChooseLaw("joint_tracking")) is not None
+    assert predicted(ChooseLaw("joint_regulation")) is None
+    assert predicted(ChooseLaw("joint_regulation"), ChooseReference("planned")) is None
+    assert predicted(ChooseLaw("joint_regulation"), SetValue("speed", 0.0)) is not None
+    assert predicted(ChooseLaw("joint_regulation"), ChooseReference("target")) is not None
+
+
 def test_runs_are_kept_up_to_four_and_removed(short):
     state = short
     for _ in range(MOST_RUNS - 1):

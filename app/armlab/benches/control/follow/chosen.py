@@ -193,6 +193,11 @@ class Setup:
         return f"{law.split(',')[0]}: {self.method.title}" if self.kind.inverts else law
 
     @property
+    def moves(self) -> bool:
+        """Whether the reference moves; a planned motion always counts as one that does."""
+        return self.reference == "planned" or (self.reference in MOVING and self.speed > 0.0)
+
+    @property
     def held(self) -> float:
         """Seconds for which a sampled command is held: `sampling` in whole steps; 0 if nothing is sampled."""
         return max(1, round(self.sampling / self.step)) * self.step if self.sampling else 0.0

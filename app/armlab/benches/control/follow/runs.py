@@ -252,9 +252,13 @@ def figures_of(run: Run) -> Figures:
 
 
 def _predicted(setup: Setup, run: Run) -> Floats | None:
-    """Return the error that 7.24 predicts for a law of the joints on a plant without disturbances."""
+    """Return the error that 7.24 predicts for a law of the joints on a plant without disturbances.
+
+    Regulation has no feed-forward: after a reference that moves it keeps an error, of which the equation knows nothing.
+    """
     disturbed = setup.counts or setup.wrong or setup.pushes or setup.sampling or setup.saturation != "none"
-    if setup.kind.space != "joints" or disturbed or run.error_joint is None or not run.arm.task.position:
+    lags = setup.law == "joint_regulation" and setup.moves
+    if lags or setup.kind.space != "joints" or disturbed or run.error_joint is None or not run.arm.task.position:
         return None
     K = setup.kind.prepare(ScaledTask(run.arm), setup.kind.options(dict(setup.law_options)))["K"]
     error = predicted_error(run.arm, run.t, run.q, K, run.error[0])
