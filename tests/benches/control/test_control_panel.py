@@ -5,11 +5,13 @@ import io
 import math
 import re
 
+import numpy as np
 import pytest
 
 from armlab.benches.control.follow.chosen import setup_of
 from armlab.benches.control.follow.commands import (
     ChooseInverse,
+    ChooseReference,
     NameRun,
     SetOffset,
     SetOption,
@@ -19,7 +21,7 @@ from armlab.benches.control.follow.commands import (
 )
 from armlab.benches.control.follow.examples import EXAMPLES
 from armlab.benches.control.follow.runs import Peak
-from armlab.benches.control.follow.state import Control
+from armlab.benches.control.follow.state import Control, made_step
 from armlab.benches.control.follow.ui.card import card_markup, name_markup, runs_markup, small
 from armlab.benches.control.follow.ui.form import (
     ELSEWHERE,
@@ -84,8 +86,25 @@ def test_the_plant_in_words_and_the_unit_of_sigma():
     assert words == "speeds limited, T_s = 10 ms, encoder on the motor, link 2 2 % wrong"
     assert plant_words(setup_of(robot, sampling=1e-4)) == "T_s = 1 ms, whole steps of 1 ms"
     assert plant_words(setup_of(robot, sampling=0.025, step=0.02)) == "T_s = 20 ms, whole steps of 20 ms"
+    assert (
+        plant_words(setup_of(robot, sampling=0.2, step=0.1, duration=0.25))
+        == "T_s = 166.667 ms, whole steps of 83.333 ms"
+    )
     assert sigma_unit(robot.arm) == "m"
     assert sigma_unit(catalogue()["puma560"].arm) == ""
+
+
+@pytest.mark.parametrize(
+    ("reference", "duration", "step", "sampling"),
+    [("line", 0.25, 0.1, 0.14), ("line", 4.0, 0.03, 1.0), ("planned", 4.0, 0.03, 0.2), ("line", 0.3, 0.01, 0.1)],
+)
+def test_the_sampling_time_that_is_said_is_the_one_that_is_run(reference, duration, step, sampling):
+    clock = (SetValue("duration", duration), SetValue("step", step), SetValue("sampling", sampling))
+    state = done(opened(), ChooseReference(reference), *clock)
+    made = state[Control].outcome.run
+    changes = made.t[1:][np.abs(np.diff(made.qdot, axis=0)).max(axis=1) > 1e-9]
+    said = plant_words(state[Control].run, made_step(state))
+    assert float(re.match(r"T_s = ([\d.]+) ms", said)[1]) == pytest.approx(1000.0 * changes[0], abs=1e-3)
 
 
 def typed(state, cell, text=""):

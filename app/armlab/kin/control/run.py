@@ -84,6 +84,33 @@ class Settings:
     plant: Plant = IDEAL
 
 
+def clock(duration: float, step: float, sampling: float, held: bool = False) -> tuple[int, float, int]:
+    """Return the number of steps of a run, their length, and for how many of them a command is held; 0: for none.
+
+    Parameters
+    ----------
+    duration, step, sampling : float
+        Seconds; the step is shortened so that a whole number fits into the duration.
+    held : bool
+        Whether the law is made for sampled time: its command is held for one step at least.
+
+    Raises
+    ------
+    InputError
+        The step is not positive, or there are too many.
+
+    Examples
+    --------
+    >>> clock(1.0, 0.3, 0.4)
+    (4, 0.25, 2)
+    """
+    count = max(1, math.ceil(duration / positive(step, "step") * (1.0 - 1e-12)))
+    if count > MOST_STEPS:
+        raise InputError(f"step: expected at most {MOST_STEPS} steps, got {count}")
+    whole = duration / count
+    return count, whole, max(1, round(sampling / whole)) if sampling > 0.0 or held else 0
+
+
 def simulate(
     arm: Arm, law: str, reference: Reference, q0: ArrayLike | None = None, settings: Settings | None = None
 ) -> Run:
@@ -129,12 +156,8 @@ def simulating(
     given = settings or Settings()
     kind, plant = control_law(law), given.plant
     known_name("integrator", given.integrator, INTEGRATORS)
-    count = max(1, math.ceil(reference.duration / positive(given.step, "step") * (1.0 - 1e-12)))
-    if count > MOST_STEPS:
-        raise InputError(f"step: expected at most {MOST_STEPS} steps, got {count}")
-    step = reference.duration / count
+    count, step, every = clock(reference.duration, given.step, plant.sampling, kind.held)
     known = ScaledTask(believed(arm, plant))
-    every = max(1, round(plant.sampling / step)) if plant.sampling > 0.0 or kind.held else 0
     times = np.linspace(0.0, reference.duration, 2 * count + 1)
     tool = reference.tool(arm, times)
     start = _start(arm, reference, q0)

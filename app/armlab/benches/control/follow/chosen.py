@@ -19,7 +19,7 @@ from armlab.kin.control.encoder import SHAFTS
 from armlab.kin.control.null_term import TITLES as NULL_TITLES
 from armlab.kin.control.plant import MOST_WRONG
 from armlab.kin.control.rate_inverse import RateInverse, rate_inverse
-from armlab.kin.control.run import INTEGRATORS
+from armlab.kin.control.run import INTEGRATORS, clock
 from armlab.kin.control.saturation import SATURATIONS
 from armlab.kin.field import Field
 from armlab.registry import known_name
@@ -197,10 +197,14 @@ class Setup:
         """Whether the reference moves; a planned motion always counts as one that does."""
         return self.reference == "planned" or (self.reference in MOVING and self.speed > 0.0)
 
-    @property
-    def held(self) -> float:
-        """Seconds for which a sampled command is held: `sampling` in whole steps; 0 if nothing is sampled."""
-        return max(1, round(self.sampling / self.step)) * self.step if self.sampling else 0.0
+    def held(self, made: float | None = None) -> tuple[float, float]:
+        """Return the step of the run, and for how long a sampled command is held, seconds; 0 if nothing is sampled.
+
+        ``made`` is the step of its result, if there is one: how long a planned motion lasts is known only then.
+        """
+        step = self.step if made is None else made
+        _, step, every = clock(step if self.reference == "planned" else self.duration, step, self.sampling)
+        return step, every * step
 
     def seen(self, group: tuple[Field, ...]) -> tuple[Field, ...]:
         """Return the options of a group that can be used, which may depend on values of other groups."""

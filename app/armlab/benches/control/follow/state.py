@@ -191,6 +191,14 @@ def fresh(state: State) -> bool:
     return part.outcome is not None and part.outcome.question == state.derived(questions)[part.selected]
 
 
+def made_step(state: State) -> float | None:
+    """Return the step with which the selected run was made, seconds; None if it is not made yet, or has no step."""
+    outcome = state[Control].outcome
+    if outcome is None or outcome.run is None or not outcome.run.steps or not fresh(state):
+        return None
+    return outcome.run.step
+
+
 def standing_start(state: State) -> Floats:
     """Return the configuration of the arm at the start of the selected run, before it is made, (n,)."""
     run = state[Control].run

@@ -108,15 +108,16 @@ def plant_markup(form: Form, state: State) -> Markup:
     return joined(tag("div.options", _values(form, run, group, units)) for group in (motors, CLOCK, encoder))
 
 
-def plant_words(run: Setup) -> str:
-    """Return in a few words the deviations of the arm from an ideal one."""
+def plant_words(run: Setup, made: float | None = None) -> str:
+    """Return in a few words the deviations of the arm from an ideal one; ``made`` is the step of the result."""
     found = []
     if run.saturation != "none":
         found.append("speeds limited")
     if run.sampling:
-        exact = math.isclose(run.held, run.sampling, rel_tol=1e-6)
-        steps = "" if exact else f", whole steps of {trimmed(1000.0 * run.step, 3)} ms"
-        found.append(f"T_s = {trimmed(1000.0 * run.held, 3)} ms{steps}")
+        step, held = run.held(made)
+        exact = math.isclose(held, run.sampling, rel_tol=1e-6)
+        steps = "" if exact else f", whole steps of {trimmed(1000.0 * step, 3)} ms"
+        found.append(f"T_s = {trimmed(1000.0 * held, 3)} ms{steps}")
     if run.counts:
         found.append(f"encoder on the {run.shaft}")
     if run.wrong:

@@ -10,7 +10,7 @@ from armlab.benches.control.follow.clip import duration, time_of
 from armlab.benches.control.follow.commands import DropPushes, PushNow, SizePush
 from armlab.benches.control.follow.examples import EXAMPLES, ChooseControlExample
 from armlab.benches.control.follow.runs import reference_points
-from armlab.benches.control.follow.state import CLIP_KEY, Control, fresh, questions
+from armlab.benches.control.follow.state import CLIP_KEY, Control, fresh, made_step, questions
 from armlab.benches.control.follow.ui.card import card_markup, name_markup, runs_markup, speeds_markup
 from armlab.benches.control.follow.ui.form import law_markup, law_words, plant_markup, plant_words, reference_markup
 from armlab.benches.control.follow.ui.plots import VIEWS, Plots
@@ -64,7 +64,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         named = name_markup(form, state)
         form.show(_fold("Reference", REFERENCES[run.reference], named, reference_markup(form, state)))
         law.show(_fold("Control law", law_words(run), law_markup(law, state)))
-        plant.show(_fold("Plant", with_symbol(plant_words(run), "T_s"), plant_markup(plant, state)))
+        plant.show(_fold("Plant", with_symbol(plant_words(run, made_step(state)), "T_s"), plant_markup(plant, state)))
 
     return show
 
