@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.control.exponential.examples import EXAMPLES, ChooseExponentialExample
+from armlab.benches.control.exponential.facts import FACTS
 from armlab.benches.control.exponential.state import MOST_TERMS, Exponential, MoveTime, SetEntry, SumTerms, bounds
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -58,6 +59,25 @@ def test_the_curve_goes_through_the_place_at_t_and_is_kept_while_t_moves():
     assert part(MoveTime(1e9)).t == 3.0
     assert part(MoveTime(-1.0)).t == 0.0
     assert part(SetEntry("end", 0.5)).t == 0.5
+
+
+@pytest.mark.parametrize(
+    ("rows", "values"),
+    [
+        ("0 1 -9 -6", [-3.0, -3.0]),
+        ("1 -1 4 -3", [-1.0, -1.0]),
+        ("0 1 -2 -3", [-1.0, -2.0]),
+        ("0 -1 1 0", None),
+    ],
+)
+def test_the_eigenvalues_a_lesson_checks_are_those_of_the_page(rows, values):
+    a11, a12, a21, a22 = map(float, rows.split())
+    state = State.initial(catalogue()["planar_2r"]).replace(Exponential(((a11, a12), (a21, a22)), end=2.0))
+    found = FACTS.facts["eigenvalues"].value(state)
+    if values is None:
+        assert found is None
+    else:
+        np.testing.assert_allclose(found, values, rtol=0, atol=1e-12)
 
 
 def test_the_bounds_hold():

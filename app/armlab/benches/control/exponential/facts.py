@@ -11,8 +11,8 @@ from armlab.session.state import State
 
 def _eigenvalues(state: State) -> np.ndarray | None:
     """Return the real eigenvalues of A, the larger one first, or None if they are not real."""
-    values = np.linalg.eigvals(np.array(state[Exponential].A))
-    return None if np.iscomplexobj(values) and np.abs(values.imag).max() > 0.0 else np.sort(values.real)[::-1]
+    basis = state[Exponential].found.basis
+    return np.sort(basis.values.real)[::-1] if basis.real else None
 
 
 def _error(state: State) -> float:
