@@ -103,6 +103,7 @@ def test_lines_that_are_no_profile_are_refused(rows, told):
     [
         ("R", "0.299", 0.299),
         ("R", "299 mΩ", 0.299),
+        ("R", "299 m\u2126", 0.299),
         ("L", "0.082 mH", 8.2e-5),
         ("L", "82 uH", 8.2e-5),
         ("J", "142 gcm²", 1.42e-5),

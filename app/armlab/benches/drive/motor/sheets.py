@@ -69,7 +69,7 @@ def _split(name: str, text: str) -> tuple[str, str]:
 
 
 def _plain(text: str) -> str:
-    replaced = text.replace("μ", "µ").replace("uH", "µH").replace("·", "").replace("^2", "²")
+    replaced = text.replace("μ", "µ").replace("uH", "µH").replace("\u2126", "Ω").replace("·", "").replace("^2", "²")
     return re.sub(r"(?<=[a-zA-Z])2$", "²", "".join(replaced.split()))
 
 
