@@ -51,6 +51,8 @@ def test_fields_and_buttons_become_commands():
     assert typed("example") == ()
     with pytest.raises(InputError, match="moment, y: expected a number in N m, got 'strong'"):
         typed("moment 1", "strong")
+    with pytest.raises(InputError, match="force, x: expected a number in N, got '5 Nm'"):
+        typed("force 0", "5 Nm")
 
 
 @pytest.mark.parametrize("newtons", [1e3, 1e4, 1e5, 1e6])

@@ -90,7 +90,9 @@ def _line(form: Form, part: Statics, letter: str, kind: str, unit: str) -> Marku
 
 def _component(kind: str, axis: int, unit: str, text: str) -> SetComponent:
     """Return the command of a typed component; `InputError` names the field."""
-    typed = text.strip().removesuffix(unit).removesuffix("Nm")
+    typed = text.strip().removesuffix(unit)
+    if kind == "moment":
+        typed = typed.removesuffix("Nm")
     return SetComponent(kind, axis, plain_number(typed, f"{kind}, {'xyz'[axis]}", f"a number in {unit}"))
 
 
