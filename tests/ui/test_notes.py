@@ -8,12 +8,16 @@ import pytest
 
 import armlab
 from armlab.content.notes import for_reader
+from armlab.session.bench import benches
 from armlab.session.parts.notation import Notation
 from support.student import run, student
 
 BENCHES = Path(armlab.__file__).parent / "benches"
-REFERENCE = re.compile(r"\b[Nn]otes,? (\d|definition|section)|\(\d\.\d{2,3}[–)]|\bthe notes\b(?! are)")
-"""An equation number, or a word on what the notes say."""
+REFERENCE = re.compile(
+    r"\b[Nn]otes,? (\d|definition|section)|\(\d\.\d{2,3}[–)]|\bthe notes\b(?! are)|\b[Ss]ections? \d"
+    r"|^\d(\.\d+)+: |(?<![\d.,·−-])[1-7]\.\d{1,3} (cannot|does|do|holds?|says?|gives?|prints?|names?)\b"
+)
+"""An equation number, alone before a title or as the subject of a sentence, or a word on what the notes say."""
 
 ELSEWHERE = ("lessons", "help")
 """Tabs where "notes" may be meant in another way."""
@@ -53,6 +57,18 @@ def test_every_reference_in_a_panel_is_marked():
         if REFERENCE.search(re.sub("⟦.*?(⟧|$)", "", text, flags=re.DOTALL))
     ]
     assert not found, "\n".join(found)
+
+
+def test_what_examples_say_without_the_notes_is_whole():
+    texts = [
+        for_reader(text)
+        for bench in benches().values()
+        if bench.key != "errata"
+        for example in bench.examples.values()
+        for text in (example.title, getattr(example, "says", ""))
+    ]
+    assert len(texts) > 500
+    assert [text for text in texts if REFERENCE.search(text) or re.search(r" [.,;:)]|  |\( ", text)] == []
 
 
 def test_the_switch_shows_and_hides_them(url):

@@ -50,8 +50,8 @@ EXAMPLES = part_examples(
         "defective",
         "Not diagonalisable: double eigenvalue −1",
         Exponential(((-1.0, 1.0), (0.0, -1.0)), 1.0, 5.0, (0.0, 1.0), 6),
-        "There is one eigenvector only, so T has no inverse and 1.58 cannot be used; the series and SciPy do not "
-        "mind, and t e^−t appears.",
+        "There is one eigenvector only, so T has no inverse and the product with it cannot be formed⟦ (1.58)⟧; the "
+        "series and SciPy do not mind, and t e^−t appears.",
     ),
     PartExample(
         "almost_defective",

@@ -100,8 +100,8 @@ EXAMPLES: Registry[Example] = Registry(
                 _line(178.0, saturation="scale", limit=math.radians(300.0), name="all slowed alike"),
                 _line(178.0, **_CLIPPED, law="cartesian_tracking", name="clipped, with feedback"),
             ),
-            "For a quarter of a second q̇₁ stays at 300 °/s; what was lost then is still missing, 4.8 cm "
-            "⟦(the notes: about 6)⟧. Slowed down alike, the joints keep the tool on its line, but late; feedback "
+            "For a quarter of a second q̇₁ stays at 300 °/s; what was lost then is still missing, 4.8 cm"
+            "⟦ (the notes: about 6)⟧. Slowed down alike, the joints keep the tool on its line, but late; feedback "
             "removes the error.",
         ),
         Example(
@@ -148,11 +148,11 @@ EXAMPLES: Registry[Example] = Registry(
                 _short(law="open_loop", offset=(0.2, -0.1), name="no feedback"),
             ),
             "With the error in space the tool comes back to its line straight and exponentially, as long as J has full "
-            "rank: 7.27 does not hold at singularities. The joints take it another way; without feedback it stays.",
+            "rank⟦: 7.27 does not hold at singularities⟧. The joints take it another way; without feedback it stays.",
         ),
         Example(
             "wrong_link",
-            "7.1: a link 2 % longer than assumed",
+            "⟦7.1: ⟧A link 2 % longer than assumed",
             "planar_2r",
             (
                 _short(wrong=0.02, link=2, name="2 % wrong, feedback"),
@@ -164,7 +164,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "encoder",
-            "7.1: encoder on link or motor",
+            "⟦7.1: ⟧Encoder on link or motor",
             "planar_2r",
             (
                 _short(counts=500, shaft="link", sampling=0.01, name="500 counts, link"),
@@ -175,7 +175,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "sampling",
-            "7.1: sampling time and gain",
+            "⟦7.1: ⟧Sampling time and gain",
             "planar_2r",
             tuple(
                 _short(offset=(0.02, 0.02), law_options={"Kp": (10.0,)}, sampling=T, name=f"T_s = {1000.0 * T:g} ms")
@@ -187,7 +187,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "push",
-            "7.1: a push",
+            "⟦7.1: ⟧A push",
             "planar_2r",
             (
                 _short(pushes=((1.5, 0.05, 0.0866, 0.0),), name="feedback"),
@@ -198,7 +198,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "regulation",
-            "7.1: regulation, drag the target",
+            "⟦7.1: ⟧Regulation, drag the target",
             "planar_2r",
             (
                 {
@@ -252,7 +252,7 @@ EXAMPLES: Registry[Example] = Registry(
         ),
         Example(
             "planned",
-            "6.3.1: executing a planned motion",
+            "⟦6.3.1: ⟧Executing a planned motion",
             "planar_2r",
             (
                 {

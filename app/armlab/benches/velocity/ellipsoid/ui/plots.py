@@ -150,7 +150,7 @@ class OverDistances:
 
     def __init__(self, gui: Gui, found: OverDistance, units: Units) -> None:
         self._units, self._link = units, found.link
-        gui.heading("Over the distance ", mathml("r"), " from joint 1 ", tag("small", "section 5.3"))
+        gui.heading("Over the distance ", mathml("r"), " from joint 1 ", tag("small", "⟦section 5.3⟧"))
         r = "r, m"
         self._w = Plot(gui, "w, m²", r, [Curve("w, m²", BLUE)], "w over r", height=HEIGHT, from_zero=True)
         named = [Curve("σ₁, m/s", BLUE), Curve("σ₂, m/s", GREEN)]
