@@ -9,8 +9,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.frames.table.place import FARTHEST
-from armlab.benches.frames.table.state import TableTask, corner_of, task_of
+from armlab.benches.frames.table.state import FARTHEST, TableTask, corner_of, task_of
 from armlab.errors import InputError
 from armlab.kin.transforms import inverse
 from armlab.session.fields import put

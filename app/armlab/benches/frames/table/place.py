@@ -11,16 +11,9 @@ from numpy.typing import NDArray
 
 from armlab.content.robots import Robot
 from armlab.kin import ik
-from armlab.kin.arm import Arm
 from armlab.kin.transforms import inverse, transform
 
 Floats = NDArray[np.float64]
-
-FARTHEST = 50.0
-"""Largest coordinate of the table and of the object, metres."""
-
-HIGHEST = 10.0
-"""Largest height of the tool above the object, metres."""
 
 FIGURES = 2
 """Number of figures to which lengths at first are rounded."""
@@ -44,12 +37,6 @@ def rounded_length(value: float) -> float:
     return round(value, FIGURES - 1 - math.floor(math.log10(value))) if value > 0.0 else 0.0
 
 
-def sizes_for(arm: Arm, shares: tuple[float, float, float]) -> tuple[float, float, float]:
-    """Return the place of the object on the table and the height of the tool above it, metres, inside their ranges."""
-    x, y, h = (rounded_length(share * arm.length_scale) for share in shares)
-    return min(x, FARTHEST), min(y, FARTHEST), min(h, HIGHEST)
-
-
 @lru_cache(maxsize=KEPT)
 def table_for(robot: Robot, shares: tuple[float, float, float]) -> tuple[float, float, float]:
     """Return the origin of the frame of a table in the world, metres; its axes are those of the world.
@@ -66,7 +53,7 @@ def table_for(robot: Robot, shares: tuple[float, float, float]) -> tuple[float, 
         Such that the arm reaches the object; the first place that was tried for an arm that cannot.
     """
     arm, home = robot.arm, np.array(robot.home, dtype=float)
-    px, py, h = sizes_for(arm, shares)
+    px, py, h = (rounded_length(share * arm.length_scale) for share in shares)
     azimuth = _pointing(robot)
     places = [
         _corner(robot, radius, azimuth + turn, height, px, py)

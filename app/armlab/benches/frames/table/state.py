@@ -9,7 +9,7 @@ from typing import ClassVar, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.frames.table.place import FARTHEST, HIGHEST, sizes_for, table_for
+from armlab.benches.frames.table.place import rounded_length, table_for
 from armlab.content.robots import Robot
 from armlab.kin.checks import finite_floats
 from armlab.kin.rotations import rotation_about
@@ -22,6 +22,10 @@ from armlab.session.state import Json, PartType, State
 Floats = NDArray[np.float64]
 Two = tuple[float, float]
 Three = tuple[float, float, float]
+
+FARTHEST, HIGHEST = 10_000.0, 1_000.0
+"""Largest coordinate of the table and of the object, and largest height of the tool above it, metres: what is as large
+as the largest arm that can be typed needs about half of them."""
 
 MOST_TURNED = 20.0 * math.pi
 """Largest angle that can be typed, radians."""
@@ -83,7 +87,7 @@ class TableTask(FieldPart):
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return a table of the size of the arm."""
-        x, y, h = sizes_for(robot.arm, SHARES)
+        x, y, h = (rounded_length(share * robot.arm.length_scale) for share in SHARES)
         return cls(place=(x, y), height=h)
 
 

@@ -18,9 +18,8 @@ from armlab.benches.frames.table.commands import (
     TurnTable,
 )
 from armlab.benches.frames.table.examples import EXAMPLES, ChooseTableExample
-from armlab.benches.frames.table.place import FARTHEST, HIGHEST
 from armlab.benches.frames.table.reach import Asked, asked_of
-from armlab.benches.frames.table.state import MOST_TURNED, NONE, TableTask, Task, corner_of, task_of
+from armlab.benches.frames.table.state import FARTHEST, HIGHEST, MOST_TURNED, NONE, TableTask, Task, corner_of, task_of
 from armlab.benches.frames.table.ui.scene import corners
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
