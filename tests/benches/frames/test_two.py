@@ -1,6 +1,7 @@
 """Two robots that meet: the equations of the exercise, its solutions in every reading, and what is refused."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -22,7 +23,9 @@ from armlab.errors import InputError
 from armlab.kin.rotations import rotation_about
 from armlab.kin.transforms import transform
 from armlab.session.fields import Set
+from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
+from armlab.ui.units import units_of
 from support.done import done
 
 ROBOT = catalogue()["puma560"]
@@ -104,7 +107,20 @@ def test_a_pose_out_of_two_joints_says_by_how_much_the_angle_is_missed():
     text = said(ChooseTwoExample("two"), Set(TwoRobots, "link", 1.4))
     assert "No solution" in text
     assert "these are three numbers" in text
-    assert "1618.4 mm long" in text
+    assert "1618.3813 mm long" in text
+
+
+@pytest.mark.parametrize("unit", ["mm", "m"])
+def test_the_only_length_typed_as_it_is_told_has_the_whole_pose(unit):
+    state = opened(ChooseTwoExample("two"), Set(Notation, "length", unit))
+    units = units_of(state)
+    told = re.search(r"would have to be ([\d.]+) m+ long", str(verdict(state)))[1]
+    typed = Set(TwoRobots, "link", units.read(told, False, "l"))
+    assert "One solution" in str(verdict(apply(state, typed)))
+    # Three digits less are no solution, and what is missed is not told as 0.
+    near = str(verdict(apply(state, Set(TwoRobots, "link", units.read(told[:-3], False, "l")))))
+    assert "No solution" in near
+    assert re.search(r"misses the angle by at least [\d.]+·10⁻³°", near)
 
 
 def test_links_that_could_be_folded_on_their_base_have_infinitely_many_solutions():

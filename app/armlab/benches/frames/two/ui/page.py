@@ -26,7 +26,7 @@ from armlab.benches.frames.two.state import (
     TurnRobotBase,
     TwoRobots,
 )
-from armlab.benches.frames.two.ui.solutions import numbers_markup, solutions_markup, verdict
+from armlab.benches.frames.two.ui.solutions import MORE, numbers_markup, solutions_markup, verdict
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.state import Command, Post, State
@@ -88,7 +88,7 @@ def _robot_b(form: Form, state: State) -> Inside:
     def between(text: str) -> Command:
         return Set(TwoRobots, "between", units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED)))
 
-    length = form.field("link", units.entry(part.link, False), "Length of the links of B", link)
+    length = form.field("link", units.entry(part.link, False, MORE), "Length of the links of B", link)
     turn = form.field("between", units.entry(part.between, True), "Angle from the tool of A to that of B", between)
     fields = (
         tag("label", unparted(f"links, {units.length_unit} "), length),

@@ -11,6 +11,7 @@ from armlab.ui.form import Form
 from armlab.ui.format import matrix, number, subscript
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import fold, verdict_box
+from armlab.ui.small_numbers import small, with_unit
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
 
@@ -23,6 +24,10 @@ NOTES = (
 )
 
 
+MORE = 3
+"""Decimals of the length of a link beyond those of other lengths: typed as it is told, the tool is met to `SAME`."""
+
+
 def verdict(state: State) -> Markup:
     """Return how many solutions there are, and why."""
     found, units = state.derived(meeting_of), units_of(state)
@@ -30,7 +35,7 @@ def verdict(state: State) -> Markup:
         return verdict_box("warn", "Infinitely many solutions", tag("p", found.sentence))
     if found.solutions:
         return verdict_box("ok", COUNTED[len(found.solutions)], tag("p", _why_some(found)))
-    return verdict_box("no", COUNTED[0], tag("p", _why_none(found, units)))
+    return verdict_box("no", COUNTED[0], tag("p", _why_none(found, units)), _only(found, units))
 
 
 def _why_some(found: Meeting) -> str:
@@ -43,7 +48,7 @@ def _why_some(found: Meeting) -> str:
     return "Two joints, and two numbers to reach: x and y. The angle of the tool comes out as it may."
 
 
-def _why_none(found: Meeting, units: Units) -> Inside:
+def _why_none(found: Meeting, units: Units) -> str:
     if found.asked > found.reach:
         what = "the tool" if found.joints == 2 else "the axis of joint 3"
         return (
@@ -54,15 +59,15 @@ def _why_none(found: Meeting, units: Units) -> Inside:
         least = min((abs(way.turned_off) for way in found.ways), default=0.0)
         return (
             "Two joints reach the position, but these are three numbers: x, y and the angle. The tool of B misses the "
-            f"angle by at least {units.angle(least)}.",
-            _only(found, units),
+            f"angle by at least {with_unit(least, True, units)}."
         )
     return found.sentence
 
 
-def _only(found: Meeting, units: Units) -> str:
-    only = found.only_link
-    return "" if only is None else f" Equal links would have to be {units.length(only)} long."
+def _only(found: Meeting, units: Units) -> Markup | None:
+    """Return how long two links would have to be for the whole pose, if it is asked of them."""
+    only = found.only_link if found.joints == 2 and found.needs_angle else None
+    return None if only is None else tag("p", f"Equal links would have to be {units.constant(only, False, MORE)} long.")
 
 
 def solutions_markup(form: Form, state: State) -> Inside:
@@ -81,7 +86,7 @@ def _row(form: Form, state: State, way: Way, shown: bool, units: Units) -> Marku
     name = form.chip(
         f"elbow {key}", way.name, Set(TwoRobots, "elbow", key) if key else (), "Let robot B stand so", shown
     )
-    missed = "–" if abs(way.turned_off) < SAME else units.text(way.turned_off, True)
+    missed = "–" if abs(way.turned_off) < SAME else small(way.turned_off, True, units)
     return line(
         *[number(value, units.decimals(True) + 2) for value in (way.q / units.factor(True)).tolist()], missed, name=name
     )
