@@ -35,6 +35,9 @@ FINE = 4001
 SAME = 1e-12
 """Difference of outputs that is rounding."""
 
+SLOPES = {"arch": (-4.0, 4.0), "wave": (-9.0 / math.sqrt(3.0), 18.0 / math.sqrt(3.0))}
+"""Least and largest slope of each shape: of the arch at the ends, of the wave in the middle and at the ends."""
+
 
 def _shape(kind: str, u: Floats) -> Floats:
     # The wave u (1 - u) (1 - 2 u) is sqrt(3) / 18 high.
@@ -85,6 +88,12 @@ class Sensor:
                 raise wrong(name, "a finite number", value)
             if value < 0.0 and name in ("hysteresis", "resolution", "noise"):
                 raise wrong(name, "no negative number", value)
+
+    @property
+    def turns_back(self) -> bool:
+        """Whether the curve without play, steps and noise both rises and falls: two inputs have one output."""
+        slopes = [1.0 + self.gain + self.bend * slope for slope in SLOPES[self.shape]]
+        return min(slopes) < 0.0 < max(slopes)
 
     def followed(self, inputs: ArrayLike, start: float) -> Floats:
         """Return what reaches the sensor through the play while the input goes through values (N,), (N,).

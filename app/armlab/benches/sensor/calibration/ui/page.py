@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from armlab.benches.sensor.absolute.ui.numbers import numbers, typed
 from armlab.benches.sensor.calibration.examples import EXAMPLES, ChooseCalibrationExample
 from armlab.benches.sensor.calibration.state import PERCENT, Curve
-from armlab.kin.sensors.characteristic import SHAPES, linearity_error
+from armlab.kin.sensors.characteristic import MOST_DEGREE, SHAPES, linearity_error
 from armlab.session.amounts import amount
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
@@ -38,6 +38,11 @@ OVERFITTED_NOISE = (
     "Between the points it is farther off than at them: too high a degree for so few points and so much noise."
 )
 """Sentences on a polynomial that follows its points too closely, without noise and with it."""
+
+TURNS_BACK = (
+    "The curve turns back: one output belongs to two inputs, and no polynomial tells them apart, of any degree."
+)
+"""Sentence on a curve that is not monotonic."""
 
 REMAINS = {
     (True, False, False): "Hysteresis is left: no function of the output takes it away.",
@@ -197,14 +202,20 @@ def _verdict(part: Curve) -> Markup:
         return verdict_box("no", head, OVERFITTED_NOISE if sensor.noise > 0.0 else OVERFITTED)
     floor = play_and_steps + 3.0 * sensor.noise
     if left > 1.5 * floor + 1e-9:
-        return verdict_box(
-            "warn",
-            head,
-            f"A polynomial of degree {part.degree} does not follow the curve closely enough: raise the degree.",
-        )
+        return verdict_box("warn", head, _too_coarse(part))
     if floor < 1e-9:
         return verdict_box("ok", head, "The polynomial is the curve.")
     return verdict_box("ok", head, REMAINS[sensor.hysteresis > 0.0, sensor.resolution > 0.0, sensor.noise > 0.0])
+
+
+def _too_coarse(part: Curve) -> str:
+    """Return why the polynomial is not close to the curve, and what helps if anything does."""
+    if part.sensor.turns_back:
+        return TURNS_BACK
+    said = f"A polynomial of degree {part.degree} does not follow the curve closely enough"
+    if part.degree < min(MOST_DEGREE, part.points - 1):
+        return f"{said}: raise the degree."
+    return f"{said}, and no higher one can be chosen."
 
 
 def _polynomial(part: Curve) -> Inside:
