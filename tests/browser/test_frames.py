@@ -76,7 +76,7 @@ def a_point_is_typed_in_any_coordinates(lab):
     lab.type_into("cylindrical theta", "90")
     lab.until(lambda: np.array_equal(numbers(lab, "cartesian x", "cartesian y"), [0.0, 500.0]))
     lab.type_into("spherical phi", "200")
-    lab.waits_for("φ: expected 0° to 180°")
+    lab.waits_for("φ: expected a number in degrees from 0 to 180")
     lab.type_into("cylindrical r", "0")
     lab.waits_for("On the z axis θ is not defined")
 

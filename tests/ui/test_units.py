@@ -159,6 +159,15 @@ def test_a_plain_angle_of_many_turns_in_radians_is_remarked_on(units, text, revo
     assert heard == said
 
 
+def test_an_angle_at_its_bound_up_to_the_rounding_of_its_field_is_the_bound():
+    radians, degrees = Units(Notation(angle="rad")), Units(Notation())
+    assert radians.read("-6.2832", True, "θ", within=(-2.0 * math.pi, 2.0 * math.pi)) == -2.0 * math.pi
+    assert degrees.read("114.592", True, "θ", within=(0.0, 2.0)) == 2.0
+    for units, text, bounds in ((radians, "3.1417", (0.0, math.pi)), (radians, "-0.00002", (0.0, 1.0))):
+        with pytest.raises(InputError, match=r"θ: expected a number in rad from 0"):
+            units.read(text, True, "θ", within=bounds)
+
+
 def test_what_is_no_number_is_refused_with_the_unit_expected():
     with pytest.raises(InputError, match="x: expected a number in mm, got 'six'"):
         DEGREES.read("six", False, "x")

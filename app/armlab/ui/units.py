@@ -20,6 +20,9 @@ from armlab.ui.remarks import remark
 LARGEST_RADIANS = 4.0 * math.pi
 """Largest angle, radians, that is typed without a unit and without a remark: a larger one is probably in degrees."""
 
+RELATIVE = 1e-4
+"""Largest part of a bound that counts as its rounding."""
+
 
 @dataclass(frozen=True)
 class Book:
@@ -186,7 +189,9 @@ class Units:
         unit = self.angle_unit if field in ("alpha", "theta") else self.length_unit
         return joined(self.book.symbols[field], tag("sub", index), f", {unit}")
 
-    def read(self, text: str, revolute: bool, where: str, per: str = "", within: Range | None = None) -> float:
+    def read(
+        self, text: str, revolute: bool, where: str, per: str = "", within: Range | None = None, why: str = ""
+    ) -> float:
         """Return radians or metres from a typed text: a number in the unit on screen, or with π or a unit.
 
         Parameters
@@ -198,7 +203,10 @@ class Units:
         per : str
             What follows the unit of a rate: ``"/s"``, ``"/s²"``; it may be typed or left out.
         within : (float, float), optional
-            Least and largest value, radians or metres.
+            Least and largest value, radians or metres. An angle that passes one by no more than its rounding in a field
+            is that one: 3.1416 rad is as far as π.
+        why : str
+            End of the sentence of the error for a value beyond these.
 
         Raises
         ------
@@ -232,10 +240,16 @@ class Units:
         if bare:
             remark_on_radians(value)
         low, high = (-math.inf, math.inf) if within is None else within
-        if not low - ROUNDING <= value <= high + ROUNDING:
+        if not low - self._rounding(low, revolute) <= value <= high + self._rounding(high, revolute):
             least, most = (readable(bound / self.factor(revolute), 4) for bound in (low, high))
-            raise InputError(f"{where}: expected a number in {unit} from {least} to {most}, got {text.strip()[:40]!r}")
+            got = f"got {text.strip()[:40]!r}{why}"
+            raise InputError(f"{where}: expected a number in {unit} from {least} to {most}, {got}")
         return min(max(value, low), high)
+
+    def _rounding(self, bound: float, revolute: bool) -> float:
+        """Return how far from a bound, radians or metres, that field may be which shows the bound."""
+        half_a_digit = 0.5 * 10.0 ** -(self.decimals(True) + 1) * self.factor(True)
+        return max(ROUNDING, min(half_a_digit, RELATIVE * abs(bound))) if revolute else ROUNDING
 
 
 _DEGREES = re.compile(r"(\d+(?:\.\d+)?) ?°")

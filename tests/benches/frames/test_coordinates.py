@@ -21,6 +21,7 @@ from armlab.benches.frames.coordinates.ui.scene import drawn
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
+from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from support.done import done
 from support.filled import Filled
@@ -150,6 +151,16 @@ def test_facts_are_those_of_the_point():
     assert value["theta"] == pytest.approx(-math.pi / 2)
     assert value["phi"] == pytest.approx(math.atan2(3, 4))
     assert value["by_atan"] is None
+
+
+def test_half_a_turn_can_be_typed_as_its_field_shows_it_and_what_is_more_is_told_in_its_unit():
+    page = Filled("coordinates")
+    page.do(Set(Notation, "angle", "rad"))
+    page.fill("spherical phi", "3.1416")
+    assert page.state[Coordinates].p[2] == pytest.approx(-math.sqrt(5.25))
+    assert "φ: " not in page.text
+    page.fill("spherical phi", "3.142")
+    assert "φ: expected a number in rad from 0 to 3.1416, got '3.142'; beyond a pole it is θ that differs" in page.text
 
 
 @pytest.mark.parametrize(

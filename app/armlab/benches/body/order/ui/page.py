@@ -17,6 +17,7 @@ from armlab.benches.body.order.state import (
     ABOUT,
     CLIP_KEY,
     ENDS,
+    MOST_TURNED,
     NAMES,
     Order,
     ScaleAngles,
@@ -110,7 +111,7 @@ def _angle(form: Form, state: State, k: int) -> Markup:
     units = units_of(state)
 
     def taken(text: str) -> Command:
-        return SetOrderAngle(k, units.read(text, True, f"angle {NAMES[k]}"))
+        return SetOrderAngle(k, units.read(text, True, f"angle {NAMES[k]}", within=(-MOST_TURNED, MOST_TURNED)))
 
     shown = readable(state[Order].angles[k] / units.factor(True), 3)
     return form.field(f"angle {k}", shown, f"Angle of rotation {NAMES[k]}", taken)

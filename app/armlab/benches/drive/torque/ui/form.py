@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import partial
 
 from armlab.benches.drive.power.ui.typed import typed
@@ -50,4 +51,4 @@ def _numbers(form: Form, part: Torque, names: tuple[str, ...]) -> Markup:
 
 
 def _start(text: str, units: Units) -> Command:
-    return Set(Torque, "start", units.read(text, True, "θ_0"))
+    return Set(Torque, "start", units.read(text, True, "θ_0", within=(-2.0 * math.pi, 2.0 * math.pi)))

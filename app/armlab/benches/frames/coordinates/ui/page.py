@@ -40,6 +40,9 @@ LETTERS = {"theta": "θ", "phi": "φ"}
 
 ANGLES = ("theta", "phi")
 
+BEYOND = "; beyond a pole it is θ that differs by half a turn"
+"""End of the sentence on an angle from the z axis that names no point."""
+
 SAME = 1e-9
 """Difference of two angles, radians, up to which they are the same."""
 
@@ -100,6 +103,8 @@ def _field(
     turns, letter = name in ANGLES, LETTERS.get(name, name)
 
     def taken(text: str) -> Command:
+        if name == "phi":
+            return action(name, units.read(text, True, letter, within=(0.0, math.pi), why=BEYOND))
         return action(name, units.read(text, turns, letter))
 
     return form.field(f"{kind.lower()} {name}", units.entry(value, turns), f"{letter}, {kind}", taken)
