@@ -16,6 +16,7 @@ from armlab.benches.sensor.measure.state import Throws
 from armlab.benches.sensor.measure.ui.board import MOST_DRAWN, board, place
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
+from armlab.kin.sensors.characteristic import Sensor
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
@@ -65,6 +66,17 @@ def test_a_correction_takes_the_bias_away_up_to_chance_and_leaves_the_spread():
     again = apply(after, AimAsBefore())
     assert not fact(again, "corrected")
     assert fact(again, "true_bias") == pytest.approx(fact(before, "true_bias"))
+
+
+@pytest.mark.parametrize("count", [3, 7, 20, 30])
+def test_without_spread_one_correction_leaves_nothing(count):
+    wide, exact = opened(Set(Throws, "count", count), CorrectAim()), Set(Throws, "spread", 0.0)
+    for right, up in ((0.05, 0.03), (0.0371, 0.07), (37.1 * 1e-3, 0.1)):
+        state = done(wide, exact, Set(Throws, "right", right), Set(Throws, "up", up))
+        assert fact(state, "settled")
+        state = apply(state, CorrectAim())
+        assert not fact(state, "settled")
+        assert (fact(state, "rms"), fact(state, "hits")) == (0.0, count)
 
 
 def test_throwing_again_changes_the_throws_alone():
@@ -170,6 +182,29 @@ def test_the_page_of_calibration_says_what_is_left():
     assert "so much noise" in page.text
     page.fill("example", "drift")
     assert "Mostly drift: 1.800 %" in page.text
+
+
+def test_what_cannot_be_or_cannot_help_is_not_advised():
+    exact = dict.fromkeys(("offset", "gain", "hysteresis", "resolution", "noise"), 0.0)
+    page = Filled("calibration")
+    page.do(Set(Curve, "shape", "wave"), *(Set(Curve, name, value) for name, value in exact.items()))
+    for bend, degree in ((-20.0, 9), (-20.0, 3), (20.0, 3)):
+        page.do(Set(Curve, "bend", bend), Set(Curve, "degree", degree))
+        assert "The curve turns back: one output belongs to two inputs" in page.text
+        assert "raise the degree" not in page.text
+    page.do(Set(Curve, "bend", 15.0))
+    assert "raise the degree" in page.text
+    page.do(Set(Curve, "points", 100), Set(Curve, "degree", 9))
+    assert "degree 9 does not follow the curve closely enough, and no higher one can be chosen" in page.text
+
+
+@pytest.mark.parametrize("shape", ["arch", "wave"])
+def test_a_curve_turns_back_where_its_outputs_fall_and_rise(shape):
+    u = np.linspace(0.0, 1.0, 2001)
+    for bend in np.linspace(-0.3, 0.3, 38):
+        sensor = Sensor(gain=-0.05, bend=bend, shape=shape)
+        steps = np.diff(sensor.output(u))
+        assert sensor.turns_back == bool(steps.min() < 0.0 < steps.max())
 
 
 def test_only_errors_that_the_sensor_has_are_said_to_be_left():

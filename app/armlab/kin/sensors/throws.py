@@ -122,7 +122,8 @@ def estimate(points: ArrayLike, confidence: float = CONFIDENCE) -> Estimate:
         raise InputError(f"throws: expected at least 2, since one alone has no spread, got {count}")
     if not 0.0 < confidence < 1.0:
         raise wrong("confidence", "a number between 0 and 1", confidence)
-    mean, m, rest = at.mean(axis=0), 2 * (count - 1), 1.0 - confidence
+    # From the first on, so that equal attempts have exactly their own mean, and no spread.
+    mean, m, rest = at[0] + (at - at[0]).mean(axis=0), 2 * (count - 1), 1.0 - confidence
     spread = math.sqrt(float(((at - mean) ** 2).sum()) / m)
     quantile = 0.5 * m * (rest ** (-2.0 / m) - 1.0)
     # chdtri(m, p) is what a chi-squared number exceeds with the probability p.

@@ -21,6 +21,9 @@ BOARD = 0.12
 
 MOST_SEED = 1_000_000
 
+DECIMALS = 12
+"""Decimals of the bias in metres."""
+
 
 @dataclass(frozen=True)
 class Throws(FieldPart):
@@ -59,8 +62,8 @@ class Throws(FieldPart):
 
     @property
     def bias(self) -> Floats:
-        """The bias that is left with the aim as it is, (2,), metres."""
-        return np.array([self.right + self.aim_right, self.up + self.aim_up])
+        """The bias that is left with the aim as it is, (2,), metres; none where only rounding is left."""
+        return np.round([self.right + self.aim_right, self.up + self.aim_up], DECIMALS)
 
     @cached_property
     def points(self) -> Floats:
