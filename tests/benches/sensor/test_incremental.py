@@ -8,7 +8,7 @@ import pytest
 
 from armlab.benches.sensor.incremental.clip import CLIP
 from armlab.benches.sensor.incremental.commands import BeginAgain, DragTo, SetMoves, StepQuarter, TurnBy
-from armlab.benches.sensor.incremental.counting import counts_of, now
+from armlab.benches.sensor.incremental.counting import counts_of, electrical_angle, now
 from armlab.benches.sensor.incremental.examples import EXAMPLES, ChooseIncrementalExample
 from armlab.benches.sensor.incremental.facts import FACTS
 from armlab.benches.sensor.incremental.state import CLIP_KEY, Incremental
@@ -286,3 +286,9 @@ def test_saved_moves_that_are_none_are_refused():
     for moves in ([math.inf], ["x"], [[1.0]], 5, "12"):
         with pytest.raises(InputError):
             Incremental.from_json({"moves": moves}, catalogue()["planar_2r"])
+
+
+def test_a_disk_that_is_back_at_zero_has_no_electrical_angle_and_not_a_whole_turn_of_one():
+    state = opened(SetMoves(tuple(map(math.radians, (30.0, -10.0, -20.0)))))
+    assert fact(state, "electrical") == 0.0
+    assert electrical_angle(state[Incremental], -1e-9) == pytest.approx(TURN, rel=1e-6)

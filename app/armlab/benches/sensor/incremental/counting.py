@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.sensor.incremental.state import Incremental, present_time
 from armlab.kin.sensors.absolute import TURN
-from armlab.kin.sensors.quadrature import DECODERS, angular_resolution, index_of, lead, quarter_of
+from armlab.kin.sensors.quadrature import DECODERS, ON_THE_EDGE, angular_resolution, index_of, lead, quarter_of
 from armlab.session.state import State
 
 Floats = NDArray[np.float64]
@@ -112,8 +112,10 @@ def led(part: Incremental) -> int:
 
 
 def electrical_angle(part: Incremental, angle: float) -> float:
-    """Return the electrical angle within a period, radians, 0 to a turn."""
-    return float(angle * part.pulses % TURN)
+    """Return the electrical angle within a period, radians, 0 up to less than a turn."""
+    found = float(angle * part.pulses % TURN)
+    # An angle that is below an edge by rounding only belongs to the period above, as its quarter does.
+    return 0.0 if TURN - found <= 0.25 * TURN * ON_THE_EDGE else found
 
 
 def steps(part: Incremental, values: Floats | Whole, low: float, high: float) -> tuple[Floats, Floats]:
