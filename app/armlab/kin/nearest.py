@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from decimal import Decimal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +14,9 @@ from armlab.kin.checks import as_floats
 
 ANY = 1e-12
 """Sum of two singular values of a matrix of size one below which a turn in their plane costs nothing."""
+
+FEWEST_DECIMALS = 2
+"""Decimals from which on entries may be rounded ones."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,3 +75,17 @@ def nearest_rotation(R: ArrayLike, where: str = "R") -> NearestRotation:
     difference = matrix - rotation
     only = bool(stretches[1] + side * stretches[2] > ANY)
     return NearestRotation(rotation, float(np.abs(difference).max()), math.hypot(*difference.ravel().tolist()), only)
+
+
+def is_rounded(R: ArrayLike, found: NearestRotation) -> bool:
+    """Return whether a matrix is its nearest rotation with the entries rounded to as many decimals as they have.
+
+    These are at least `FEWEST_DECIMALS`: with fewer, matrices far from any rotation would pass.
+
+    >>> M = [[0.707, -0.707, 0.0], [0.707, 0.707, 0.0], [0.0, 0.0, 1.0]]
+    >>> is_rounded(M, nearest_rotation(M))
+    True
+    """
+    exponents = [Decimal(repr(value)).as_tuple().exponent for value in np.ravel(as_floats(R, "R", "numbers")).tolist()]
+    decimals = -min(int(exponent) for exponent in exponents)
+    return decimals >= FEWEST_DECIMALS and found.off <= 0.5 * 10.0**-decimals

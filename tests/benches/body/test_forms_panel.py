@@ -25,6 +25,8 @@ from armlab.benches.body.forms.ui.scene import lost_marks, ring_names
 from armlab.benches.body.forms.ui.words import turn_names
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
+from armlab.session.fields import Set
+from armlab.session.parts.notation import Notation
 from armlab.session.session import Asked
 from armlab.session.state import State, apply
 from armlab.ui.scene._block import DOTS, block_glb
@@ -112,7 +114,18 @@ def test_the_other_forms_say_what_is_left_open():
     assert "Not a rotation: the nearest one is 1.0000 away" in said(
         matrix_markup, PlaceBody("none"), SetBodyEntry(2, 2, 2.0)
     )
+    for third, told in ((0.866, "A rotation with rounded entries: the exact one is"), (0.8665, "Not a rotation")):
+        assert told in said(matrix_markup, SetBodyMatrix((0.866, -0.5, 0, 0.5, third, 0, 0, 0, 1)))
     assert "The typed matrix M is a rotation." in said(matrix_markup, SetBodyMatrix((0.0, -1, 0, 1, 0, 0, 0, 0, 1)))
+
+
+@pytest.mark.parametrize(("unit", "largest", "beyond"), [("rad", "6.2832", "6.284"), ("deg", "360", "360.1")])
+def test_a_whole_turn_can_be_typed_as_its_field_shows_it_and_is_named_in_its_unit(unit, largest, beyond):
+    in_unit = Set(Notation, "angle", unit)
+    for text in (largest, f"-{largest}"):
+        assert filled(axis_markup, "turn", text, in_unit).derived(forms_of).angle == 2.0 * math.pi
+    with pytest.raises(InputError, match=f" to {largest}, got '{beyond}': two whole turns are all there is"):
+        filled(axis_markup, "turn", beyond, in_unit)
 
 
 def test_the_turns_are_named_by_their_axes():

@@ -102,9 +102,9 @@ def test_what_is_refused_says_where_and_why(markup, cell, text, commands, told):
     ("page", "cell", "text", "told"),
     [
         ("frame_chain", "position 1", "1e9", "y: expected a number in mm from −100000 to 100000, got '1e9'"),
-        ("table_task", "table 0", "1e9", "x: expected a number in mm from −50000 to 50000, got '1e9'"),
-        ("table_task", "object 0", "1e9", "p x: expected a number in mm from −50000 to 50000, got '1e9'"),
-        ("table_task", "height", "1e9", "h: expected a number in mm from 0 to 10000, got '1e9'"),
+        ("table_task", "table 0", "1e9", "x: expected a number in mm from −10000000 to 10000000, got '1e9'"),
+        ("table_task", "object 0", "1e9", "p x: expected a number in mm from −10000000 to 10000000, got '1e9'"),
+        ("table_task", "height", "1e9", "h: expected a number in mm from 0 to 1000000, got '1e9'"),
         ("two_robots", "base A 0", "60000", "x: expected a number in mm from −50000 to 50000, got '60000'"),
         ("two_robots", "base A turn", "1e9", "angle: expected a number in degrees from −3600 to 3600, got '1e9'"),
         ("two_robots", "joint 0", "1e9", "q₁: expected a number in degrees from −3600 to 3600, got '1e9'"),
@@ -147,6 +147,9 @@ def test_a_typed_matrix_that_is_no_rotation_says_how_far_it_is_and_offers_the_ne
     assert "the nearest one is 0.2000 away" in said(frames_markup, *typed)
     taken = filled(frames_markup, "rounded", "", *typed)
     assert "Not a rotation" not in str(joined(frames_markup(BareForm(), taken)))
+    half = 0.707107
+    rounded = (SetFrameMatrix("B", (half, -half, 0, half, half, 0, 0, 0, 1)), MATRIX)
+    assert "A rotation with rounded entries: the exact one is 4.4·10⁻⁷ away" in said(frames_markup, *rounded)
 
 
 def test_the_arrows_are_a_triangle_or_one_where_it_has_no_sides():

@@ -38,6 +38,7 @@ from armlab.ui.form import Form
 from armlab.ui.format import MINUS, capitalised, components, dot, mathml, number, readable
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import verdict_box
+from armlab.ui.nearest import nearest_box
 from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, typed_numbers, units_of
 
@@ -46,6 +47,9 @@ UNIT = 1e-9
 
 TINY = 1e-3
 """Size below which an entry is written with four significant digits, which four decimals would not show."""
+
+BEYOND = ": two whole turns are all there is, q returns after them"
+"""End of the sentence on an angle about the axis that is too large."""
 
 HALF = 1e-6
 """Distance from half a turn, radians, within which both axes are as good."""
@@ -140,7 +144,7 @@ def axis_markup(form: Form, state: State) -> Markup:
     fields = _fields(form, "axis", ("r x", "r y", "r z"), values.tolist(), "an axis", SetBodyAxis, SetWholeAxis)
 
     def turned(text: str) -> Command:
-        return SetBodyTurn(units.read(text, True, "θ"))
+        return SetBodyTurn(units.read(text, True, "θ", within=(-2.0 * math.pi, 2.0 * math.pi), why=BEYOND))
 
     angle = form.field("turn", units.entry(found.angle, True), "Angle θ", turned)
     heads = head_line("θ, " + units.angle_unit, *(("r", tag("sub", axis)) for axis in AXES))
@@ -178,7 +182,7 @@ def matrix_markup(form: Form, state: State) -> Markup:
     shown = found.R if found.nearest is None else np.array(part.matrix)
     lines = [tag("tr", [tag("td", _entry(form, shown, i, j)) for j in range(3)]) for i in range(3)]
     head = tag("h3", "Matrix R ", tag("small", "columns are x′, y′, z′ in the base frame"))
-    return joined(head, tag("table.kit-points.bo-matrix", lines), _distance(form, found))
+    return joined(head, tag("table.kit-points.bo-matrix", lines), _distance(form, found, shown))
 
 
 def _entry(form: Form, shown: np.ndarray, i: int, j: int) -> Markup:
@@ -191,7 +195,7 @@ def _entry(form: Form, shown: np.ndarray, i: int, j: int) -> Markup:
     return form.field(f"R {i}{j}", _written(float(shown[i, j])), where, taken)
 
 
-def _distance(form: Form, found: Forms) -> Inside:
+def _distance(form: Form, found: Forms, typed: np.ndarray) -> Inside:
     if found.nearest is None:
         return tag(
             "p.dim",
@@ -200,14 +204,13 @@ def _distance(form: Form, found: Forms) -> Inside:
             mathml(r"\det R=+1"),
             ". Whatever is typed, the body takes the nearest rotation.",
         )
-    distance = found.nearest.distance
-    if distance < UNIT:
+    if found.nearest.distance < UNIT:
         return tag("p.dim", "The typed matrix M is a rotation.")
     take = form.chip("rounded", "Take it", SetBodyMatrix(tuple(found.R.ravel().tolist())), "Write the nearest rotation")
     rows = [tag("tr", [tag("td", number(float(value), 4)) for value in line]) for line in found.R]
-    return verdict_box(
-        "warn",
-        f"Not a rotation: the nearest one is {number(distance, 4)} away",
+    return nearest_box(
+        typed,
+        found.nearest,
         tag("p", "‖M − R‖, root of the sum of the squares of all entries. The body takes R: ", take),
         tag("table.mat", rows),
     )

@@ -11,9 +11,10 @@ from armlab.benches.frames.chain.state import MOST_TURNED
 from armlab.kin.nearest import nearest_rotation
 from armlab.session.state import Command
 from armlab.ui.form import Form
-from armlab.ui.format import matrix, number, readable
+from armlab.ui.format import matrix, readable
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.markup import row, verdict_box
+from armlab.ui.markup import row
+from armlab.ui.nearest import nearest_box
 from armlab.ui.units import Units, typed_numbers
 
 Floats = NDArray[np.float64]
@@ -109,9 +110,9 @@ def projected(
     if nearest.distance < UNIT:
         return None
     chip = form.chip(cell, "Take it", take(tuple(nearest.rotation.ravel().tolist())), "Write the nearest rotation")
-    return verdict_box(
-        "warn",
-        f"Not a rotation: the nearest one is {number(nearest.distance, 4)} away",
+    return nearest_box(
+        typed,
+        nearest,
         tag("p", "‖M − R‖, the root of the sum of the squares of all entries. The frame takes R: ", chip),
         matrix(nearest.rotation, 4),
     )
