@@ -103,15 +103,23 @@ def test_without_a_tick_between_counts_there_is_no_reading():
     assert "no tick" in readings_markup(state[EncoderSpeed], UNITS)
 
 
+@pytest.mark.parametrize(("window", "clock"), [(1e-3, 1e3), (1e-2, 1e3), (0.1, 1e6)])
+def test_the_finer_reading_changes_where_both_are_said_to_be_as_fine(window, clock):
+    state = opened(Set(EncoderSpeed, "window", window), Set(EncoderSpeed, "clock", clock))
+    meter = state[EncoderSpeed].meter
+    assert float(meter.error_by_time(meter.crossover)) == pytest.approx(float(meter.error_by_counts(meter.crossover)))
+    for part, finer in ((0.999, "time"), (1.001, "counts")):
+        assert done(state, Set(EncoderSpeed, "speed", part * meter.crossover))[EncoderSpeed].finer == finer
+
+
 def test_the_picture_crosses_where_both_are_as_fine_and_marks_the_speed():
     part = opened()[EncoderSpeed]
     picture = errors(part, UNITS)
     assert "nan" not in picture
-    assert "as fine: 1138 °/s" in picture
+    assert "as fine: 1137 °/s" in picture
     assert len(re.findall(r"<circle ", picture)) == 2
-    cross = np.array([0.99, 1.01]) * part.meter.crossover
-    counts, time = percents(part, cross)
-    assert (counts / time)[0] > 1.0 > (counts / time)[1] * 0.98
+    counts, time = percents(part, np.array([0.99, 1.01]) * part.meter.crossover)
+    assert (counts / time)[0] > 1.0 > (counts / time)[1]
     assert len(large(part, UNITS).drawn) == 2
     for key in EXAMPLES:
         assert "nan" not in errors(example(key)[EncoderSpeed], UNITS)

@@ -155,11 +155,14 @@ class Meter:
 
     @property
     def crossover(self) -> float:
-        """Speed at which one count in the window and one tick between counts are the same part, rad/s.
+        """Speed at which both readings have the same largest error, of even counts, rad/s.
 
-        ``AR sqrt(f / T)``; below it the time between counts is finer, above it the number of counts.
+        There ``n / (f T) = 1 / (n - 1)`` with n ticks between two counts, so that ``n = (1 + sqrt(1 + 4 f T)) / 2``,
+        and the speed is ``AR f / n``: about ``AR sqrt(f / T)`` with many ticks. Below it the time between counts is
+        finer, above it the number of counts.
         """
-        return self.resolution * math.sqrt(self.clock / self.window)
+        ticks = 0.5 * (1.0 + math.sqrt(1.0 + 4.0 * self.clock * self.window))
+        return self.resolution * self.clock / ticks
 
     def delay_by_counts(self) -> float:
         """Return by how many seconds the first reading is old at the end of a window: it is the mean over that."""

@@ -99,6 +99,6 @@ def verdict(part: EncoderSpeed, units: Units) -> Markup:
     return verdict_box(
         "ok",
         head,
-        f"Both are as fine at {cross}, where as many counts come in a window as ticks between two counts. Below it the "
-        "time between counts is finer, above it the number of counts.",
+        f"Both are as fine at {cross}, where about as many counts come in a window as ticks between two counts. Below "
+        "it the time between counts is finer, above it the number of counts.",
     )
