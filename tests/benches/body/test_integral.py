@@ -126,6 +126,9 @@ def test_the_film_lasts_as_long_as_the_longer_law_and_stops_where_omega_jumps():
     assert "After 0.75 s" in said(at)
     assert "Equal" not in said(at)
     assert shown(one, 0.75, "law 1", BLUE, units_of(at)).about == "ω: 90.0 °/s"
+    # The shorter law stands still when it has ended.
+    assert shown(other, 1.5, "law 2", BLUE, units_of(at)).about != "ω: 0.0 °/s"
+    assert shown(other, 1.75, "law 2", BLUE, units_of(at)).about == "ω: 0.0 °/s"
     assert apply(at, SetPiece(0, 0, 3, 1.0))[Timeline].time == 0.0
     times, (angle, _) = angles_over_time(state)
     assert angle[0] == 0.0

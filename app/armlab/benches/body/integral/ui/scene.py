@@ -36,7 +36,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 def shown(run: Run, time: float, name: str, colour: Rgb, units: Units) -> Shown:
     """Return the body of a law at a time."""
-    rate = run.law[run.piece_at(time)].rate
+    rate = run.law[run.piece_at(time)].rate if time <= run.duration else 0.0
     about = f"ω: {units.text(rate, True)} {units.angle_unit}/s"
     return Shown(run.at(time), name, run.axis(time), run.turned(time), colour, about)
 
