@@ -25,7 +25,7 @@ from armlab.benches.body.order.ui.page import ends_markup, products_markup
 from armlab.benches.body.order.ui.scene import shown
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.kin.rotations import axis_angle, rotation_about
+from armlab.kin.rotations import axis_angle, rotation_about, skew
 from armlab.session.fields import Set
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import State, apply
@@ -78,6 +78,15 @@ def test_a_tenth_of_the_angles_leaves_a_hundredth_between_the_ends():
     assert found[-1].apart == pytest.approx(found[-1].rule, rel=1e-6)
     assert "2.00·10⁻¹⁰ rad" in said(state)
     assert "The order counts" in said(state)
+
+
+@pytest.mark.parametrize("about", ["base", "body"])
+def test_what_is_beyond_the_first_order_is_that_of_a_then_b(about):
+    state = opened(SetOrderAxis(0, 1, 0.7), SetOrderAxis(1, 0, -0.2), SetOrderAngle(0, 1.0), SetOrderAngle(1, 2.0))
+    state = apply(state, Set(Order, "about", about))
+    pair, _ = pairs_of(state)
+    first_order = np.eye(3) + skew(pair.axes[0]) + 2.0 * skew(pair.axes[1])
+    assert ends_of(state).beyond == pytest.approx(float(np.abs(pair.at(ENDS[-1]) - first_order).max()))
 
 
 def test_a_hundredth_is_promised_only_where_a_tenth_of_the_angles_leaves_it():

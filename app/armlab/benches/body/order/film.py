@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from armlab.benches.body.forms.timing import amounts
 from armlab.benches.body.order.state import Order
@@ -75,7 +75,7 @@ class Ends:
     rule : float
         That angle to second order: the product of the angles and the sine between the axes, radians.
     beyond : float
-        Largest entry of what is left of R when I + S(dphi) is taken away.
+        Largest entry of what is left of R of a, then b, when I + S(dphi) is taken away.
     largest : float
         The larger of both angles, radians.
     """
@@ -102,9 +102,16 @@ def ends_of(state: State) -> Ends:
     return Ends(
         float(apart_by_order(part.a, part.b, one, other)),
         abs(one * other) * float(across(part.a, part.b)),
-        float(beyond_first_order(part.a, part.b, one, other)),
+        float(_beyond(part, one, other)),
         max(abs(one), abs(other)),
     )
+
+
+def _beyond(part: Order, one: ArrayLike, other: ArrayLike) -> Floats:
+    """Return what a, then b, has beyond I + S(dphi): that of R_b R_a, of R_a R_b where the axes are carried along."""
+    if part.about == "body":
+        return beyond_first_order(part.b, part.a, other, one)
+    return beyond_first_order(part.a, part.b, one, other)
 
 
 def curves(part: Order) -> tuple[Floats, Floats, Floats, Floats]:
@@ -119,7 +126,7 @@ def curves(part: Order) -> tuple[Floats, Floats, Floats, Floats]:
     found = (
         apart_by_order(part.a, part.b, one, other),
         np.abs(one * other) * across(part.a, part.b),
-        beyond_first_order(part.a, part.b, one, other),
+        _beyond(part, one, other),
     )
     with np.errstate(divide="ignore"):
         logs = [np.log10(each) for each in found]
