@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 
 import numpy as np
 import pytest
@@ -90,6 +91,8 @@ def test_the_verdict_says_where_a_formula_is_off():
     assert "It is off by up to" in str(_verdict(apply(state, TypeEntry("sa cb"))))
     constant = opened(Set(Products, "axes", "zx"), SelectEntry(3, 1), TypeEntry("1"))
     assert ">It is 1, and the entry is 0.<" in str(_verdict(constant))
+    imaginary = str(_verdict(opened(Set(Products, "axes", "zxz"), SelectEntry(3, 3), TypeEntry("cos(beta) - 2 i"))))
+    assert re.search(r"it is (−?[\d.]+) − 2 i, and the entry is \1\.", imaginary)
     assert "no value at any point" in str(_verdict(apply(state, TypeEntry("1/0"))))
     assert "It agrees" not in str(_verdict(apply(apply(state, TypeEntry("-sa cb")), SelectEntry(2, 2))))
 

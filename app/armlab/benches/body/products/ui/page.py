@@ -22,7 +22,7 @@ from armlab.benches.body.products.state import (
     TypeEntry,
 )
 from armlab.benches.body.products.ui.scene import GREEK
-from armlab.content.identity import POINTS
+from armlab.content.identity import POINTS, TOLERANCE
 from armlab.kin.euler import SEQUENCES
 from armlab.kin.rotation_products import ANGLES, PAIRS, product_entries
 from armlab.session.parts.notation import Notation
@@ -30,7 +30,7 @@ from armlab.session.state import Command, Post, State
 from armlab.ui.colours import css
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import dot, mathml, matrix, number, readable
+from armlab.ui.format import MINUS, dot, mathml, matrix, number, readable
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import copy_button, verdict_box
 from armlab.ui.plugin import Panel, Show
@@ -147,10 +147,21 @@ def _verdict(state: State) -> Markup:
     where = f"At {at} it" if at else "It"
     here = tag(
         "p",
-        f"{where} is {readable(float(np.real(found.left[k])), 4)}, "
-        f"and the entry is {readable(float(np.real(found.right[k])), 4)}.",
+        f"{where} is {_value(complex(found.left[k]))}, and the entry is {readable(float(np.real(found.right[k])), 4)}.",
     )
     return verdict_box("no", f"It is off by up to {readable(float(found.difference[k]), 4)}", here)
+
+
+def _value(value: complex) -> str:
+    """Return the number of a formula, with its imaginary part if i has left one.
+
+    >>> _value(0.5 + 0j), _value(-2 - 1.5j)
+    ('0.5', '−2 − 1.5 i')
+    """
+    real = readable(value.real, 4)
+    if abs(value.imag) <= TOLERANCE * max(1.0, abs(value)):
+        return real
+    return f"{real} {MINUS if value.imag < 0.0 else '+'} {readable(abs(value.imag), 4)} i"
 
 
 PANEL = Panel((Products,), build, rebuilds=(Notation,), hides=HIDES, around=around)
