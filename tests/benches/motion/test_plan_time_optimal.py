@@ -8,11 +8,16 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.plan.commands import SetMove, SetMoveOption
+from armlab.benches.motion.plan.examples import TakeExample
 from armlab.benches.motion.plan.job import with_planned
-from armlab.benches.motion.plan.limits import LastFor, LimitJerk, LimitTool
+from armlab.benches.motion.plan.limits import LastFor, LimitJerk, LimitTool, SampleBy
+from armlab.benches.motion.plan.points import SetWaypointPose
 from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.benches.motion.plan.words import judged
 from armlab.kin.motion import Limits, Trajectory, follow, law_type, path_type, peaks, violations
+from armlab.kin.motion.trajectory import times_at
+from armlab.kin.rotations import rotation_about
+from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import apply
 from support.plans import ROBOTS, opened
@@ -58,21 +63,44 @@ def test_its_options_and_limits_are_used_and_written():
     assert "the acceleration jumps, so the limit of jerk cannot be kept" in jerk.unkept
 
 
-def test_a_corner_is_told_with_its_time_and_the_time_optimal_law_stops_there():
+@pytest.mark.parametrize("space", ["joint", "cartesian"])
+def test_a_corner_is_told_with_its_time_and_the_time_optimal_law_stops_there(space):
     state = opened("scara", points=3)
     for k in (1, 2):
-        state = apply(state, SetMove(k, path="polyline"))
+        state = apply(apply(state, SetMove(k, space=space)), SetMove(k, path="polyline"))
     planned = planned_now(with_planned(state))
     (corner,) = {
         each.start for each in planned.violations if each.quantity == "acceleration" and each.start == each.end
     }
-    assert planned.legs[0].trajectory.law.at(corner) == pytest.approx(planned.legs[0].path.pieces[0], abs=1e-9)
+    path = planned.legs[0].path if space == "joint" else planned.legs[0].tool_path.position
+    assert planned.legs[0].trajectory.law.at(corner) == pytest.approx(path.pieces[0], abs=1e-9)
     said = judged(planned)
     assert said.kind == "no"
     assert f"acceleration limits at {corner:.2f} s" in " ".join(said.lines)
     assert "the velocity jumps at a corner" in " ".join(said.lines)
     stopping = planned_now(after(state, SetMove(1, law="time_optimal"), SetMove(2, law="time_optimal")))
     assert judged(stopping).kind == "ok"
+    motion = stopping.motion
+    corner = float(times_at(motion.law, path.pieces)[0])
+    np.testing.assert_allclose(motion.at([0.0, corner, motion.duration], 1), 0.0, rtol=0, atol=1e-6)
+
+
+def test_a_square_with_corners_takes_the_same_time_with_any_number_of_samples():
+    square = after(opened("puma560"), TakeExample("corner_stop"), SetMove(1, path="polyline"))
+    found = [planned_now(after(square, SampleBy(count))) for count in (50, 200)]
+    assert [judged(each).kind for each in found] == ["no", "no"]
+    few, many = (each.duration for each in found)
+    assert few == pytest.approx(many, rel=0.01)
+    assert all(each.legs[0].deviation < 1e-5 for each in found)
+
+
+def test_remarks_on_the_turn_of_the_tool_are_told_with_the_waypoints_of_the_plan():
+    square = after(opened("puma560"), TakeExample("corner_stop"))
+    square = after(square, SetMove(1, path="spline"), SetMove(1, stop=True))
+    pose = square[Plan].waypoints[2].wanted(square[Joints].arm)
+    pose[:3, :3] = pose[:3, :3] @ rotation_about("z", np.pi)
+    lines = judged(planned_now(after(square, SetWaypointPose(2, pose)))).lines
+    assert any("between waypoints 2 and 3: A half turn: about r or −r" in line for line in lines), lines
 
 
 def looked_at(planned):

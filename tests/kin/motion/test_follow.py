@@ -271,6 +271,25 @@ def test_the_joint_path_is_the_fifth_planning_step():
     assert motion.continuity_from_rest == 2
 
 
+def test_a_corner_of_the_tool_path_is_one_of_the_joint_path():
+    """It is a sample, behind which a spline of its own begins, so that the tool goes up to it; p' = J q' there."""
+    arm = planar()
+    corner = path_type("polyline").path([[1.2, 0.2, 0], [1.2, 0.8, 0], [0.6, 0.8, 0]])
+    tool_path = ToolPath(corner, held(np.eye(3)))
+    found = follow(arm, tool_path, [0, 1], 20)
+    assert len(found.s) == 20
+    path = found.joint_path()
+    np.testing.assert_array_equal(path.breaks[path.break_classes < 1], corner.pieces)
+    place = found.s[found.corners[0]]
+    for before in (True, False):
+        q, slope = path.derivatives(place, (0, 1), before=before)
+        p, way = corner.derivatives(place, (0, 1), before=before)
+        np.testing.assert_allclose(arm.position(q), p, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(arm.jacobian(q)[:2] @ slope, way[:2], rtol=0, atol=1e-9)
+    s = np.linspace(0, 1, 401)
+    assert np.linalg.norm(arm.position(path.at(s)) - corner.at(s), axis=1).max() < 1e-4
+
+
 def test_a_path_not_followed_has_no_joint_path():
     found = follow(planar(), line([1, 0.5, 0], [3, 0.5, 0]), [0, 1])
     with pytest.raises(InputError, match=r"joint_path: Beyond s = 0\.46"):

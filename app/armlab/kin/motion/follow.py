@@ -66,7 +66,7 @@ def follow(
     q0 : array_like, shape (n,), optional
         The branch: the solution at s = 0 nearest to it is the start. Found by a search when left out.
     s : int or array_like, shape (N,)
-        Number of even samples, or increasing places from 0 to 1.
+        Number of even samples, those nearest to corners moved there; or increasing places from 0 to 1.
     seed : int
         Seed of the searches; the same call gives the same answer.
     carry_on : bool
@@ -89,7 +89,7 @@ def follow(
     Notes, the planning steps before section 6.1; Allgower and Georg, *Introduction to Numerical Continuation Methods*,
     2003, chapter 2.
     """
-    places = _places(s)
+    places = _places(s, tool_path.sharp)
     start = None if q0 is None else finite_floats(q0, "q0", (arm.n,), f"{arm.n} finite numbers")
     seed = whole_number(seed, "seed", 0)
     run = _Run(arm, tool_path, places, seed)
@@ -97,9 +97,12 @@ def follow(
     return run.result()
 
 
-def _places(s: Any) -> Floats:
+def _places(s: Any, corners: Floats) -> Floats:
     if isinstance(s, (int, np.integer)) and not isinstance(s, bool):
-        return np.linspace(0.0, 1.0, whole_number(s, "s", 2))
+        count = whole_number(s, "s", 2)
+        even = np.linspace(0.0, 1.0, count)
+        inner = np.setdiff1d(np.arange(1, count - 1), np.rint(corners * (count - 1)))
+        return np.concatenate([[0.0], np.union1d(even[inner], corners), [1.0]])
     places = as_floats(s, "s", "increasing numbers from 0 to 1")
     if (
         places.ndim != 1
@@ -283,7 +286,16 @@ class _Run:
             q = self.q[reached]
             J = scaled_jacobian(self.arm, q, np.asarray(self.arm.fk(q), dtype=np.float64))
             ratio[reached] = _conditioning(J)
-        return Followed(self.arm, self.s, self.q, self.slope, reached, tuple(self.stops), tuple(self.parts), ratio)
+        corners = np.flatnonzero(np.isin(self.s, self.tool_path.sharp)).tolist()
+        arriving = np.array([self._arriving(k) for k in corners]).reshape(-1, self.arm.n)
+        followed = reached, tuple(self.stops), tuple(self.parts), ratio, tuple(corners), arriving
+        return Followed(self.arm, self.s, self.q, self.slope, *followed)
+
+    def _arriving(self, k: int) -> Floats:
+        """Return dq/ds just before a sample, (n,); nan where the path is not followed."""
+        if not np.isfinite(self.q[k]).all():
+            return np.full(self.arm.n, np.nan)
+        return self.branch.slope(self.q[k], float(np.nextafter(self.s[k], 0.0)))
 
 
 def _up_to(nodes: list[Node], s: Floats, q: Floats, slope: Floats) -> list[Node]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -10,8 +11,9 @@ from numpy.typing import NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.motion.path import Path
+from armlab.kin.motion.path import Path, PolynomialPath
 from armlab.kin.motion.path_types import path_type
+from armlab.kin.motion.piecewise import Piecewise
 
 Floats = NDArray[np.float64]
 Kind = Literal["reach", "limit", "singularity", "branch"]
@@ -68,6 +70,10 @@ class Followed:
         First sample and the one after the last of each part followed without a jump.
     singular_value : ndarray, shape (N,)
         The smallest over the largest singular value of the task Jacobian (pure numbers): 0 at a singularity.
+    corners : tuple of int
+        Samples at which the path of the tool has a corner; their ``slope`` is that behind it.
+    arriving : ndarray, shape (c, n)
+        dq/ds before each corner.
     """
 
     arm: Arm
@@ -78,6 +84,8 @@ class Followed:
     stops: tuple[Stop, ...]
     parts: tuple[tuple[int, int], ...]
     singular_value: Floats
+    corners: tuple[int, ...]
+    arriving: Floats
 
     @property
     def whole(self) -> bool:
@@ -106,7 +114,8 @@ class Followed:
     def joint_path(self) -> Path:
         """Return the spline through all joint samples: the fifth planning step of the notes.
 
-        With a law s(t) it is the joint motion; its end slopes are those of the Jacobian.
+        With a law s(t) it is the joint motion; its end slopes are those of the Jacobian. From corner to corner it is a
+        spline of its own: a single one would round the corners off, the less the more samples there are.
 
         Raises
         ------
@@ -115,5 +124,15 @@ class Followed:
         """
         if not self.whole:
             raise InputError(f"joint_path: {self.reason}")
-        ends = {"v_start": self.slope[0], "v_end": self.slope[-1]}
-        return path_type("spline").path(self.q, times=self.s, **ends)
+        ends = [0, *self.corners, len(self.s) - 1]
+        leaving, arriving = self.slope[ends[:-1]], [*self.arriving, self.slope[-1]]
+        splines = []
+        for (first, last), v_start, v_end in zip(pairwise(ends), leaving, arriving, strict=True):
+            part = slice(first, last + 1)
+            spline = path_type("spline").path(self.q[part], times=self.s[part], v_start=v_start, v_end=v_end)
+            assert isinstance(spline, PolynomialPath)
+            splines.append(spline)
+        if len(splines) == 1:
+            return splines[0]
+        cubics = np.concatenate([spline.in_time.coefficients for spline in splines])
+        return PolynomialPath(Piecewise(self.s, cubics), 1.0)

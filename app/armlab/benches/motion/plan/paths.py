@@ -141,15 +141,15 @@ def _laid(stretch: Stretch, points: Floats, scales: Floats | None = None) -> Pat
     try:
         return stretch.move.kind.path(points, scales=scales, **stretch.move.path.options)
     except InputError as refusal:
-        raise InputError(f"move {stretch.title}: {_counted(str(refusal), stretch.first)}") from None
+        raise InputError(f"move {stretch.title}: {counted(str(refusal), stretch.first)}") from None
 
 
-def _counted(text: str, first: int) -> str:
+def counted(text: str, first: int) -> str:
     """Return a sentence with its waypoints counted from the start of the plan."""
     if first == 0:
         return text
 
-    def counted(found: re.Match[str]) -> str:
+    def raised(found: re.Match[str]) -> str:
         return re.sub(r"\d+", lambda number: str(int(number[0]) + first), found[0])
 
-    return re.sub(r"\bwaypoints? \d+(?: and \d+)?", counted, text, flags=re.IGNORECASE)
+    return re.sub(r"\bwaypoints? \d+(?: and \d+)?", raised, text, flags=re.IGNORECASE)

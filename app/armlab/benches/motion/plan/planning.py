@@ -20,7 +20,7 @@ from armlab.benches.motion.plan.laws import (
     unkept,
 )
 from armlab.benches.motion.plan.moves import Stretch
-from armlab.benches.motion.plan.paths import joint_path, shortfall, tool_path
+from armlab.benches.motion.plan.paths import counted, joint_path, shortfall, tool_path
 from armlab.benches.motion.plan.question import LONGEST, SHORTEST, Feasible, Leg, Planned, Question
 from armlab.benches.motion.plan.recorded import recorded_motion
 from armlab.benches.motion.plan.samples import DRAWN, drawn_leg, exceeded, sampled, spans_of, too_fast
@@ -112,6 +112,7 @@ def _in_space(question: Question, stretch: Stretch, q: Floats) -> Leg:
     way = tool_path(arm, stretch, poses)
     found = follow(arm, way, q, question.samples, carry_on=True)
     leg = Leg(stretch, 0.0, way.pose(found.s)[:, :3, 3], _worth(found), None, tool_path=way, followed=found)
+    leg = replace(leg, remarks=tuple(counted(remark, stretch.first) for remark in way.remarks))
     if not found.whole:
         return replace(leg, trouble=f"move {stretch.title}: {_decapitalised(found.reason).rstrip('.')}")
     path = found.joint_path()

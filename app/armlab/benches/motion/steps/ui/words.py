@@ -208,7 +208,10 @@ def sampling(found: Steps, field: Inside, units: Units) -> Markup:
         "A dense but finite sequence of poses on the path, evenly spaced in s: p(0), p(Δs), p(2Δs), … Few "
         "samples are quickly computed; many keep the tool on its path. Try 4."
     )
-    return joined(tag("p", said), field, pairs(rows))
+    moved = None
+    if found.way is not None and len(found.way.sharp):
+        moved = tag("p.dim", "The samples nearest to the corners of the path are moved there.")
+    return joined(tag("p", said), field, pairs(rows), moved)
 
 
 # -- 4 ----------------------------------------------------------------------------------------------------------------
