@@ -7,14 +7,16 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.chosen import Chosen
+from armlab.benches.motion.plan.check_motion_runs import MotionRuns
 from armlab.benches.motion.plan.commands import SetMove
 from armlab.benches.motion.plan.figures import TOOL, Binding
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import CompareMoves, LastFor, LimitJerk, LimitTool
 from armlab.benches.motion.plan.moves import Move, Waypoint
 from armlab.benches.motion.plan.question import Recorded
+from armlab.benches.motion.plan.seen import seen_motion
 from armlab.benches.motion.plan.state import Plan
-from armlab.benches.motion.plan.words import judged, rounded_up
+from armlab.benches.motion.plan.words import judged, rounded_up, sentences
 from armlab.benches.motion.plots.drawn import (
     can_compare,
     compared,
@@ -23,9 +25,12 @@ from armlab.benches.motion.plots.drawn import (
     shares,
 )
 from armlab.benches.motion.plots.state import FIRST, QUANTITIES, MotionPlots, ShowMotionPlot
+from armlab.benches.motion.plots.ui.words import comparison, status
 from armlab.content.robots import catalogue
 from armlab.errors import UnknownName
+from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
+from armlab.ui.units import Units
 
 
 def planned_state(key, points=None, *commands, law="trapezoidal", space="joint", **changes):
@@ -44,6 +49,8 @@ def inside(robot, rng, count):
     low, high = robot.arm.limits.T
     return low + (0.2 + 0.6 * rng.random((count, robot.arm.n))) * (high - low)
 
+
+UNITS = Units(Notation())
 
 TWO = [[0.0, 0.5], [1.2, 0.5]]
 """Only the first joint of a planar arm moves, by 1.2 rad."""
@@ -216,6 +223,31 @@ def test_where_no_time_keeps_the_limits_none_is_called_the_shortest(commands):
     assert np.isfinite(planned.fastest)
     assert np.isnan(planned.least)
     assert "at least" not in " ".join(judged(planned).lines)
+    shown = str(status(planned, planned.figures, planned.overruns))
+    assert "exceeded" in shown
+    assert "Within the limits" not in shown
+
+
+def swinging_out(duration):
+    """Return a plan with a spline that leaves the limits of joint 1 between two waypoints, which no time mends."""
+    high = catalogue()["planar_2r"].arm.limits[0, 1]
+    points = [[0.0, 0.0], [high - 0.02, 1.0], [high - 0.02, -1.0], [0.0, 0.5]]
+    spline = replace(planned_state("planar_2r", points)[Plan], moves=(Move(path=Chosen("spline")),) * 3)
+    state = State.initial(catalogue()["planar_2r"]).replace(replace(spline, duration=duration))
+    return with_planned(state)
+
+
+def test_a_joint_outside_its_limits_comes_inside_in_no_time():
+    state = swinging_out(20.0)
+    planned = state[Plan].planned
+    assert [each.quantity for each in planned.overruns] == ["position"]
+    assert np.isnan(planned.least)
+    assert judged(planned).lines == (sentences(planned.overruns)[0],)
+    assert "Within the limits" not in str(status(planned, planned.figures, planned.overruns))
+    assert comparison(planned, planned.figures, planned, planned.figures, UNITS).count("as fast as allowed") == 1
+    runs, seen = MotionRuns(), seen_motion(state, played=False)
+    says = "The motion exceeds a limit that these moves keep in no time: choose another path or law."
+    assert runs._missing(seen) == says
 
 
 def test_where_the_limits_can_be_kept_the_least_time_is_said():

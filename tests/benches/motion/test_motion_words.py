@@ -193,7 +193,7 @@ def test_a_motion_that_runs():
         (
             RUNS,
             {"within": False, "fastest": 0.0},
-            "The motion exceeds a limit that these moves keep in no time: choose another law.",
+            "The motion exceeds a limit that these moves keep in no time: choose another path or law.",
         ),
     )
     for motion, changes, says in cases:

@@ -63,7 +63,7 @@ class MotionRuns:
         if motion.raised:
             return f"{motion.raised} The lesson counts with the limits of the arm itself."
         if not motion.within and not motion.fastest:
-            return "The motion exceeds a limit that these moves keep in no time: choose another law."
+            return "The motion exceeds a limit that these moves keep in no time: choose another path or law."
         if not motion.within:
             least = seconds(rounded_up(motion.fastest))
             return f"The motion exceeds a limit; within all limits it takes at least {least}."

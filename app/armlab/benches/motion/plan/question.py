@@ -246,7 +246,7 @@ class Planned:
     @property
     def least(self) -> float:
         """Least duration within all limits, seconds; nan when there is no motion, and where no duration keeps them."""
-        if self.unkept:
+        if self.unkept or any(violation.quantity == "position" for violation in self.violations):
             return math.nan
         return self.fastest if self.in_shape is None else self.in_shape
 

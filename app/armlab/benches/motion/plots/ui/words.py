@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isnan
+
 from armlab.benches.motion.plan.figures import TOOL, Binding, Figures, Overrun
 from armlab.benches.motion.plan.question import Planned
 from armlab.benches.motion.plan.ui.joint_marks import joint_mark
@@ -44,8 +46,10 @@ def status(planned: Planned | None, figures: Figures | None, found: tuple[Overru
             shown.append(tag("p", f"… and {len(every) - MOST_SENTENCES} more."))
         many = max(len(found), len(every))
         head = "A limit is exceeded." if many == 1 else f"{many} limits are exceeded."
-        least = f"{_seconds(rounded_up(planned.least))}{planned.with_ramps}"
-        within = None if planned.unkept else f"Within the limits this path takes {least}."
+        within = None
+        if not isnan(planned.least):
+            least = f"{_seconds(rounded_up(planned.least))}{planned.with_ramps}"
+            within = f"Within the limits this path takes {least}."
         parts.append(verdict_box("no.mp-over", head, shown, within, sign=SIGNS["no"]))
     elif not why:
         parts.append(verdict_box("ok", "All limits are kept.", _kept(planned, figures)))
@@ -119,7 +123,7 @@ def _who(planned: Planned, own: Figures | None, other: Planned, theirs: Figures 
     for each, name in ((planned, KINDS[kind]), (other, OTHERS[kind])):
         if each.trouble:
             return tag("p.no", f"✕ {capitalised(name)} cannot be run through all waypoints: {each.trouble}.")
-    if own is None or theirs is None or planned.unkept or other.unkept:
+    if own is None or theirs is None or isnan(planned.least) or isnan(other.least):
         return None  # where no time keeps the limits, none is the shortest
     given = "As fast as allowed, " if planned.question.duration is not None else ""
     if same_time(planned, other):
@@ -203,7 +207,7 @@ def _seconds(time: float) -> str:
 
 def _allowed(planned: Planned) -> str | None:
     """Return how long it takes as fast as allowed; typed ramps are for the given time, and do not count here."""
-    return None if planned.unkept else _time(planned.fastest)
+    return None if isnan(planned.least) else _time(planned.fastest)
 
 
 def _time(time: float) -> str | None:
