@@ -220,6 +220,8 @@ def test_a_motion_with_more_to_it():
     assert gentle.says(seen()) == "A joint uses 100 % of its limit of acceleration; at most 50 % is required."
     assert gentle.is_met(seen(acceleration=0.5))
     assert not gentle.is_met(seen(acceleration=0.5, velocity=0.97))
+    for share, told in ((0.504, "50.4"), (0.50051, "50.1"), (0.999, "99.9"), (1.5, "150")):
+        assert gentle.says(seen(acceleration=share)).startswith(f"A joint uses {told} % of its limit of acceleration;")
 
 
 def test_a_move_of_a_kind():

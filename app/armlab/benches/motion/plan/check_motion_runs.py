@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -91,7 +92,8 @@ class MotionRuns:
         )
         for name, share, most in shares:
             if most is not None and share > most + ROUNDING:
-                return f"A joint uses {percent(share)} of its limit of {name}; at most {percent(most)} is required."
+                used = percent(math.ceil(1000.0 * share - 1e-6) / 1000.0)
+                return f"A joint uses {used} of its limit of {name}; at most {percent(most)} is required."
         return ""
 
 

@@ -139,8 +139,8 @@ def seconds(value: float) -> str:
 
 
 def percent(share: float) -> str:
-    """Return a fraction as a percentage."""
-    return f"{100.0 * share:.0f} %"
+    """Return a fraction as a percentage with at most one decimal."""
+    return f"{round(100.0 * share, 1):g} %"
 
 
 def _positive(value: object, where: str) -> float:
