@@ -6,13 +6,22 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.plan.commands import SetMove, SetMoveOption
+from armlab.benches.motion.plan.examples import TakeExample
 from armlab.benches.motion.plan.figures import MOST_SPANS
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.laws import CORNERS, SPEED_JUMPS
 from armlab.benches.motion.plan.limits import CompareMoves, LastFor, LimitJoint, LimitTool, SampleBy
 from armlab.benches.motion.plan.moves import Waypoint
 from armlab.benches.motion.plan.paths import places
-from armlab.benches.motion.plan.points import DRAG_TRAVEL, AddWaypoint, DragWaypoint, RemoveWaypoint, SetWaypointJoint
+from armlab.benches.motion.plan.points import (
+    DRAG_TRAVEL,
+    AddWaypoint,
+    DragWaypoint,
+    RemoveWaypoint,
+    SetAtWaypoint,
+    SetWaypointJoint,
+    SetWaypointPose,
+)
 from armlab.benches.motion.plan.question import Feasible, Recorded
 from armlab.benches.motion.plan.samples import fastest_tool
 from armlab.benches.motion.plan.state import CLIP_KEY, Plan, planned_now
@@ -178,6 +187,29 @@ def test_a_joint_that_the_arm_has_not_is_refused(joint):
     for command in (SetWaypointJoint(1, joint, 0.1), LimitJoint(joint, "velocity", 1.0)):
         with pytest.raises(InputError, match=says):
             apply(opened("puma560"), command)
+
+
+# -- the whole circle ------------------------------------------------------------------------------------------------
+
+
+def test_a_whole_circle_passes_its_last_waypoint_and_ends_at_its_first():
+    """The tool has the orientation of each waypoint where it passes it, and nothing is done at its end."""
+    state = done(opened(), TakeExample("circle"), SetMoveOption(1, "path", "full", True))
+    arm, points = state[Joints].arm, state[Plan].waypoints
+    turned = points[2].wanted(arm)
+    turned[:3, :3] = rotation_about("z", 0.6) @ turned[:3, :3]
+    state = done(state, SetWaypointPose(2, turned), SetAtWaypoint(2, "wait", 0.5), SetAtWaypoint(2, "gripper", "close"))
+    planned = worked_out(state)
+    way = planned.legs[0].tool_path
+    at = places(way.position, np.array([point.wanted(arm)[:3, 3] for point in (*points, points[0])]))
+    wanted = [points[0].wanted(arm), points[1].wanted(arm), turned, points[0].wanted(arm)]
+    np.testing.assert_allclose(way.pose(at), wanted, rtol=0, atol=1e-3)
+    np.testing.assert_allclose(arm.fk(planned.motion.at(planned.duration)), wanted[0], rtol=0, atol=1e-6)
+    said = "waypoint 3 is only passed by the whole circle: the arm neither waits nor grips there"
+    assert judged(planned).lines == (f"move 1 → 3: {said}",)
+    assert planned.grips == ()
+    assert planned.legs[0].wait == 0.0
+    assert planned.duration == planned.legs[0].motion.duration
 
 
 # -- velocities that jump ----------------------------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 """Options of the moves of a plan: those that depend on each other, and lengths over joints of both kinds."""
 
+from contextlib import chdir
 from dataclasses import replace
 
 import numpy as np
@@ -17,12 +18,14 @@ from armlab.benches.motion.plan.points import (
     SetAtWaypoint,
     SetWaypointJoint,
     ShiftWaypoint,
+    SetWaypointPose,
 )
 from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import path_types
 from armlab.session.parts.joints import Joints, RandomPose
+from armlab.kin.rotations import rotation_about
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State, apply
 from support.plans import opened
@@ -194,15 +197,28 @@ def test_a_joint_outside_its_limits_is_told_what_they_are(robot, joint, says):
     assert str(refusal.value).endswith("°" if joint == 0 else " m")
 
 
-def test_the_script_of_a_plan_lays_the_same_way(rng, tmp_path, monkeypatch):
+def makes_the_same_motion(state, folder):
+    """Run the script of a plan, and compare what it writes with the planned motion."""
+    motion = planned_now(state).motion
+    with chdir(folder):
+        exec(motion_script(state[RobotPart], planned_now(state), 40.0, "motion.csv"), {"__name__": "script"})
+    rows = np.loadtxt(folder / "motion.csv", delimiter=",", skiprows=1)
+    np.testing.assert_allclose(rows[:, 1 : 1 + state[Joints].arm.n], motion.sample(rate=40.0).q, rtol=0, atol=1e-9)
+
+
+def test_the_script_of_a_plan_lays_the_same_way(rng, tmp_path):
     state = State.initial(catalogue()["scara"])
     arm, part = state[Joints].arm, state[Plan]
     points = tuple(Waypoint(tuple(q)) for q in rng.uniform(*(0.5 * arm.limits.T), size=(4, arm.n)).tolist())
     moves = (Move(path=Chosen("overfly", (("speed", (0.7,)),))),) * 3
-    state = with_planned(state.replace(replace(part, waypoints=points, moves=moves, example="")))
-    motion = planned_now(state).motion
-    monkeypatch.chdir(tmp_path)
-    made = {"__name__": "script"}
-    exec(motion_script(state[RobotPart], planned_now(state), 40.0, "motion.csv"), made)
-    rows = np.loadtxt(tmp_path / "motion.csv", delimiter=",", skiprows=1)
-    np.testing.assert_allclose(rows[:, 1 : 1 + arm.n], motion.sample(rate=40.0).q, rtol=0, atol=1e-9)
+    makes_the_same_motion(
+        with_planned(state.replace(replace(part, waypoints=points, moves=moves, example=""))), tmp_path
+    )
+
+
+def test_the_script_of_a_whole_circle_makes_the_same_motion(tmp_path):
+    state = done(opened("puma560"), TakeExample("circle"), SetMoveOption(1, "path", "full", True))
+    pose = state[Plan].waypoints[2].wanted(state[Joints].arm)
+    pose[:3, :3] = rotation_about("z", 0.3) @ pose[:3, :3]
+    state = done(state, SetWaypointPose(2, pose), SetAtWaypoint(2, "wait", 0.5))
+    makes_the_same_motion(with_planned(state), tmp_path)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from armlab.benches.motion.files.read import column_names, refuse_long
 from armlab.benches.motion.plan.laws import RAMPS, how, unkept
 from armlab.benches.motion.plan.moves import EULER_AXES
-from armlab.benches.motion.plan.paths import joint_scales, places
+from armlab.benches.motion.plan.paths import joint_scales, passed, places
 from armlab.benches.motion.plan.question import Leg, Planned, Question
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
@@ -133,7 +133,8 @@ def _legs(planned: Planned) -> str:
         lines += ["", *rest, *_leg(question, leg, q, first=k == 0)]
         assert leg.motion is not None
         assert leg.stretch is not None
-        lines += _rest(question, leg.stretch.last, "legs[-1].at(legs[-1].duration)")
+        if leg.stretch.end is not None:
+            lines += _rest(question, leg.stretch.end, "legs[-1].at(legs[-1].duration)")
         q = leg.motion.at(leg.motion.duration)
     whole = "legs[0]" if sum(line.startswith("legs.append") for line in lines) == 1 else "Sequential(legs)"
     return "\n".join([*lines, "", f"motion = {whole}", ""])
@@ -210,7 +211,8 @@ def _in_space(question: Question, leg: Leg, q: Floats, start: str) -> Iterable[s
         yield f"centre = np.array({_list(way.point)})  # of the wrist, in the tool frame: it follows the path"
         yield "points = R @ centre + points"
         behind = ", centre"
-    moved = poses[:, :3, :3] @ way.point + poses[:, :3, 3]
+    passing = passed(stretch, poses)
+    moved = passing[:, :3, :3] @ way.point + passing[:, :3, 3]
     turn = _orientation(arm, leg, places(way.position, moved) if len(poses) > 2 else None)
     yield f"way = ToolPath({_path(leg)}.path(points{_more(leg)}), {turn}{behind})"
     yield f"found = follow(arm, way, {start}, {question.samples}, carry_on=True)"
@@ -225,7 +227,9 @@ def _orientation(arm: Arm, leg: Leg, at: Floats | None) -> str:
         return "held(R[0])"
     if turning == "euler":
         return f'by_euler_angles(R[0], R[1], "{EULER_AXES}")'
-    return "about_one_axis(R[0], R[1])" if at is None else f"Through(R, {_list(at)})"
+    if at is None:
+        return "about_one_axis(R[0], R[1])"
+    return f"Through({'R[[*range(len(R)), 0]]' if leg.stretch.move.returns else 'R'}, {_list(at)})"
 
 
 def _how(question: Question, leg: Leg) -> str:

@@ -151,6 +151,11 @@ class Move:
         """The kind of path of the move."""
         return path_types()[self.path.key]
 
+    @property
+    def returns(self) -> bool:
+        """Whether its path comes back to where it began, as a whole circle does."""
+        return bool(self.path.options.get("full"))
+
     def through(self) -> Self:
         """Return the move without its stop; equal moves can then form one stretch."""
         return replace(self, stop=False)
@@ -196,6 +201,11 @@ class Stretch:
     def title(self) -> str:
         """Waypoints that the stretch joins, such as ``"1 → 3"``."""
         return f"{self.first + 1} → {self.last + 1}"
+
+    @property
+    def end(self) -> int | None:
+        """The waypoint at which it ends; None if it passes the last one and ends where it began."""
+        return None if self.move.returns else self.last
 
 
 def stretches(moves: tuple[Move, ...], waypoints: tuple[Waypoint, ...]) -> tuple[Stretch, ...]:

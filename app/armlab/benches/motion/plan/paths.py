@@ -55,10 +55,16 @@ def tool_path(arm: Arm, stretch: Stretch, poses: Floats) -> ToolPath:
         if centre is None:
             raise InputError(f"move {stretch.title}: the last three axes of {arm.name} do not meet in a point")
         point = centre
-    points = poses[:, :3, :3] @ point + poses[:, :3, 3]
-    position = _laid(stretch, points)
-    rotations = poses[:, :3, :3]
+    position = _laid(stretch, poses[:, :3, :3] @ point + poses[:, :3, 3])
+    passing = passed(stretch, poses)
+    rotations = passing[:, :3, :3]
+    points = rotations @ point + passing[:, :3, 3]
     return ToolPath(position, _orientation(stretch, position, points, rotations, turns), point)
+
+
+def passed(stretch: Stretch, poses: Floats) -> Floats:
+    """Return the poses that the path through poses (k, 4, 4) has one after the other: some end in the first again."""
+    return np.concatenate([poses, poses[:1]]) if stretch.move.returns else poses
 
 
 def _orientation(stretch: Stretch, position: Path, points: Floats, R: Floats, turns: bool) -> Orientation:

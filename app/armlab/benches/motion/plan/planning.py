@@ -112,11 +112,28 @@ def _in_space(question: Question, stretch: Stretch, q: Floats) -> Leg:
     way = tool_path(arm, stretch, poses)
     found = follow(arm, way, q, question.samples, carry_on=True)
     leg = Leg(stretch, 0.0, way.pose(found.s)[:, :3, 3], _worth(found), None, tool_path=way, followed=found)
-    leg = replace(leg, remarks=tuple(counted(remark, stretch.first) for remark in way.remarks))
+    leg = replace(leg, remarks=(*_remarks(stretch, way), *_only_passed(question, stretch)))
     if not found.whole:
         return replace(leg, trouble=f"move {stretch.title}: {_decapitalised(found.reason).rstrip('.')}")
     path = found.joint_path()
     return replace(leg, path=path, deviation=_deviation(question, way, path, found))
+
+
+def _remarks(stretch: Stretch, way: ToolPath) -> tuple[str, ...]:
+    """Return the remarks on a path of the tool, with its waypoints counted as those of the plan."""
+    told = way.remarks
+    if stretch.move.returns:
+        # Behind its last waypoint it has the first one again.
+        n = stretch.last - stretch.first + 1
+        told = tuple(remark.replace(f"waypoints {n} and {n + 1}:", f"waypoints {n} and 1:") for remark in told)
+    return tuple(counted(remark, stretch.first) for remark in told)
+
+
+def _only_passed(question: Question, stretch: Stretch) -> tuple[str, ...]:
+    """Return a sentence on a waypoint at which the arm should rest, and that the path only passes."""
+    if stretch.end is not None or not question.waypoints[stretch.last].rests:
+        return ()
+    return (f"waypoint {stretch.last + 1} is only passed by the whole circle: the arm neither waits nor grips there",)
 
 
 def _worth(found: Followed) -> NDArray[np.int_]:
@@ -140,16 +157,16 @@ def _decapitalised(text: str) -> str:
 
 def _other_way(question: Question, stretch: Stretch, q: Floats) -> tuple[str, ...]:
     """Return a sentence on a waypoint that is reached in another configuration than the stored one."""
-    if stretch.move.space == "joint":
+    if stretch.move.space == "joint" or stretch.end is None:
         return ()
-    arm, stored = question.arm, np.array(question.waypoints[stretch.last].q)
+    arm, stored = question.arm, np.array(question.waypoints[stretch.end].q)
     scale = np.where(arm.revolute, 1.0, arm.length_scale)
     if np.abs((q - stored) / scale).max() <= APART:
         return ()
     names = branch_names(arm, np.stack([q, stored]))
     how = f": {names[0]} instead of {names[1]}" if names[0] != names[1] and not names[0].startswith("solution") else ""
     return (
-        f"waypoint {stretch.last + 1} is reached on the branch on which the move began{how}, not in its "
+        f"waypoint {stretch.end + 1} is reached on the branch on which the move began{how}, not in its "
         f"stored configuration",
     )
 
@@ -198,7 +215,7 @@ def _least_in_shape(question: Question, placed: Sequence[Leg], within: float, wa
 
 def _wait(question: Question, leg: Leg) -> float:
     """Return the seconds for which the arm rests at the end of a leg."""
-    return 0.0 if leg.stretch is None else question.waypoints[leg.stretch.last].wait
+    return 0.0 if leg.stretch is None or leg.stretch.end is None else question.waypoints[leg.stretch.end].wait
 
 
 def _rest(motion: Motion, wait: float) -> tuple[Motion, ...]:

@@ -287,7 +287,8 @@ class Planned:
         if self.question.recorded is not None:
             return ()
         reached = [(0, 0.0)] if self.running else []
-        reached += [(leg.stretch.last, leg.arrival) for leg in self.running if leg.stretch is not None]
+        stretches = [(leg.stretch, leg.arrival) for leg in self.running if leg.stretch is not None]
+        reached += [(stretch.end, time) for stretch, time in stretches if stretch.end is not None]
         points = self.question.waypoints
         return tuple(Grip(t, points[k].gripper == "close", k) for k, t in reached if points[k].gripper != "leave")
 
