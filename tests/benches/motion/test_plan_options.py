@@ -9,6 +9,7 @@ import pytest
 from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.files.script import motion_script
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption, refuse_pathless
+from armlab.benches.motion.plan.examples import TakeExample
 from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.moves import Move, Stretch, Waypoint
 from armlab.benches.motion.plan.paths import joint_path, joint_scales
@@ -17,17 +18,18 @@ from armlab.benches.motion.plan.points import (
     RemoveWaypoint,
     SetAtWaypoint,
     SetWaypointJoint,
-    ShiftWaypoint,
     SetWaypointPose,
+    ShiftWaypoint,
 )
 from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import path_types
-from armlab.session.parts.joints import Joints, RandomPose
 from armlab.kin.rotations import rotation_about
+from armlab.session.parts.joints import Joints, RandomPose
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State, apply
+from support.done import done
 from support.plans import opened
 
 KINDS = path_types()
@@ -84,6 +86,14 @@ def test_a_refusal_counts_both_waypoints_of_a_line_from_the_beginning_of_the_pla
     )
     with pytest.raises(InputError, match=says):
         joint_path(arm, stretch, np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 0.6], [2.0, 0.6]]))
+
+
+@pytest.mark.parametrize("path", ["helix", "clothoid"])
+def test_a_refusal_counts_both_waypoints_of_the_way_that_a_direction_is_along(path):
+    state = done(opened("puma560"), TakeExample("corner_stop"), SetMove(3, path=path))
+    side = "side" if path == "helix" else "normal"
+    with pytest.raises(InputError, match=f"move 3 → 4: {side}: expected a direction across the way from .* 3 to 4"):
+        apply(state, SetMoveOption(3, "path", side, [0.0, 1.0, 0.0]))
 
 
 def test_other_ends_of_a_spline_drop_what_they_cannot_use():

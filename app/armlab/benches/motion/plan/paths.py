@@ -158,4 +158,4 @@ def counted(text: str, first: int) -> str:
     def raised(found: re.Match[str]) -> str:
         return re.sub(r"\d+", lambda number: str(int(number[0]) + first), found[0])
 
-    return re.sub(r"\bwaypoints? \d+(?: and \d+)?", raised, text, flags=re.IGNORECASE)
+    return re.sub(r"\bwaypoints? \d+(?: (?:and|to) \d+)?", raised, text, flags=re.IGNORECASE)
