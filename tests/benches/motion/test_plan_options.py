@@ -96,6 +96,45 @@ def test_a_refusal_counts_both_waypoints_of_the_way_that_a_direction_is_along(pa
         apply(state, SetMoveOption(3, "path", side, [0.0, 1.0, 0.0]))
 
 
+@pytest.mark.parametrize(
+    ("k", "path", "expected"),
+    [
+        (1, "circle", "circle circle spline spline"),
+        (2, "circle", "circle circle spline spline"),
+        (3, "circle", "spline spline circle circle"),
+        (4, "circle", "spline spline circle circle"),
+        (2, "lts_434", "lts_434 lts_434 lts_434 spline"),
+        (4, "lts_434", "spline lts_434 lts_434 lts_434"),
+    ],
+)
+def test_a_path_through_few_waypoints_is_that_of_the_chosen_move(k, path, expected):
+    state = done(opened("puma560"), TakeExample("spline"))
+    if path == "circle":
+        state = done(state, SetMove(1, space="cartesian"))
+    part = done(state, SetMove(k, path=path))[Plan]
+    assert [move.path.key for move in part.moves] == expected.split()
+    assert part.stretch_to(k).move.path.key == path
+
+
+@pytest.mark.parametrize("rest", [SetAtWaypoint(1, "wait", 0.5), SetMove(1, stop=True)])
+@pytest.mark.parametrize("k", [1, 2])
+def test_a_circle_across_a_rest_is_refused_in_a_sentence(k, rest):
+    state = done(opened("puma560"), TakeExample("circle"), SetMove(1, path="line"), rest)
+    says = f"move {k} → {k + 1}: Circle through three points takes 3 waypoints .* or take the rest at waypoint 2 away"
+    with pytest.raises(InputError, match=says):
+        apply(state, SetMove(k, path="circle"))
+
+
+@pytest.mark.parametrize(("path", "spaces"), [("blends", ("joint", "cartesian")), ("circle", ("cartesian", "joint"))])
+def test_a_path_that_another_space_has_not_becomes_a_line_that_rests_at_its_ends(path, spaces):
+    state = done(opened("puma560"), TakeExample("circle"), SetMove(1, path="line"), SetMove(2, path="line"))
+    state = done(
+        state, *(SetMove(k, space=spaces[0]) for k in (1, 2)), SetMove(1, path=path), SetMove(1, law="constant")
+    )
+    moves = done(state, SetMove(1, space=spaces[1]))[Plan].moves
+    assert (moves[0].path.key, moves[0].law.key) == ("line", "trapezoidal")
+
+
 def test_other_ends_of_a_spline_drop_what_they_cannot_use():
     chosen = after(after(Chosen("spline"), "v_start", (0.1, 0.2)), "duration", 3.0)
     assert after(chosen, "ends", "both").given == (("duration", 3.0), ("ends", "both"), ("v_start", (0.1, 0.2)))

@@ -10,6 +10,7 @@ import numpy as np
 
 from armlab.benches.motion.chosen import Chosen, Value
 from armlab.benches.motion.plan.moves import (
+    LINE,
     Move,
     Stretch,
     checked_space,
@@ -120,24 +121,41 @@ class SetMove(PlanCommand):
         kind = path_type(str(self.path))
         like = part.moves[first].through()
         most = len(part.moves) if kind.most is None else max(kind.least - 1, 1)
-        while last < len(part.moves) and last - first < most and part.moves[last].through() == like:
+        # A path through three or more is not that path any more where the arm rests between them.
+        inner = range(1, len(part.moves)) if kind.least > 2 else ()
+        rests = {k for k in inner if part.moves[k - 1].stop or part.waypoints[k].rests}
+
+        def goes_on(k: int, i: int) -> bool:
+            return last - first < most and k not in rests and part.moves[i].through() == like
+
+        while last < len(part.moves) and goes_on(last, last):
             last += 1
-        while first > 0 and last - first < most and part.moves[first - 1].through() == like:
+        while first > 0 and goes_on(first, first - 1):
             first -= 1
         if last - first < kind.least - 1:
+            resting_at = min(rests & {first, last}, default=None)
+            instead = "" if resting_at is None else f", or take the rest at waypoint {resting_at + 1} away"
             raise InputError(
                 f"move {first + 1} → {last + 1}: {kind.title} takes {kind.least} waypoints with moves of one kind "
-                f"between them, and there are {last - first + 1}. Add waypoints, or make the moves alike first"
+                f"between them, and there are {last - first + 1}. Add waypoints, or make the moves alike first{instead}"
             )
         if kind.most is not None and kind.least > 2:
-            last = min(last, first + kind.most - 1)
+            first, last = self._window(first, last, kind.most - 1)
         return first, last
+
+    def _window(self, first: int, last: int, count: int) -> tuple[int, int]:
+        """Return the ``count`` moves, counted off from the first one, with that of the command among them."""
+        before = (self.k - 1 - first) // count * count
+        first = max(first, min(first + before, last - count))
+        return first, min(first + count, last)
 
     def _changed(self, move: Move) -> Move:
         if self.space is not None and self.space != move.space:
             space = checked_space(self.space)
-            path = move.path if space in move.kind.spaces else Chosen("line")
-            move = replace(move, space=space, path=Chosen(path.key))
+            if space in move.kind.spaces:
+                move = replace(move, space=space, path=Chosen(move.path.key))
+            else:
+                move = replace(move, space=space, path=LINE, law=resting(move.law))
         if self.path is not None and self.path != move.path.key:
             path = Chosen.of(path_types(), self.path)
             if move.space not in path_types()[path.key].spaces:
