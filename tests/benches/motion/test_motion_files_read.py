@@ -317,6 +317,17 @@ def test_a_closed_motion_a_pause_and_a_standing_arm():
         assert [point.q[0] for point in part.waypoints] == [0.0, 0.5, 0.0]
         with pytest.raises(InputError, match="the arm stands still"):
             apply(apply(state, ReadMotion("0,0,0\n1,0,0\n")), MakeWaypoints(5, by))
+    there_and_back = "".join(f"{t},{math.sin(math.pi * t)},0\n" for t in np.linspace(0.0, 2.0, 21))
+    for count, by, says in (
+        (2, "shape", "waypoints: the motion ends where it began; take more than 2"),
+        (
+            3,
+            "time",
+            "waypoints: at 3 evenly spaced times the arm is where it began; take more, or choose them by shape",
+        ),
+    ):
+        with pytest.raises(InputError, match=says):
+            apply(apply(state, ReadMotion(there_and_back)), MakeWaypoints(count, by))
     with pytest.raises(InputError, match="no recorded motion"):
         apply(state, MakeWaypoints(5))
     for count in (1, MOST_MADE + 1):

@@ -8,11 +8,12 @@ from dataclasses import dataclass, replace
 from typing import ClassVar, Literal, NoReturn
 
 import numpy as np
+from numpy.typing import NDArray
 
 from armlab.benches.motion.chosen import Chosen
 from armlab.benches.motion.files.read import FORMAT, VERSION
 from armlab.benches.motion.files.table import MOST_BYTES, read_table, refuse_unreadable
-from armlab.benches.motion.files.thin import evenly, farthest
+from armlab.benches.motion.files.thin import APART, evenly, farthest
 from armlab.benches.motion.pick.state import Pick
 from armlab.benches.motion.plan.commands import PlanCommand, edited, with_plan
 from armlab.benches.motion.plan.moves import MOST_WAYPOINTS, Move, Waypoint, checked_q
@@ -119,12 +120,21 @@ class MakeWaypoints(PlanCommand):
             raise InputError(f"waypoints: expected 2 to {MOST_MADE}, got {self.count}")
         t, q = np.array(part.recorded.t), np.array(part.recorded.q)
         choose = evenly if self.by == "time" else farthest
-        chosen = choose(t, q / np.where(arm.revolute, 1.0, arm.length_scale), self.count)
+        scaled = q / np.where(arm.revolute, 1.0, arm.length_scale)
+        chosen = choose(t, scaled, self.count)
         if len(chosen) < 2:
-            raise InputError("waypoints: the arm stands still in this motion")
+            raise InputError(f"waypoints: {self._alike(scaled)}")
         points = tuple(Waypoint(checked_q(arm, q[k])) for k in chosen)
         moves = (SPLINE if len(points) > 2 else Move(),) * (len(points) - 1)
         return with_plan(state, edited(part, waypoints=points, moves=moves, selected=1))
+
+    def _alike(self, q: NDArray[np.float64]) -> str:
+        """Return in words why all chosen places of a motion, (N, n) in radians or length scales, are the same."""
+        if float(np.abs(q - q[0]).max()) < APART:
+            return "the arm stands still in this motion"
+        if self.by == "time":
+            return f"at {self.count} evenly spaced times the arm is where it began; take more, or choose them by shape"
+        return f"the motion ends where it began; take more than {self.count}"
 
 
 def _refuse_large(text: str) -> None:
