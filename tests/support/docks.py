@@ -35,7 +35,7 @@ from support.own_lessons import ARM, QUESTIONS
 from support.own_lessons import lesson as written
 from support.saying import Listener
 from support.small_lessons import library_fixture
-from support.verdicts import questions, verdicts
+from support.verdicts import predictions_refused, questions, verdicts
 
 LESSONS = ("first_arm", "ik_2r")
 """Lessons of the course whose docks are looked at."""
@@ -141,6 +141,8 @@ def every_dock(listener: Listener) -> None:
     listener.at(LESSON)
     for html in verdicts():
         listener.speech.markup(html)
+    for text in predictions_refused():
+        listener.speech.text(text)
     for question, _ in questions():
         listener.speech.markup(asked(BareForm(), question, "", Draft(question.form, ""), settled=False))
     for month in range(12):

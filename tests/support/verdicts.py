@@ -6,6 +6,8 @@ from collections.abc import Iterator
 
 from armlab.content.question import Question, read_question
 from armlab.content.reader import Table
+from armlab.teaching.lesson_commands import still_open
+from armlab.teaching.plain_text import plain
 
 NUMBER = 'kind = "number"\ntext = "?"\nanswer = {answer}\nunit = "{unit}"\ntolerance = {tolerance}\n'
 CHOICE = 'kind = "choice"\ntext = "?"\noptions = ["a", "b", "c", "d"]\nanswer = {answer}\n'
@@ -121,3 +123,9 @@ def questions() -> Iterator[tuple[Question, tuple[str, ...]]]:
 def verdicts() -> Iterator[str]:
     """Yield what is said of all the answers, as HTML."""
     return (question.judge(answer).says for question, answers in questions() for answer in answers)
+
+
+def predictions_refused() -> Iterator[str]:
+    """Yield what is said of those that are no answers where they were to predict something."""
+    found = (question.judge(answer) for question, answers in questions() for answer in answers)
+    return (still_open(plain(verdict.says)) for verdict in found if not verdict.counts)

@@ -36,6 +36,7 @@ from support.fake_browser import cookie_of
 from support.saying import Listener, every_kind_of_arm, every_page, known_before, stale
 from support.sources import TOP
 from support.student import run, settled, student
+from support.verdicts import predictions_refused
 
 MOST_MISSING = 0.002
 """Share of the texts of pages, as they open, that may be English in a language that is complete."""
@@ -81,6 +82,12 @@ def test_all_that_is_said_of_answers_and_checks_is_translated(language):
     said = [message.source for message in of_docks if LESSON in message.places]
     assert not [source for source in said if source not in listener.used]
     assert len(said) > 350
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_that_a_prediction_is_still_open_is_translated_whatever_is_said_before_it(language):
+    english = [text for text in predictions_refused() if "still open" in words_in(language)(text)]
+    assert english == []
 
 
 @pytest.mark.parametrize("language", OTHERS)

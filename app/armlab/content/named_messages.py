@@ -12,6 +12,8 @@ from typing import NamedTuple
 from armlab.content.po import Message
 from armlab.content.stand_ins import CHOSEN_UNIT, HELD, NAME, as_in, without_units
 
+_NEXT_SENTENCE = re.compile(r"[.!?] +[A-Z]")
+
 
 class Caught(NamedTuple):
     """A text that a message with names fits.
@@ -26,6 +28,11 @@ class Caught(NamedTuple):
 
     says: str
     inside: Mapping[str, str]
+
+    @property
+    def goes_on(self) -> bool:
+        """Whether what stands for something typed seems to hold the sentences behind the message as well."""
+        return any(_NEXT_SENTENCE.search(text) for name, text in self.inside.items() if name.startswith("typed"))
 
 
 class NamedMessage(NamedTuple):

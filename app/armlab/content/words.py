@@ -215,12 +215,22 @@ class Words:
     def _with_names(self, text: str) -> str | None:
         """Return the translation of a message with names, with the numbers and the names of the text."""
         source, back = renumbered(text)
+        on = None
         for message in self._named if len(source) <= LONGEST_NAMED else ():
             caught = message.caught(source)
-            if caught is not None and self._fits(caught, back):
-                self._on_hit(message.source)
-                return self._filled(caught, back)
-        return None
+            if caught is None or not self._fits(caught, back):
+                continue
+            if not caught.goes_on:
+                return self._taken(message, caught, back)
+            on = on or (message, caught)
+        # A person may type a full stop, so that a message goes on only over sentences that are not known.
+        found = None if on is None else self._in_pieces(text, _sentences(text), whole=True)
+        return self._taken(*on, back) if found is None and on is not None else found
+
+    def _taken(self, message: NamedMessage, caught: Caught, back: dict[str, str]) -> str:
+        """Return the translation of a message with names that fits, which is told."""
+        self._on_hit(message.source)
+        return self._filled(caught, back)
 
     def _filled(self, caught: Caught, back: dict[str, str]) -> str:
         """Return the translation of a message with names, each of them looked up, and with the numbers of the text."""

@@ -258,7 +258,7 @@ class Answer(Command):
             raise InputError("Your prediction is noted; only the first one counts.")
         verdict = step.question.judge(typed)
         if step.question.hide and not verdict.counts:
-            raise InputError(_still_open(plain(verdict.says)))
+            raise InputError(still_open(plain(verdict.says)))
         answers = {other: text for other, text in progress.answers.items() if other != name}
         # In an exam what stands last counts: with no verdict in sight one could else try all options.
         right = {other: each for other, each in progress.right.items() if other != name or not part.silent}
@@ -270,7 +270,7 @@ class Answer(Command):
         return state.replace(part.with_progress(kept))
 
 
-def _still_open(why: str) -> str:
+def still_open(why: str) -> str:
     """Return what is said of a prediction that is no answer: why, and that nothing is lost."""
     return f"{why}{'' if why.endswith(('.', '?', '!')) else '.'} Your prediction is still open."
 
