@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -13,6 +14,11 @@ from armlab.content.robots import catalogue
 from armlab.content.seen_fact import SeenFact
 from armlab.content.stand_ins import without_numbers
 from armlab.content.words import has_words
+from armlab.kin.ik.answer import Completeness
+from armlab.kin.ik.iterate.flow import FlowStatus
+from armlab.kin.ik.iterate.trace import Status
+from armlab.kin.screw_motion import Kind
+from armlab.kin.velocity.answer import Verdict
 from armlab.session.facts import facts_of_benches
 
 FACTS = {f"{key}.{name}": fact for key, found in facts_of_benches().items() for name, fact in found.facts.items()}
@@ -43,6 +49,16 @@ PROPER_NAMES = ("robot.history.event", "robot.history.definition")
 """Facts whose keys stand for names of robots and of standards."""
 
 
+AS_THEY_ARE = {
+    *("body.meanings.axis", "body.products.axes", "body.products.formula", "body.products.typed"),
+    *("frames.chain.reference", "frames.chain.frame", "frames.chain.way", "frames.chain.given", "frames.two.name"),
+    *("help.identities.left", "help.identities.right", "help.identities.names", "lessons.errata.chosen"),
+    *("lessons.errata.severity", "pose.tool.reference", "pose.tool.frame", "robot.table.kinds"),
+    *("robot.table.structure", "sensor.absolute.word", "target.solutions.at"),
+}
+"""Facts whose value is no key: a name, a formula, or words."""
+
+
 def said_of(word, fact):
     """Yield what is said of a fact that is not known yet, not there, or has another value than the required one."""
     bare = Observation.of(catalogue()["planar_2r"].arm, np.zeros(2))
@@ -50,6 +66,23 @@ def said_of(word, fact):
         for value, slow in ((VALUES[fact.kind], False), (None, False), (None, True)):
             seen = SeenFact(fact.title, fact.unit, value, slow, fact.names)
             yield FactIs(word, **given).says(replace(bare, facts={word: seen}))
+
+
+def test_a_fact_that_is_a_text_has_words_for_its_keys_or_is_a_name_or_a_formula():
+    assert {word for word, fact in FACTS.items() if fact.kind == "text" and not fact.names} == AS_THEY_ARE
+
+
+@pytest.mark.parametrize(
+    ("word", "every"),
+    [
+        ("iterate.runs.status", {*get_args(Status), *get_args(FlowStatus), "refused"}),
+        ("velocity.solve.solutions", set(get_args(Verdict))),
+        ("target.solutions.known", set(get_args(Completeness))),
+        ("frames.screw.kind", set(get_args(Kind))),
+    ],
+)
+def test_each_key_has_its_words(word, every):
+    assert set(FACTS[word].names) == every
 
 
 @pytest.mark.parametrize("language", keys()[1:])

@@ -9,7 +9,7 @@ from armlab.plugins import constant_of
 from armlab.registry import known_name
 from armlab.session.arguments import Argument
 from armlab.session.bench import benches
-from armlab.session.facts import KINDS, facts_of_benches
+from armlab.session.facts import KINDS, Fact, facts_of_benches
 from armlab.session.words import Word, pages_with_words, words_of
 
 
@@ -43,8 +43,14 @@ def _page(page: str) -> Iterator[str]:
         for name, fact in facts.facts.items():
             unit = f", {fact.unit}" if fact.unit else ""
             title = f"{fact.title} ({fact.only})" if fact.only else fact.title
-            yield f"| `{page}.{name}` | {_cell(title)} | {KINDS[fact.kind]}{unit} |"
+            yield f"| `{page}.{name}` | {_cell(title)} | {_kind(fact)}{unit} |"
         yield ""
+
+
+def _kind(fact: Fact) -> str:
+    """Return the kind of a fact, and the texts that it can be where these are keys."""
+    *others, last = fact.names or ("",)
+    return f"{KINDS[fact.kind]}: {', '.join(others)} or {last}" if others else KINDS[fact.kind]
 
 
 def _command(word: Word) -> str:

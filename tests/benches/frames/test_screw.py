@@ -12,6 +12,7 @@ from armlab.benches.frames.screw.facts import FACTS
 from armlab.benches.frames.screw.film import DURATION, STOPS, part_of, ways_of
 from armlab.benches.frames.screw.state import (
     CLIP_KEY,
+    KINDS,
     DragPose,
     MakeScrew,
     PlacePose,
@@ -19,7 +20,7 @@ from armlab.benches.frames.screw.state import (
     SetPoseAngle,
     SetPosePosition,
 )
-from armlab.benches.frames.screw.ui.numbers import KINDS, verdict
+from armlab.benches.frames.screw.ui.numbers import verdict
 from armlab.benches.frames.screw.ui.page import around
 from armlab.benches.frames.screw.ui.scene import axis_ends, ways_lines
 from armlab.content.robots import catalogue
@@ -29,6 +30,7 @@ from armlab.kin.transforms import inverse, transform
 from armlab.session.fields import Set
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import State, apply
+from armlab.ui.format import capitalised
 from support.arms import random_pose
 from support.done import done
 from support.filled import Filled
@@ -99,7 +101,7 @@ def test_examples_are_of_all_kinds_and_stay_until_a_pose_moves(key, kind):
     assert set(EXAMPLES) == {"general", "bolt", "door", "slide", "half", "same"}
     state = opened(ChooseScrewExample(key))
     assert state.derived(ways_of).screw.kind == kind
-    assert KINDS[kind][0] in str(verdict(state))
+    assert capitalised(KINDS[kind]) in str(verdict(state))
     assert ("opposite axis is as good" in str(verdict(state))) == (key == "half")
     assert apply(state, Set(Screw, "straight", False))[Screw].example == key
     assert apply(state, SetPosePosition("first", 0, 0.77))[Screw].example == ""

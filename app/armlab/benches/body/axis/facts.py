@@ -6,7 +6,7 @@ import numpy as np
 
 from armlab.benches.body.axis.film import steps_of
 from armlab.benches.body.axis.inverse import inverse_of
-from armlab.benches.body.axis.state import Axis
+from armlab.benches.body.axis.state import SHOWN, Axis
 from armlab.benches.body.forms.rotation import forms_of
 from armlab.benches.body.forms.state import Body
 from armlab.kin.axis_angle import rodrigues_terms
@@ -37,6 +37,6 @@ FACTS = Facts(
         ),
         "lost_digits": Fact("the digits that arccos loses", lambda s: inverse_of(s).lost(inverse_of(s).arccos)),
         "determined": Fact("whether the axis is determined", _determined, kind="truth"),
-        "shown": Fact("what is shown of axis and angle", lambda s: s[Axis].shown, kind="text"),
+        "shown": Fact("what is shown of axis and angle", lambda s: s[Axis].shown, kind="text", names=SHOWN),
     },
 )

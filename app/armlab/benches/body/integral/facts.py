@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from armlab.benches.body.integral.film import EQUAL, apart, duration_of, integrals_apart, runs_of
-from armlab.benches.body.integral.state import Integral
+from armlab.benches.body.integral.state import ABOUT, Integral
 from armlab.kin.rotations import axis_angle
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
@@ -40,6 +40,6 @@ FACTS = Facts(
             "whether both integrals are equal", lambda s: integrals_apart(s, duration_of(s)) < EQUAL, kind="truth"
         ),
         "pieces": Fact("the number of pieces of both laws", lambda s: sum(map(len, s[Integral].laws)), kind="count"),
-        "about": Fact("in whose axes ω is given, base or body", lambda s: s[Integral].about, kind="text"),
+        "about": Fact("the axes in which ω is given", lambda s: s[Integral].about, kind="text", names=ABOUT),
     },
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from armlab.benches.body.order.film import ends_of, pairs_of
-from armlab.benches.body.order.state import ENDS, Order
+from armlab.benches.body.order.state import ABOUT, ENDS, Order
 from armlab.session.facts import Fact, Facts
 
 SAME = 1e-14
@@ -25,6 +25,6 @@ FACTS = Facts(
         "first_b": Fact(
             "R after b and then a, row by row", lambda s: pairs_of(s)[1].at(ENDS[-1]).ravel(), "", "numbers"
         ),
-        "about": Fact("whose axes are turned about, base or body", lambda s: s[Order].about, kind="text"),
+        "about": Fact("the axes that are turned about", lambda s: s[Order].about, kind="text", names=ABOUT),
     },
 )

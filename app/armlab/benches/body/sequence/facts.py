@@ -8,7 +8,7 @@ import numpy as np
 
 from armlab.benches.body.forms.state import Body
 from armlab.benches.body.sequence.film import apart, difference, turns_of
-from armlab.benches.body.sequence.state import Sequence
+from armlab.benches.body.sequence.state import ORDERS, Sequence
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
@@ -39,6 +39,6 @@ FACTS = Facts(
         },
         "difference": Fact("the largest difference of an entry of both ends", lambda s: difference(*_ends(s))),
         "apart": Fact("the angle between both ends", lambda s: apart(*_ends(s)), "rad"),
-        "order": Fact("the order of the other body", lambda s: s[Sequence].order, kind="text"),
+        "order": Fact("the order of the other body", lambda s: s[Sequence].order, kind="text", names=ORDERS),
     },
 )

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from armlab.benches.drive.gears.state import Gears
+from armlab.benches.drive.gears.state import SHOWN, Gears
 from armlab.kin.drive.best_ratio import measured_slope, motor_torque, printed_slope, reflected, slope
+from armlab.kin.drive.train import LAYOUTS
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
@@ -23,7 +24,7 @@ FACTS = Facts(
     {
         "teeth": Fact("the numbers of teeth", lambda s: _of(s).teeth, kind="numbers"),
         "wheels": Fact("the number of wheels", lambda s: len(_of(s).teeth), kind="count"),
-        "layout": Fact("the arrangement of the wheels", lambda s: _of(s).layout, kind="text"),
+        "layout": Fact("the arrangement of the wheels", lambda s: _of(s).layout, kind="text", names=LAYOUTS),
         "train_ratio": Fact("the ratio of the train, negative against the motor", lambda s: _of(s).train.ratio),
         "turns": Fact("the turns of each wheel for one of the first", lambda s: _of(s).train.turns, kind="numbers"),
         "module": Fact("the module of the first pair", lambda s: _of(s).train.modules(_of(s).distances)[0], "m"),
@@ -50,6 +51,6 @@ FACTS = Facts(
         "inertia_at_motor": Fact(
             "the whole inertia that the motor feels", lambda s: reflected(_of(s).load, _of(s).ratio)[0], "kg m²"
         ),
-        "shown": Fact("what is shown of gears", lambda s: _of(s).shown, kind="text"),
+        "shown": Fact("what is shown of gears", lambda s: _of(s).shown, kind="text", names=SHOWN),
     },
 )

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 
-from armlab.benches.drive.power.state import Power
+from armlab.benches.drive.power.chains import CHAINS
+from armlab.benches.drive.power.state import SHOWN, Power
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
@@ -22,7 +23,12 @@ FACTS = Facts(
     __name__,
     (Power,),
     {
-        "kind": Fact("the kind of the chain", lambda s: _part(s).kind, kind="text"),
+        "kind": Fact(
+            "the kind of the chain",
+            lambda s: _part(s).kind,
+            kind="text",
+            names={key: each.title for key, each in CHAINS.items()},
+        ),
         "supplied": Fact("the power of the supply", lambda s: _part(s).chain.supplied, "W"),
         "useful": Fact("the power at the load", lambda s: _part(s).chain.useful, "W"),
         "efficiency": Fact("the efficiency of the chain", lambda s: _part(s).chain.efficiency),
@@ -37,6 +43,6 @@ FACTS = Facts(
         "held_heat": Fact("the heat of the motor that holds it", lambda s: _part(s).held.heat, "W"),
         "held_rise": Fact("the rise of its temperature in the long run", _rise, "K"),
         "endures": Fact("whether the winding stands it", lambda s: _part(s).endures, kind="truth"),
-        "shown": Fact("what is shown of power", lambda s: _part(s).shown, kind="text"),
+        "shown": Fact("what is shown of power", lambda s: _part(s).shown, kind="text", names=SHOWN),
     },
 )

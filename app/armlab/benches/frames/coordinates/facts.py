@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from armlab.benches.frames.coordinates.state import Coordinates, where_of
+from armlab.benches.frames.coordinates.state import SHOWN, Coordinates, where_of
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
@@ -29,6 +29,6 @@ FACTS = Facts(
         "phi": Fact("the angle φ from the z axis", _phi, "rad"),
         "by_atan": Fact("the angle atan(y / x)", lambda s: s.derived(where_of).by_atan, "rad"),
         "on_axis": Fact("whether θ is not defined", lambda s: s.derived(where_of).on_axis, kind="truth"),
-        "shown": Fact("the coordinates that are drawn", lambda s: s[Coordinates].shown, kind="text"),
+        "shown": Fact("the coordinates that are drawn", lambda s: s[Coordinates].shown, kind="text", names=SHOWN),
     },
 )

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from armlab.benches.frames.screw.film import Ways, part_of, ways_of
-from armlab.benches.frames.screw.state import Screw
+from armlab.benches.frames.screw.state import KINDS, Screw
 from armlab.kin.screw_motion import ScrewMotion
 from armlab.session.facts import Fact, Facts
 from armlab.session.parts.timeline import Timeline
@@ -43,7 +43,7 @@ FACTS = Facts(
     __name__,
     (Screw, Timeline),
     {
-        "kind": Fact("the kind of motion", lambda s: _screw(s).kind, kind="text"),
+        "kind": Fact("the kind of motion", lambda s: _screw(s).kind, kind="text", names=KINDS),
         "direction": Fact("the direction of the axis", lambda s: _of_axis("direction", s), kind="numbers"),
         "point": Fact(
             "the point of the axis that is nearest to the origin", lambda s: _of_axis("point", s), "m", "numbers"

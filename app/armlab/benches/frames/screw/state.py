@@ -28,6 +28,9 @@ POSES = {"first": "pose 1", "second": "pose 2"}
 NONE = "none"
 """Key of the choice of no handle."""
 
+KINDS = {"none": "the identity", "translation": "a translation", "rotation": "a rotation", "screw": "a screw"}
+"""Kinds of motion, in words."""
+
 MOST = 1e6
 """Largest component of a direction that can be typed."""
 

@@ -32,7 +32,7 @@ FACTS = Facts(
         "steps": Fact("the number of steps", lambda s: s.derived(solution).last, kind="count"),
         "converged": Fact("a root was found", lambda s: s.derived(solution).status == "converged", kind="truth"),
         "status": Fact(
-            "how it ends (converged, level, round, away, undefined or most)",
+            "how it ends",
             lambda s: s.derived(solution).status,
             kind="text",
             names=ENDS,

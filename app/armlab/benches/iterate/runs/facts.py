@@ -21,13 +21,31 @@ def _film(state: State) -> Film | None:
 
 _of_film = facts_of(_film)
 
+ENDS = {
+    "converged": "at the target",
+    "stuck": "stuck, not at the target",
+    "singular": "stopped at a singular configuration",
+    "representation": "stopped where the Euler angles are singular",
+    "diverged": "diverged",
+    "jumped": "not reached, and a joint has jumped",
+    "limit": "stopped at the limits of joints",
+    "most": "not reached after the most steps",
+    "out of reach": "out of reach",
+    "locked": "all joints are locked",
+    "unfit": "too few free joints for the method",
+    "going": "not yet at the target",
+    "unstable": "the time step is too long",
+    "refused": "it cannot begin",
+}
+"""Words for how a run ends."""
+
 FACTS = Facts(
     __name__,
     (Iterations, Joints),
     {
         "steps": Fact("the number of steps", _of_film(lambda f: f.last), kind="count"),
         "converged": Fact("the target is reached", _of_film(lambda f: f.success), kind="truth"),
-        "status": Fact("how the run ends, in a word", _of_film(lambda f: f.status), kind="text"),
+        "status": Fact("how the run ends", _of_film(lambda f: f.status), kind="text", names=ENDS),
         "last_error": Fact("the error of the position at the end", _of_film(lambda f: f.position_error[-1]), "m"),
         "last_turn_error": Fact(
             "the error of the orientation at the end", _of_film(lambda f: f.rotation_error[-1]), "rad"

@@ -34,7 +34,7 @@ FACTS = Facts(
     {
         "knots": Fact("the number of knots", lambda s: len(s[Curves].knots), kind="count"),
         "path": Fact(
-            "the key of the path of the curve",
+            "the path of the curve",
             lambda s: s[Curves].curves[s[Curves].selected].path.key,
             kind="text",
             names={key: each.title for key, each in path_types().items()},

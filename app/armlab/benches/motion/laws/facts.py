@@ -7,6 +7,7 @@ from collections.abc import Callable
 from armlab.benches.motion.laws.state import Laws
 from armlab.benches.motion.laws.timing import Phases, excesses, largest, phases
 from armlab.kin.motion.law import Law
+from armlab.kin.motion.law_types import free_law_types
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
@@ -32,7 +33,12 @@ FACTS = Facts(
     __name__,
     (Laws,),
     {
-        "law": Fact("the key of the first law", lambda s: s[Laws].entries[0].chosen.key, kind="text"),
+        "law": Fact(
+            "the first law",
+            lambda s: s[Laws].entries[0].chosen.key,
+            kind="text",
+            names={key: each.title for key, each in free_law_types().items()},
+        ),
         "laws": Fact("the number of laws", lambda s: len(s[Laws].entries), kind="count"),
         "duration": Fact("the duration of the first law", lambda s: _law(s).duration, "s"),
         "peak_speed": Fact("the largest speed of the first law", lambda s: _law(s).peak_speed, "1/s"),

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from armlab.benches.pose.spaces.arms import misfit, r_of, tools_apart, twins_of
-from armlab.benches.pose.spaces.maps import maps_of
+from armlab.benches.pose.spaces.maps import KINDS, maps_of
 from armlab.benches.pose.spaces.state import BY, DESCRIBED, SHOWN, Spaces
 from armlab.session.facts import Fact, Facts
 from armlab.session.parts.joints import Joints
@@ -32,14 +32,6 @@ def _apart(state: State) -> float | None:
     return None if found is None else found[0]
 
 
-KINDS = {
-    "square": "m = n",
-    "redundant": "m < n",
-    "more": "m > n",
-    "fixed": "r has numbers that this arm cannot choose",
-}
-"""Words for the ways in which n and m compare."""
-
 FACTS = Facts(
     __name__,
     (Spaces, Joints),
@@ -47,7 +39,7 @@ FACTS = Facts(
         "n": Fact("the number of joints n", lambda s: maps_of(s).n, kind="count"),
         "m": Fact("the number of components m of r", lambda s: maps_of(s).m, kind="count"),
         "kind": Fact(
-            "how n and m compare (square, redundant, more or fixed)",
+            "how n and m compare",
             lambda s: maps_of(s).kind,
             kind="text",
             names=KINDS,

@@ -21,6 +21,15 @@ SAMPLES = 12
 """Number of random configurations, with a fixed seed, that represent the generic one."""
 
 
+KINDS = {
+    "square": "m = n, as many numbers as joints",
+    "redundant": "m < n, redundant",
+    "more": "m > n, more numbers than joints",
+    "fixed": "r has numbers that this arm cannot choose",
+}
+"""Ways in which n and m compare, in words."""
+
+
 class Component(NamedTuple):
     """One component of r.
 

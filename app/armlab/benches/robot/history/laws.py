@@ -31,6 +31,14 @@ FLAGS = {
 }
 """The same in words, which continue "the action"."""
 
+DECISIONS = {
+    "act": "it has to do it",
+    "refrain": "it must not do it",
+    "free": "it may do it or not",
+    "conflict": "the laws give no answer",
+}
+"""Kinds of decisions, in words."""
+
 
 class Decision(NamedTuple):
     """Answer of the laws about an action.

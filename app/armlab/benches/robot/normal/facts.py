@@ -13,7 +13,7 @@ FACTS = Facts(
     (Lines,),
     {
         "kind": Fact(
-            "how the lines lie (skew, parallel, intersecting or coincident)",
+            "how the lines lie",
             lambda s: s[Lines].normal.kind,
             kind="text",
             names={kind: f"{kind} lines" for kind in get_args(Relation)},

@@ -41,7 +41,7 @@ FACTS = Facts(
             names={key: each.title for key, each in DECODERS.items()},
         ),
         "rule": Fact(
-            "the directions for which both orders of the edges are taken, opposite or same",
+            "the directions for which both orders of the edges are taken",
             lambda s: s[Incremental].rule,
             kind="text",
             names=RULES,

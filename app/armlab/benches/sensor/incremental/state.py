@@ -17,7 +17,7 @@ from armlab.session.state import PartType, State
 
 CLIP_KEY = "incremental_encoder"
 
-RULES = {"opposite": "opposite", "same": "the same"}
+RULES = {"opposite": "opposite", "same": "equal"}
 """Directions for which the two orders of the edges are taken."""
 
 MOST_MOVES, MOST_EDGES = 100, 20_000

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from armlab.benches.sensor.pose.state import Attained, Repeats, found
-from armlab.kin.sensors.pose_accuracy import expected_spread, shares
+from armlab.kin.sensors.pose_accuracy import APPROACHES, expected_spread, shares
 from armlab.session.facts import Fact, Facts
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
@@ -33,7 +33,7 @@ FACTS = Facts(
     (Repeats,),
     {
         "times": Fact("how often the arm is sent there", lambda s: s[Repeats].times, kind="count"),
-        "approach": Fact("from which side it comes", lambda s: s[Repeats].approach, kind="text"),
+        "approach": Fact("from which side it comes", lambda s: s[Repeats].approach, kind="text", names=APPROACHES),
         "accuracy": Fact("AP of the position", _of(lambda a: a.figures.position.accuracy), "m"),
         "repeatability": Fact("RP of the position", _of(lambda a: a.figures.position.repeatability), "m"),
         "mean_distance": Fact(
@@ -51,7 +51,9 @@ FACTS = Facts(
         "count": Fact("a count of the first joint, rad or m", _of(lambda a: a.errors.count[0])),
         "shares": Fact("how far each joint spreads the tool", _shares, "m", "numbers"),
         "largest_share": Fact(
-            "the joint that spreads it most, from 1", lambda s: int(np.argmax(_shares(s))) + 1, kind="count"
+            "the joint that contributes most to the spread of the tool, counted from 1",
+            lambda s: int(np.argmax(_shares(s))) + 1,
+            kind="count",
         ),
         "expected_spread": Fact("the root mean square distance to first order", _expected, "m"),
     },

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from armlab.benches.sensor.speed.state import EncoderSpeed
+from armlab.benches.sensor.speed.state import READINGS, EncoderSpeed
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
@@ -47,6 +47,8 @@ FACTS = Facts(
             lambda s: s[EncoderSpeed].meter.delay_by_time(s[EncoderSpeed].speed),
             "s",
         ),
-        "finer": Fact("which of the two is finer, counts or time", lambda s: s[EncoderSpeed].finer, kind="text"),
+        "finer": Fact(
+            "which of the two readings is finer", lambda s: s[EncoderSpeed].finer, kind="text", names=READINGS
+        ),
     },
 )

@@ -27,6 +27,10 @@ BEGUN = 0.5
 """Part of a count that has gone by when the first window begins."""
 
 
+READINGS = {"counts": "the number of counts", "time": "the time between counts"}
+"""Ways to the speed, in words."""
+
+
 @dataclass(frozen=True)
 class EncoderSpeed(FieldPart):
     """One encoder and how its speed is measured, which do not depend on the arm.

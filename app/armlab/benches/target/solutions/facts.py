@@ -27,6 +27,14 @@ def _at(state: State) -> str | None:
     return None if row is None else row.name
 
 
+KNOWN = {
+    "none": "there is no solution",
+    "complete": "these are all",
+    "at least": "there may be more",
+    "infinite": "there are infinitely many",
+}
+"""Words for what is known of the list."""
+
 FACTS = Facts(
     __name__,
     (Solutions, Joints),
@@ -43,7 +51,7 @@ FACTS = Facts(
             kind="truth",
         ),
         "known": Fact(
-            "what is known of the list, in a word", _of_list(lambda found: found.solutions.completeness), kind="text"
+            "what is known of the list", _of_list(lambda found: found.solutions.completeness), kind="text", names=KNOWN
         ),
         "at": Fact("the name of the solution the arm is at", _at, kind="text"),
     },

@@ -20,13 +20,18 @@ def _determinant(state: State) -> float | None:
     return float(np.linalg.det(J)) if J.shape[0] == J.shape[1] else None
 
 
+VERDICTS = {"none": "no solution", "one": "one solution", "many": "infinitely many solutions"}
+"""Numbers of joint speeds that give the velocity, in words."""
+
 FACTS = Facts(
     __name__,
     (Solve,),
     {
         "rank": Fact("the rank of J", lambda s: _found(s).spaces.rank, kind="count"),
         "kernel": Fact("the dimension of the null space of J", lambda s: _found(s).answer.free.shape[1], kind="count"),
-        "solutions": Fact("how many joint speeds give the velocity", lambda s: _found(s).answer.verdict, kind="text"),
+        "solutions": Fact(
+            "how many joint speeds give the velocity", lambda s: _found(s).answer.verdict, kind="text", names=VERDICTS
+        ),
         "wanted": Fact("the wanted velocity, in m/s and rad/s", lambda s: _found(s).v, kind="numbers"),
         "qdot": Fact("the shortest joint speeds, in rad/s and m/s", lambda s: _found(s).answer.qdot, kind="numbers"),
         "reached": Fact("the velocity they give, in m/s and rad/s", lambda s: _found(s).answer.reached, kind="numbers"),

@@ -8,6 +8,7 @@ from typing import Any
 from armlab.benches.workspace.cloud.job import JOB
 from armlab.benches.workspace.cloud.samples import Sampled
 from armlab.benches.workspace.cloud.state import SampleWorkspace, Workspace, question_of
+from armlab.kin.workspace.measures import MEASURES
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
@@ -25,7 +26,12 @@ FACTS = Facts(
     (Workspace,),
     {
         "samples": Fact("the number of samples", _of_samples(lambda found: found.done), kind="count"),
-        "measure": Fact("the key of the measure", lambda s: s[Workspace].measure, kind="text"),
+        "measure": Fact(
+            "the measure",
+            lambda s: s[Workspace].measure,
+            kind="text",
+            names={key: each.title for key, each in MEASURES.items()},
+        ),
         "farthest": Fact(
             "the largest distance of a sample from frame 0", _of_samples(lambda found: found.farthest), "m"
         ),

@@ -9,12 +9,12 @@ import numpy as np
 
 from armlab.benches.frames.chain.state import FARTHEST, MOST_TURNED
 from armlab.benches.frames.screw.film import Ways, part_of, ways_of
-from armlab.benches.frames.screw.state import MakeScrew, Screw
+from armlab.benches.frames.screw.state import KINDS, MakeScrew, Screw
 from armlab.kin.screw_motion import ScrewMotion
 from armlab.session.fields import Set
 from armlab.session.state import Command, State
 from armlab.ui.form import Form
-from armlab.ui.format import components, number, pairs, readable
+from armlab.ui.format import capitalised, components, number, pairs, readable
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import fold, row, unparted, verdict_box
 from armlab.ui.units import Units, typed_numbers, units_of
@@ -24,15 +24,13 @@ AXES = ("x", "y", "z")
 SAME = 1e-9
 """Difference of two directions up to which they are the same, and distance from the axis, metres, that is none."""
 
-KINDS = {
-    "none": ("Nothing moves: the identity", "There is no axis to find, or any line is one."),
-    "translation": (
-        "A translation",
-        "Nothing turns: the pitch is infinite, and any line in this direction would do as an axis.",
-    ),
-    "rotation": ("A rotation", "The pitch is zero: nothing slides along the axis."),
-    "screw": ("A screw", "It turns about one line and slides along it, both at an even rate."),
+SAID = {
+    "none": "Nothing moves. There is no axis to find, or any line is one.",
+    "translation": "Nothing turns: the pitch is infinite, and any line in this direction would do as an axis.",
+    "rotation": "The pitch is zero: nothing slides along the axis.",
+    "screw": "It turns about one line and slides along it, both at an even rate.",
 }
+"""Notes on the kinds of motion."""
 
 HALF = " At half a turn the opposite axis is as good: the body may turn either way about the same line."
 
@@ -40,9 +38,12 @@ HALF = " At half a turn the opposite axis is as good: the body may turn either w
 def verdict(state: State) -> Markup:
     """Return what kind of motion it is."""
     found = state.derived(ways_of).screw
-    head, said = KINDS[found.kind]
     half = HALF if found.half_turn else ""
-    return verdict_box("warn" if found.kind == "none" or half else "ok", head, tag("p", said, half))
+    return verdict_box(
+        "warn" if found.kind == "none" or half else "ok",
+        capitalised(KINDS[found.kind]),
+        tag("p", SAID[found.kind], half),
+    )
 
 
 def screw_form(form: Form, state: State) -> Inside:

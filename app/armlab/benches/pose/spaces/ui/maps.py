@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache, partial
 
-from armlab.benches.pose.spaces.maps import Component, Maps, components_of, maps_of
+from armlab.benches.pose.spaces.maps import KINDS, Component, Maps, components_of, maps_of
 from armlab.benches.pose.spaces.state import TASKS, Spaces
 from armlab.benches.pose.tool.ui.formulas import written
 from armlab.kin.arm import Arm
@@ -22,13 +22,8 @@ from armlab.ui.units import Units, units_of
 SHORT = 8
 """Largest number of terms of a component of f_r that is written out."""
 
-HEADS = {
-    "square": ("ok", "m = n: as many numbers as joints"),
-    "redundant": ("ok", "m < n: redundant"),
-    "more": ("warn", "m > n: more numbers than joints"),
-    "fixed": ("warn", "r has numbers that this arm cannot choose"),
-}
-"""Kind and heading of the card for each way in which n and m compare."""
+SIGNS = {"square": "ok", "redundant": "ok", "more": "warn", "fixed": "warn"}
+"""Kind of the card for each way in which n and m compare."""
 
 
 def maps_markup(form: Form, state: State) -> Inside:
@@ -115,8 +110,7 @@ def _short(arm: Arm) -> dict[str, str]:
 
 
 def _card(found: Maps) -> Markup:
-    kind, head = HEADS[found.kind]
-    return verdict_box(kind, f"{head}.", tag("p", _said(found)), _here(found))
+    return verdict_box(SIGNS[found.kind], f"{KINDS[found.kind]}.", tag("p", _said(found)), _here(found))
 
 
 def _said(found: Maps) -> str:

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from armlab.benches.robot.history.laws import FLAGS, LAWS, SIGNS, Decision, decide
+from armlab.benches.robot.history.laws import DECISIONS, FLAGS, LAWS, SIGNS, Decision, decide
 from armlab.benches.robot.history.state import History, Suppose
 from armlab.session.state import State
 from armlab.ui.form import Form
+from armlab.ui.format import capitalised
 from armlab.ui.html import Inside, Markup, classes, tag
 from armlab.ui.markup import verdict_box
 
-HEADS = {
-    "act": ("ok", "It has to do it"),
-    "refrain": ("no", "It must not do it"),
-    "free": ("ok", "It may do it or not"),
-    "conflict": ("warn", "The laws give no answer"),
-}
-"""Kind and heading of the card for each decision."""
+SIGNS_OF = {"act": "ok", "refrain": "no", "free": "ok", "conflict": "warn"}
+"""Kind of the card for each decision."""
 
 
 def laws_markup(form: Form, state: State) -> Inside:
@@ -51,7 +47,6 @@ def _line(form: Form, law: int, holds: frozenset[str]) -> Markup:
 
 
 def _card(found: Decision) -> Markup:
-    kind, head = HEADS[found.kind]
     if found.kind == "free":
         said = "No law says anything about it."
     elif found.kind == "conflict":
@@ -59,4 +54,4 @@ def _card(found: Decision) -> Markup:
     else:
         later = " What later laws say does not count." if found.law < len(LAWS) else ""
         said = f"Law {found.law} decides.{later}"
-    return verdict_box(kind, f"{head}.", tag("p", said))
+    return verdict_box(SIGNS_OF[found.kind], f"{capitalised(DECISIONS[found.kind])}.", tag("p", said))
