@@ -1,6 +1,7 @@
 """The check of a fact: what it takes from a file, when it is met, and what it says."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from armlab.content.reader import Table
 from armlab.content.robots import catalogue
 from armlab.content.seen_fact import SeenFact, read_value
 from armlab.errors import ContentError, InputError
-from armlab.session.facts import seen_facts
+from armlab.session.facts import facts_of_benches, seen_facts
 from armlab.session.state import State
 
 ROBOT = catalogue()["planar_2r"]
@@ -142,6 +143,32 @@ def test_lengths_and_angles_are_in_the_units_of_the_screen():
 )
 def test_values_in_words(value, unit, text):
     assert said(value, unit) == text
+
+
+def begun(title):
+    """Return how a check's sentence on a fact begins."""
+    seen = Observation.of(ROBOT.arm, [0, 0], facts={WORD: SeenFact(title, "", 1.0)})
+    return FactIs(WORD, at_least=0.0).says(seen)[0]
+
+
+def test_a_sentence_on_a_fact_begins_with_a_capital_where_its_title_begins_with_a_word():
+    titles = {fact.title for found in facts_of_benches().values() for fact in found.facts.values()}
+    words = [title for title in titles if re.match(r"(?:[a-z]{2,}|a)(?: |$)", title)]
+    assert len(words) > 300
+    assert [title for title in words if begun(title) != title[0].upper()] == []
+
+
+def test_a_title_leaves_the_keys_of_values_that_have_words_to_the_guide_for_authors():
+    named = [fact for found in facts_of_benches().values() for fact in found.facts.values() if fact.names]
+    keys = [key for fact in named for key in fact.names if re.search(rf"[(,] ?{re.escape(key)}\b", fact.title)]
+    assert keys == []
+    assert [fact.title for fact in named if re.search(r"\bkey\b", fact.title)] == []
+
+
+def test_a_value_that_is_a_question_needs_no_full_stop():
+    seen = SeenFact("what is shown", "", "things", names={"things": "2 Robot or not?", "laws": "3 Three laws"})
+    says = FactIs(WORD, value="laws").says(Observation.of(ROBOT.arm, [0, 0], facts={WORD: seen}))
+    assert says == "What is shown: 2 Robot or not? Required: 3 Three laws."
 
 
 def test_a_check_names_its_fact_for_the_lab():

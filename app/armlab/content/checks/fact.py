@@ -19,7 +19,7 @@ from armlab.content.seen_fact import SeenFact, Value
 
 MOST_COMPONENTS = 100
 
-_WORD = re.compile(r"[a-z]{2,}(?![\w(])")
+_WORD = re.compile(r"(?:a (?=[a-z]{3}))?[a-z]{2,}(?![\w(])")
 
 
 @dataclass(frozen=True)
@@ -74,8 +74,8 @@ class FactIs:
         if seen is None or value is None:
             return f"{_begun(title)}: {_why_unknown(seen)}."
         required = replace(self, value=seen.named(self.value)).asked(seen.unit, words)
-        asked = "" if self.is_met(observation) else f" Required: {required}."
-        return f"{_begun(title)}: {self._said(seen.named(value), seen.unit, words)}.{asked}"
+        asked = "" if self.is_met(observation) else _ended(f" Required: {required}")
+        return _ended(f"{_begun(title)}: {self._said(seen.named(value), seen.unit, words)}") + asked
 
     def titled(self, title: str) -> str:
         """Return the subject of the check, by the title of the fact."""
@@ -112,10 +112,15 @@ class FactIs:
 def _begun(title: str) -> str:
     """Return a title as it begins a sentence: a formula stays as it is, since R is not r.
 
-    >>> _begun("the rank of J"), _begun("x(t)"), _begun("r of the planar 3R")
-    ('The rank of J', 'x(t)', 'r of the planar 3R')
+    >>> _begun("the rank of J"), _begun("a root"), _begun("x(t)"), _begun("r of the planar 3R"), _begun("a of link 2")
+    ('The rank of J', 'A root', 'x(t)', 'r of the planar 3R', 'a of link 2')
     """
     return f"{title[:1].upper()}{title[1:]}" if _WORD.match(title) else title
+
+
+def _ended(sentence: str) -> str:
+    """Return a sentence with its full stop; a value that is a question has its own sign."""
+    return sentence if sentence.endswith("?") else f"{sentence}."
 
 
 def _why_unknown(seen: SeenFact | None) -> str:
