@@ -19,7 +19,7 @@ from armlab.benches.control.follow.commands import (
     SetValue,
     SizePush,
 )
-from armlab.benches.control.follow.examples import EXAMPLES
+from armlab.benches.control.follow.examples import EXAMPLES, ChooseControlExample
 from armlab.benches.control.follow.runs import Peak
 from armlab.benches.control.follow.state import Control, made_step
 from armlab.benches.control.follow.ui.card import card_markup, name_markup, runs_markup, small
@@ -35,6 +35,7 @@ from armlab.benches.control.follow.ui.page import clock_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.edits import PasteTable
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
@@ -143,6 +144,16 @@ def test_a_run_without_a_name_is_called_by_its_law_and_nothing_counts_as_typed()
     named = apply(state, *form.commands)
     assert 'value="mine"' in name_markup(BareForm(), named)
     assert apply(named, NameRun(""))[Control].run.title == called
+
+
+def test_a_run_that_an_example_has_named_has_one_name_in_list_and_field():
+    radians = apply(State.initial(catalogue()["planar_2r"]), Set(Notation, "angle", "rad"))
+    example = apply(radians, ChooseControlExample("line_178"))
+    field = str(name_markup(BareForm(), example))
+    called = re.search(r'placeholder="([^"]*)"', field)[1]
+    assert called == "3.11 rad, J⁻¹"
+    assert f"<span>{called}</span>" in runs_markup(BareForm(), example)
+    assert "178°" not in field
 
 
 def test_a_run_that_leaves_the_range_of_a_joint_says_where_and_when():

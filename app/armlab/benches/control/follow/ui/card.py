@@ -44,8 +44,7 @@ def runs_markup(form: Form, state: State) -> Markup:
 
 
 def _run(form: Form, part: Control, i: int, run: Setup, units: Units) -> Markup:
-    title = units.said(run.title) if run.name in NAMES else run.title
-    mark = dot(css(RUN_COLOURS[run.colour])), tag("span", title)
+    mark = dot(css(RUN_COLOURS[run.colour])), tag("span", _title(run, units))
     hint, selected = "Show and play this run", i == part.selected
     chosen = form.button(f"select {i}", mark, SelectRun(i), "chip", hint, f"Run {i + 1}", pressed=selected)
     away = None
@@ -55,10 +54,17 @@ def _run(form: Form, part: Control, i: int, run: Setup, units: Units) -> Markup:
 
 
 def name_markup(form: Form, state: State) -> Markup:
-    """Return the field for the name of the selected run; what a run without one is called stands in it, not typed."""
+    """Return the field for the name of the selected run; what a person has not called it stands in it, not typed."""
     part = state[Control]
-    name = form.field("name", part.run.name, "Name of the run", NameRun, placeholder=part.run.title)
+    run, called = part.run, _title(part.run, units_of(state))
+    typed = "" if run.name in NAMES else run.name
+    name = form.field("name", typed, "Name of the run", NameRun, placeholder=called)
     return tag("label.option.wide.ct-name", tag("span", f"Run {part.selected + 1}"), name)
+
+
+def _title(run: Setup, units: Units) -> str:
+    """Return what a run is called: the name that an example gave it, in the units of the student, or else its own."""
+    return units.said(run.title) if run.name in NAMES else run.title
 
 
 def card_markup(state: State) -> Markup:
