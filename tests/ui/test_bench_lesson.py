@@ -9,8 +9,10 @@ from armlab.content.robots import catalogue
 from armlab.session.state import State, apply
 from armlab.teaching.lesson_commands import GoToStep, OpenLesson
 from armlab.teaching.parts.lesson import LessonPart
+from armlab.ui.html import Markup
 from armlab.ui.plugin import OF_THE_ARM, hidden_layers, panel
-from armlab.window.lesson.text import step_text
+from armlab.ui.speech import speech_in
+from armlab.window.lesson.text import step_text, with_values
 from support.bench_lesson import BENCHES
 from support.small_lessons import library_fixture
 
@@ -36,6 +38,21 @@ def test_a_fact_that_nobody_publishes_is_a_dash(own):
     own(benches=BENCHES.replace("speeds.turning_speed", "speeds.turning"))
     state = apply(State.initial(catalogue()["planar_2r"]), OpenLesson("benches", variant=0))
     assert shown(apply(state, GoToStep(1)))["velocity.speeds.turning"] == "–"
+
+
+def test_a_fact_that_is_a_choice_is_in_words_which_are_said_in_the_language_of_the_reader():
+    state = apply(State.initial(catalogue()["planar_2r"]), OpenLesson("what_is_a_robot"))
+    i = next(i for i, step in enumerate(state[LessonPart].lesson.steps) if "robot.history.decision" in _checked(step))
+    live = Markup('<p>So <output class="live" data-live="robot.history.decision">…</output>.</p>')
+    text = with_values(apply(state, GoToStep(i)), live)
+    assert ">it has to do it</output>" in text
+    assert ">deve farla</output>" in speech_in("it").markup(text)
+    number = '<output class="live" data-live="q1">30.0°</output>'
+    assert speech_in("it").markup(number) == number
+
+
+def _checked(step):
+    return () if step.check is None else step.check.facts
 
 
 def test_a_prediction_hides_facts(own):

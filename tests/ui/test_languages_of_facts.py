@@ -14,9 +14,9 @@ from armlab.content.robots import catalogue
 from armlab.content.seen_fact import SeenFact
 from armlab.content.stand_ins import without_numbers
 from armlab.content.words import has_words
-from armlab.kin.ik.answer import Completeness
 from armlab.kin.ik.iterate.flow import FlowStatus
 from armlab.kin.ik.iterate.trace import Status
+from armlab.kin.ik.solutions import Completeness
 from armlab.kin.screw_motion import Kind
 from armlab.kin.velocity.answer import Verdict
 from armlab.session.facts import facts_of_benches

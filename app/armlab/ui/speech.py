@@ -23,6 +23,7 @@ from armlab.content.words import Words, has_words
 from armlab.ui.drawing_texts import said_drawing
 
 _TOKEN = re.compile(r"<(math|style|textarea|pre|output)\b.*?</\1>|<[^>]*>|[^<]+", re.DOTALL)
+_LIVE = re.compile(r"(<output\b[^>]*>)([^<]*)(</output>)")
 _NAME = re.compile(r"</?([a-zA-Z0-9]+)")
 _SAID = re.compile(r' (title|aria-label|placeholder|label|alt|aria-valuetext|data-name|data-title|data-ask)="([^"]*)"')
 _HELD = re.compile(r"\{(\d+)\}|<(\d+)/>|<(\d+)>(.*?)</\3>", re.DOTALL)
@@ -102,6 +103,11 @@ class Speech:
         if run:
             made.append(self._run("".join(run)))
         return "".join(made)
+
+    def whole(self, token: str) -> str:
+        """Return an element that is held as a whole, such as a formula; a value that is in words is said."""
+        value = None if _stays(token) else _LIVE.fullmatch(token)
+        return token if value is None else f"{value[1]}{escape(self.text(unescape(value[2])))}{value[3]}"
 
     def _attributes(self, token: str) -> str:
         """Return an element's start with those of its attributes that a person reads."""
@@ -259,7 +265,7 @@ def _pieces(run: str, speech: Speech) -> tuple[_Piece, ...]:
             start, inside = stack.pop()
             stack[-1][1].append(_Piece(start, tuple(inside), token))
         elif token.startswith("</") or token.count("<") > 1:
-            stack[-1][1].append(_Piece(token, (), ""))
+            stack[-1][1].append(_Piece(speech.whole(token), (), ""))
         else:
             stack.append((speech._attributes(token), []))
     while len(stack) > 1:

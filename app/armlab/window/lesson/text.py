@@ -83,7 +83,8 @@ def with_values(state: State, html: Markup) -> Markup:
         name, _, unit = (part.strip() for part in found[2].partition(":"))
         live, units = values.get(name), replace(words, length=metres) if unit == IN_METRES else words
         if name in seen.facts:
-            shown = said(seen.facts[name].value, seen.facts[name].unit, units)
+            fact = seen.facts[name]
+            shown = said(fact.named(fact.value), fact.unit, units)
         else:
             shown = NONE if live is None else live(seen, units)
         text = HIDDEN if hidden else shown
