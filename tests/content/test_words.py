@@ -3,6 +3,7 @@
 import pytest
 
 from armlab.content.po import Message
+from armlab.content.stand_ins import UNIT_SIGNS
 from armlab.content.words import Words
 
 
@@ -77,3 +78,22 @@ def test_a_message_with_names_is_found_in_the_units_of_the_reader(text, says):
         "arm": "braccio",
     }
     assert Words([Message(source, text) for source, text in given.items()])(text) == says
+
+
+@pytest.mark.parametrize("sign", ["∡", "↔", *UNIT_SIGNS])
+def test_a_text_may_have_any_sign_that_stands_for_a_unit(sign):
+    given = {"{what}: expected {0} mm, got {typed}": "{what}: atteso {0} mm, ricevuto {typed}", "{0} mm": "{0} mm"}
+    known = Words([Message(source, text) for source, text in given.items()])
+    got = f"Radius: expected 5 mm, got '1 {sign} 2'"
+    assert known(got) == f"Radius: atteso 5 mm, ricevuto '1 {sign} 2'"
+    for text in (got.replace("mm", "m"), f"1 {sign}", f"expected 5 m, got 1 {sign} 2{sign}"):
+        known(text)  # in whatever language
+
+
+def test_what_is_typed_ends_with_its_sentence_where_the_next_one_is_known():
+    given = {"In {typed}.": "In {typed}.", "{text_why}. Go on.": "{text_why}. Avanti.", "No {text}": "Nessun {text}"}
+    given |= {"Go on.": "Avanti.", "Old {typed}": "Vecchio {typed}", "arm": "braccio"}
+    known = Words([Message(source, text) for source, text in given.items()])
+    assert known("In rad/s. Go on.") == "In rad/s. Avanti."
+    assert known("Old arm. Go on.") == "Vecchio arm. Avanti."
+    assert known("Old arm. Ada") == "Vecchio arm. Ada", "a person may write a full stop"

@@ -71,7 +71,7 @@ class NamedMessage(NamedTuple):
         if self.in_any_units is None:
             return None
         unitless, units = without_units(text)
-        match = self.in_any_units.fullmatch(unitless)
+        match = self.in_any_units.fullmatch(unitless) if units else None
         return None if match is None else self._in_units(match, units)
 
     def _in_units(self, match: re.Match[str], units: tuple[str, ...]) -> Caught | None:

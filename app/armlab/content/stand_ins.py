@@ -21,7 +21,8 @@ NAME = re.compile(r"\{([a-z_]+)\}")
 """A stand-in of any text."""
 
 _CHOSEN = re.compile(r"(?P<angle>(?<=\})(?: rad\b| ?°)|\brad\b|°)|(?<![\w<{])mm?(?![A-Za-z\d₀-₉>])")
-_ANGLE, _LENGTH = "∡", "↔"
+UNIT_SIGNS = _ANGLE, _LENGTH = "\ue000", "\ue001"
+"""Signs in place of units, of private use, which no text of the lab has."""
 
 CHOSEN_UNIT = re.compile(f"[{_ANGLE}{_LENGTH}]")
 """A sign in place of a unit that a person chooses."""
@@ -56,9 +57,15 @@ def without_numbers(text: str) -> Plain:
 def without_units(text: str) -> tuple[str, tuple[str, ...]]:
     """Return a text with signs in place of units of angles and lengths, which a person chooses, and these.
 
-    >>> without_units("{0} mm and {1}° away"), without_units("{0} m and {1} rad away")
-    (('{0} ↔ and {1}∡ away', ('mm', '°')), ('{0} ↔ and {1}∡ away', ('m', ' rad')))
+    A text that has such signs itself, as what people write may, stays as it is: nobody could tell them apart.
+
+    >>> without_units("{0} mm and {1}° away")[1], without_units("{0} m and {1} rad away")[1]
+    (('mm', '°'), ('m', ' rad'))
+    >>> without_units("{0} mm and {1}° away")[0] == without_units("{0} m and {1} rad away")[0]
+    True
     """
+    if CHOSEN_UNIT.search(text):
+        return text, ()
     units: list[str] = []
 
     def held(found: re.Match[str]) -> str:

@@ -206,7 +206,7 @@ class Words:
     def _in_other_units(self, source: str) -> str | None:
         """Return the translation of a message that differs in its units only, with those of the text."""
         unitless, units = without_units(source)
-        known = self._in_any_units.get(unitless)
+        known = self._in_any_units.get(unitless) if units else None
         says = None if known is None else in_units(self._texts[known], known, units)
         if known is not None and says is not None:
             self._on_hit(known)
