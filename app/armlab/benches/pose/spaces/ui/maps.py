@@ -110,7 +110,7 @@ def _short(arm: Arm) -> dict[str, str]:
 
 
 def _card(found: Maps) -> Markup:
-    return verdict_box(SIGNS[found.kind], f"{KINDS[found.kind]}.", tag("p", _said(found)), _here(found))
+    return verdict_box(SIGNS[found.kind], KINDS[found.kind], tag("p", _said(found)), _here(found))
 
 
 def _said(found: Maps) -> str:

@@ -54,4 +54,4 @@ def _card(found: Decision) -> Markup:
     else:
         later = " What later laws say does not count." if found.law < len(LAWS) else ""
         said = f"Law {found.law} decides.{later}"
-    return verdict_box(SIGNS_OF[found.kind], f"{capitalised(DECISIONS[found.kind])}.", tag("p", said))
+    return verdict_box(SIGNS_OF[found.kind], capitalised(DECISIONS[found.kind]), tag("p", said))
