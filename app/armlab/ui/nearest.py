@@ -1,4 +1,4 @@
-"""What is said of a typed matrix that is no rotation, beside the nearest one."""
+"""A sentence on a typed matrix that is no rotation, beside the nearest one."""
 
 from __future__ import annotations
 
