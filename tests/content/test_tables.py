@@ -390,14 +390,3 @@ def test_nothing_but_an_input_error_comes_out_of_noise(rng):
             refused.append(str(error))
     assert read + len(refused) == 1500
     assert min(map(len, refused)) > 10
-
-
-def test_angles_beyond_a_full_turn_are_told_where_they_are_typed():
-    pasted = parse_table("a,alpha,d,theta,offset\n0,90,0,q1 + 270,180\n0.3,0,0,q2 + 270,90\n0.2,0,0,q3 - 300,-100")
-    same(pasted, [("R", 0, H, 0, H), ("R", 0.3, 0, 0, 4 * H), ("R", 0.2, 0, 0, math.radians(-40))])
-    left_out = "row 1, column theta · row 3, column theta"
-    assert pasted.notes[-1] == f"With its offset an angle is beyond a full turn, which is left out: {left_out}."
-    for row, place, got in (("0,0,0,q1 + 450,0", "theta", "q1 + 450"), ("0,-361,0,q1,0", "alpha", "-361")):
-        with pytest.raises(InputError, match="row 1, column") as refused:
-            parse_table(f"a,alpha,d,theta,offset\n{row}")
-        assert str(refused.value) == f"row 1, column {place}: expected at most a full turn either way, got {got!r}"
