@@ -23,7 +23,7 @@ from armlab.content.words import Words, has_words
 from armlab.ui.drawing_texts import said_drawing
 
 _TOKEN = re.compile(r"<(math|style|textarea|pre|output)\b.*?</\1>|<[^>]*>|[^<]+", re.DOTALL)
-_LIVE = re.compile(r"(<output\b[^>]*>)([^<]*)(</output>)")
+_LIVE = re.compile(r"(<output\b[^>]*>)([^<]*)(?=</output>)")
 _NAME = re.compile(r"</?([a-zA-Z0-9]+)")
 _SAID = re.compile(r' (title|aria-label|placeholder|label|alt|aria-valuetext|data-name|data-title|data-ask)="([^"]*)"')
 _HELD = re.compile(r"\{(\d+)\}|<(\d+)/>|<(\d+)>(.*?)</\3>", re.DOTALL)
@@ -106,8 +106,10 @@ class Speech:
 
     def whole(self, token: str) -> str:
         """Return an element that is held as a whole, such as a formula; a value that is in words is said."""
-        value = None if _stays(token) else _LIVE.fullmatch(token)
-        return token if value is None else f"{value[1]}{escape(self.text(unescape(value[2])))}{value[3]}"
+        return token if _stays(token) else _LIVE.sub(self._value, token)
+
+    def _value(self, found: re.Match[str]) -> str:
+        return f"{found[1]}{escape(self.text(unescape(found[2])))}"
 
     def _attributes(self, token: str) -> str:
         """Return an element's start with those of its attributes that a person reads."""
