@@ -96,6 +96,13 @@ def test_every_example_runs_to_its_end(key):
     assert (state[Timeline].clip, state[Timeline].time) == ("control", 0.0)
 
 
+def test_errors_of_the_joints_begin_as_the_lesson_says_and_die_out_with_their_own_gains():
+    run = example("joint_tracking")[Control].outcome.run
+    np.testing.assert_allclose(run.error_joint[0], [0.2, -0.1], rtol=0, atol=1e-12)
+    decay = np.exp(-np.outer(run.t, [1.0, 3.0]))
+    np.testing.assert_allclose(run.error_joint, [0.2, -0.1] * decay, rtol=0, atol=1e-6)
+
+
 def test_what_the_examples_say_is_so():
     def final(state, i):
         return 1000.0 * state[Control].outcomes[i].figures.final_position
@@ -237,7 +244,7 @@ def test_runs_are_kept_up_to_four_and_removed(short):
         (SetOption("plant", "Kp", 1.0), "expected that of its law"),
         (SetOption("law", "Kp", [-1.0]), "Kp: expected"),
         (SetStart((0.0,)), "start: expected 2 finite"),
-        (SetOffset((0.0, 1e9)), "initial error: a joint cannot take this value"),
+        (SetOffset((0.0, 1e9)), "initial offset: a joint cannot take this value"),
         (SizePush(0.0), "push: expected more than 0"),
         (SizePush("far"), "push: expected metres"),
         (NameRun(None), "name of a run: expected text"),

@@ -125,7 +125,8 @@ class Setup:
     start : tuple of float
         Joint values, rad or m, at which the reference begins; of the planned motion of no account.
     offset : tuple of float
-        The arm stands so far from there at time 0: the initial error.
+        The arm stands so far from there at time 0: of a tracked reference q − q_d, the initial error with the other
+        sign.
     reference : str
         Key of `REFERENCES`.
     law, inverse : str
@@ -301,7 +302,7 @@ def setup_of(robot: Robot, start: ArrayLike | None = None, colour: int = 0, **va
     arm = robot.arm
     setup = Setup(
         joint_values(arm, robot.home if start is None else start, "start"),
-        joint_values(arm, values.pop("offset", np.zeros(arm.n)), "initial error"),
+        joint_values(arm, values.pop("offset", np.zeros(arm.n)), "initial offset"),
     )
     if type(colour) is not int or not 0 <= colour < MOST_RUNS:
         raise InputError(f"colour: expected 0 to {MOST_RUNS - 1}, got {colour!r}")

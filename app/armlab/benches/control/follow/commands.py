@@ -173,14 +173,14 @@ class SetStart(Command):
 
 @dataclass(frozen=True)
 class SetOffset(Command):
-    """Set the initial error of the joints: the difference of the arm from the start of the reference."""
+    """Set the initial offset of the joints: those of the arm minus those of the start, -e(0) where it tracks."""
 
     offset: tuple[float, ...]
-    label: ClassVar[str] = "initial error"
+    label: ClassVar[str] = "initial offset"
 
     def apply(self, state: State) -> State:
-        """Return the state with the initial error set."""
-        offset = joint_values(state[RobotPart].robot.arm, self.offset, "initial error")
+        """Return the state with the initial offset set."""
+        offset = joint_values(state[RobotPart].robot.arm, self.offset, "initial offset")
         return _with(state, replace(state[Control].run, offset=offset))
 
 

@@ -130,7 +130,7 @@ EXAMPLES: Registry[Example] = Registry(
             "planar_2r",
             (
                 _short(
-                    law="joint_tracking", law_options={"K": (1.0, 3.0)}, offset=(0.2, -0.1), name="error of the joints"
+                    law="joint_tracking", law_options={"K": (1.0, 3.0)}, offset=(-0.2, 0.1), name="error of the joints"
                 ),
             ),
             "Each joint error dies out with its own gain: e₁ with 1/s, e₂ with 3/s⟦ (7.18 prints one k for both)⟧. The "

@@ -49,7 +49,7 @@ def scales_of(key: str, units: Units) -> Sequence[Scale]:
 
 
 def reference_markup(form: Form, state: State) -> Markup:
-    """Return the controls of the reference, of its start and of the initial error."""
+    """Return the controls of the reference, of its start and of the initial offset."""
     run, units = state[Control].run, units_of(state)
     chooser = form.select("ref", "Reference", REFERENCES, run.reference, ChooseReference, "What the tool is to follow")
     level = "z" not in state[Joints].arm.task.position
@@ -62,7 +62,8 @@ def reference_markup(form: Form, state: State) -> Markup:
         here = form.button("here", "Present configuration", SetStart(), "chip", hint)
         found.append(_joints(form, state, "start", run.start, SetStart, "Start", here))
         found.append(tag("p.dim", ELSEWHERE) if starts_elsewhere(state) else None)
-    return joined(found, _joints(form, state, "offset", run.offset, SetOffset, "Initial error"))
+    sum_of = tag("span.dim", "q(0) = start + offset")
+    return joined(found, _joints(form, state, "offset", run.offset, SetOffset, "Initial offset", sum_of))
 
 
 def _group(fields: Markup) -> Markup | None:
