@@ -25,11 +25,12 @@ ANOTHER_BRANCH = 0.2
 
 @dataclass(frozen=True, eq=False)
 class JointsAt:
-    """The configuration ``q``, shape (n,), with a tolerance for each joint: rad, up to whole turns, or m."""
+    """The configuration ``q``, shape (n,), with a tolerance for each joint, rad or m; ``turns``: whole turns count."""
 
     q: Vector
     within: Vector
     revolute: NDArray[np.bool_]
+    turns: bool = False
 
     def is_met(self, observation: Observation) -> bool:
         """Return whether every joint is within its tolerance."""
@@ -50,12 +51,17 @@ class JointsAt:
         return np.asarray(self._missing(q) > self.within)
 
     def _missing(self, q: Vector) -> Vector:
+        return np.asarray(np.abs(self.q - q)) if self.turns else self._up_to_turns(q)
+
+    def _up_to_turns(self, q: Vector) -> Vector:
         missing = self.q - q
         turned = np.abs((missing + np.pi) % (2.0 * np.pi) - np.pi)
         return np.asarray(np.where(self.revolute, turned, np.abs(missing)))
 
     def _mistake(self, observation: Observation) -> str:
         q = observation.q
+        if not (self._up_to_turns(q) > self.within).any():
+            return "The pose is the right one, but a joint is a whole turn away."
         if self._is_at(-q):
             return "All joint values have the right size and the wrong sign."
         if self._is_at(q[::-1]) and len(q) > 2:
@@ -87,14 +93,14 @@ class JointsAt:
 
 
 def read(table: Table, robot: Robot) -> JointsAt:
-    """Read ``q_deg``, ``q_m`` or ``q_deg_m``; also ``tolerance_deg`` and ``tolerance_m`` for such joints."""
+    """Read ``q_deg``, ``q_m`` or ``q_deg_m``, ``tolerance_deg`` and ``tolerance_m`` for such joints, and ``turns``."""
     q, revolute = configuration(table, robot), robot.arm.revolute
     within = np.zeros(robot.arm.n)
     if revolute.any():
         within[revolute] = angle_tolerance(table)
     if not revolute.all():
         within[~revolute] = length_tolerance(table, robot)
-    return JointsAt(q, within, revolute)
+    return JointsAt(q, within, revolute, table.boolean("turns", False))
 
 
 CHECK = CheckType("joints_at", 25, read)

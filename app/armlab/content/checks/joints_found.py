@@ -50,7 +50,7 @@ def _joints(numbers: Sequence[int]) -> str:
 def read(table: Table, robot: Robot) -> JointsFound:
     """Read the fields of ``joints_at``."""
     asked = read_values(table, robot)
-    return JointsFound(asked.q, asked.within, asked.revolute)
+    return JointsFound(asked.q, asked.within, asked.revolute, asked.turns)
 
 
 CHECK = CheckType("joints_found", 26, read)
