@@ -6,9 +6,14 @@ import tomllib
 import pytest
 
 from armlab.benches.body.forms.commands import SetBodyAngle, SetBodyTurn, SetBodyTurns, SetWholeAxis
+from armlab.benches.drive.joint.state import PlaceEncoder, SetDrive
+from armlab.benches.iterate.runs.commands import SetParameter
+from armlab.benches.iterate.runs.job import with_films
+from armlab.benches.iterate.runs.state import Iterations
 from armlab.content.actions import read_solution
 from armlab.content.lessons import lesson
 from armlab.content.reader import Table
+from armlab.session.parts.joints import MoveJoint
 from armlab.teaching.parts.lesson import check_line
 from armlab.teaching.plain_text import plain
 from armlab.teaching.play import Player
@@ -57,6 +62,51 @@ def test_the_sign_of_an_angle_is_not_blamed_where_the_axis_is_turned_as_well():
     player.do(SetWholeAxis((-1.0, -2.0, -2.0)))
     player.do(SetBodyTurn(math.radians(-t)))
     assert "wrong sign" not in verdict(player)[1]
+
+
+def test_a_roll_of_270_degrees_is_not_reached_by_turning_back():
+    player = at("axis_angle_quaternion", "Twice around")
+    assert not verdict(player)[0]
+    player.do(MoveJoint(2, math.radians(-90.0)))
+    met, says = verdict(player)
+    assert not met
+    assert "same pose" in says
+    player.do(MoveJoint(2, math.radians(270.0)))
+    assert verdict(player)[0]
+
+
+@pytest.mark.parametrize("alpha", [0.5, 0.95])
+def test_a_step_size_that_takes_too_many_steps_is_not_called_too_small_where_it_is_near_the_bound(alpha):
+    player = at("gradient", "Make it converge")
+    player.do(SetParameter(0, "alpha", alpha))
+    met, says = verdict(player)
+    assert not met
+    assert "too many steps" in says
+    assert "larger step size is faster" not in says
+    assert "one near the bound" in says
+
+
+def test_the_runs_beside_how_fast_take_the_steps_that_it_asks_for():
+    player = at("gradient", "How fast?")
+    films = with_films(player.session.state)[Iterations].films
+    newton, gradient = films.values()
+    assert (newton.last, gradient.last) == (3, 84)
+    assert [round(float(error), 3) for error in gradient.position_error[1:5]] == [0.169, 0.136, 0.111, 0.093]
+
+
+def test_encoders_on_both_sides_of_their_gears_reach_the_accuracy_as_well():
+    player = at("count_to_tool", "Where the encoder has to be")
+    own = (
+        MoveJoint(0, 0.0),
+        MoveJoint(1, 0.0),
+        SetDrive(0, "backlash", math.radians(player.lesson.values["play"])),
+        PlaceEncoder(0, "joint"),
+        SetDrive(0, "counts", 131072),
+        SetDrive(1, "counts", 20000),
+        SetDrive(1, "ratio", 100),
+    )
+    assert [player.do(each) for each in own] == [""] * 7
+    assert verdict(player)[0], verdict(player)
 
 
 ONE_PIECE = """
