@@ -40,6 +40,14 @@ def test_a_place_is_marked_where_the_author_says_so():
         check(f"{place}marked = 1")
 
 
+def test_whole_turns_of_a_configuration_count_where_the_lesson_says_so():
+    asked = check('kind = "joints_at"\nq_deg = [270, 0, 0, 0, 0, 0]\ntolerance_deg = 2\nturns = true', "ur5e")
+    assert asked.is_met(seen([269, 0, 0, 0, 0, 0], "ur5e"))
+    back = seen([-90, 0, 0, 0, 0, 0], "ur5e")
+    assert not asked.is_met(back)
+    assert asked.says(back) == "The pose is the right one, but a joint is a whole turn away."
+
+
 def test_the_tool_at_a_point_names_mistakes():
     asked = check('kind = "tool_at"\nposition = [1.5, 0.5, 0]\ntolerance_m = 0.01')
     arm = catalogue()["planar_2r"].arm

@@ -54,6 +54,7 @@ OF_ARMS: tuple[tuple[str, str, tuple[tuple[float, ...], ...]], ...] = (
     ),
     ("scara", 'kind = "joint_at"\njoint = 3\nvalue_m = 0.1\ntolerance_m = 0.005', ((0, 0, math.degrees(-0.1), 0),)),
     ("puma560", 'kind = "joints_found"\nq_deg = [0, 90, -90, 0, 30, 0]\ntolerance_deg = 1', ((0, 90, -90, 3, 9, 7),)),
+    ("planar_2r", 'kind = "joints_at"\nq_deg = [0, 90]\ntolerance_deg = 1\nturns = true', ((0, -270),)),
     ("planar_2r", 'kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.01\nphi_deg = 180', ((0, 90),)),
     ("elbow_3r", 'kind = "branch"\nshoulder = "front"', ((0, 90, 0),)),
     (
