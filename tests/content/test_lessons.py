@@ -291,3 +291,24 @@ def test_a_question_that_names_a_unit_takes_it():
     alone = [(file, each["text"], each.get("unit"), units.pop()) for file, each, units in named if len(units) == 1]
     assert len(alone) > 25
     assert [each for each in alone if each[2] != each[3]] == []
+
+
+COUNTED = re.compile(r"\b[Tt]he (first|second|third|fourth|fifth|last) (candidate|condition|option|answer)s?\b")
+
+
+def choices_counted_in_another_order(text):
+    """Yield the steps of a lesson, from 1, whose options are counted there or later and stand in no fixed order."""
+    head, _, body = text.partition("\n+++\n")
+    steps = re.split("^## ", body, flags=re.MULTILINE)[1:] if "[variants]" in head else []
+    counting = [number for number, step in enumerate(steps, start=1) if COUNTED.search(step)]
+    for number, step in enumerate(steps[: max(counting, default=0)], start=1):
+        questions = [tomllib.loads(found) for found in IN_A_FILE.findall(step)]
+        if any(each["kind"] == "choice" and not each.get("fixed") for each in questions):
+            yield number
+
+
+def test_options_that_are_counted_stand_in_the_order_of_the_file():
+    """Else the first candidate of a hint is another one on the screen of most variants."""
+    sources, _ = sources_of(resources.folder("lessons"))
+    found = {source.file: list(choices_counted_in_another_order(source.read()[0])) for source in sources}
+    assert {file: numbers for file, numbers in found.items() if numbers} == {}
