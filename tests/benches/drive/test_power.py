@@ -15,11 +15,13 @@ from armlab.benches.drive.power.ui.holding import holding_markup, why_markup
 from armlab.benches.drive.power.ui.sankey import sankey
 from armlab.benches.drive.power.ui.system import robot_system
 from armlab.benches.drive.quantities import prefixed, rpm
+from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.drive import DOMAINS, ripple
 from armlab.session.fields import Set
 from armlab.session.state import State, apply
+from armlab.teaching.play import Player
 from armlab.ui.html import joined
 from armlab.ui.units import units_of
 from support.done import done
@@ -100,6 +102,17 @@ def test_a_load_that_is_held_heats_the_motor_and_costs_the_others_nothing():
     assert "The winding burns" in str(joined(holding_markup(burns[Power], units_of(burns))))
     hot = apply(state, Set(Power, "limit", 100.0))
     assert "The winding gets too hot" in str(joined(holding_markup(hot[Power], units_of(hot))))
+
+
+def test_the_winding_of_the_lesson_burns_in_every_variant_until_something_is_changed():
+    """As its text says of the page, although the least of its loads is near the one that a winding could stand."""
+    begun = {}
+    for number in range(6):
+        player = Player(lesson("power_actuators", number), planning=False)
+        place = next(i for i, step in enumerate(player.lesson.steps) if step.title == "A winding that lasts")
+        assert player.go_to(place) == ""
+        begun[player.lesson.values["m"]] = value(player.session.state, "held_rise")
+    assert begun == {3.5: None, 4: None, 4.5: None}
 
 
 def test_a_leaking_valve_lets_the_load_sink():

@@ -6,7 +6,7 @@ import pytest
 
 from armlab.errors import InputError
 from armlab.kin.drive import DOMAINS, holding, power_needed, powers_along, sinking
-from armlab.kin.drive.power import COPPER
+from armlab.kin.drive.power import COPPER, MELTING
 
 
 def test_efficiencies_multiply_and_the_way_back_divides():
@@ -34,6 +34,14 @@ def test_the_winding_ends_where_the_grown_resistance_makes_the_heat_that_leaves(
     grown = 0.3 * (1.0 + COPPER * found.rise)
     assert found.rise == pytest.approx(4.0 * grown * found.current**2)
     assert math.isinf(holding(30.0, 50.0, 0.03, 0.3, 4.0).rise)
+
+
+@pytest.mark.parametrize("share", [0.99, 1.0, 1.01])
+def test_no_winding_ends_hotter_than_copper_melts(share):
+    """Near the load at which the temperature has no end the formula alone would give any number of kelvins."""
+    runaway = 50.0 * 0.03 / math.sqrt(COPPER * 4.0 * 0.3)
+    assert math.isinf(holding(share * runaway, 50.0, 0.03, 0.3, 4.0).rise)
+    assert 500.0 < holding(0.85 * runaway, 50.0, 0.03, 0.3, 4.0).rise < MELTING
 
 
 def test_a_leaking_valve_lets_the_load_pay():

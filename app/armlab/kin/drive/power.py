@@ -18,6 +18,9 @@ Array = NDArray[np.float64]
 COPPER = 0.00393
 """Temperature coefficient of the resistance of copper at 20 degrees Celsius, 1/K (IEC 60028)."""
 
+MELTING = 1065.0
+"""Rise of temperature, K, at which copper melts in air of 20 degrees Celsius: at 1085."""
+
 
 @dataclass(frozen=True)
 class Domain:
@@ -106,7 +109,8 @@ class Held:
     heat : float
         R i² with the winding cold, watts: all of the power supplied, since tau omega is 0.
     rise : float
-        Of the temperature of the winding in the long run, K; infinite where the growing resistance lets it run away.
+        Of the temperature of the winding in the long run, K; infinite where the copper melts on the way, or the
+        growing resistance lets it run away.
     """
 
     torque: float
@@ -119,7 +123,8 @@ def holding(load: float, ratio: float, k: float, R: float, thermal: float = 0.0)
     """Return what an electric motor needs to hold a load at standstill through an ideal gear.
 
     The winding gets warmer by Theta = R_th P and has then the resistance R (1 + alpha Theta), which makes more heat:
-    Theta = R_th R i² / (1 - alpha R_th R i²). There is no such temperature where the denominator is not positive.
+    Theta = R_th R i² / (1 - alpha R_th R i²). The winding stands no such temperature where the denominator is not
+    positive, or where copper melts before.
 
     Parameters
     ----------
@@ -143,7 +148,8 @@ def holding(load: float, ratio: float, k: float, R: float, thermal: float = 0.0)
     current = torque / positive(k, "k")
     heat = positive(R, "R") * current**2
     left = 1.0 - COPPER * thermal * heat
-    return Held(torque, current, heat, thermal * heat / left if left > 0.0 else math.inf)
+    stands = thermal * heat < MELTING * left
+    return Held(torque, current, heat, thermal * heat / left if stands else math.inf)
 
 
 def sinking(load: float, pressure: float, leak: float) -> float:

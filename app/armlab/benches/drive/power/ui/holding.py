@@ -75,8 +75,8 @@ def _verdict(part: Power) -> Markup:
             "The winding burns",
             tag(
                 "p",
-                "Warm copper has more resistance, which makes more heat than the housing can give off: there is no "
-                "temperature at which both are equal.",
+                "Warm copper has more resistance, which makes more heat than the housing can give off: the copper "
+                "melts before both are equal.",
             ),
         )
     says = (
