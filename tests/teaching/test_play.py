@@ -73,6 +73,16 @@ def test_the_second_step_begins_where_the_first_ended(own):
     ]
 
 
+def test_the_second_step_is_not_done_for_who_passed_over_the_first(own):
+    """The first step alone turns the arm away from where the second wants it."""
+    one = step(("check", CHECK), ("solution", "q_deg = [90, 20]"))
+    back = step(("check", CHECK.replace("90", "10")), ("solution", "q_deg = [10, 20]")).partition("+++\n## A\n")[2]
+    told = "its check is met already when nothing was done in the steps before: give it a block 'start'"
+    assert said(own, f"{one}## B\n{back}") == [(2, told)]
+    begun = '```start\n[[do]]\nkind = "move"\nq_deg = [90, 20]\n```\n'
+    assert said(own, f"{one}## B\n{begun}{back}") == []
+
+
 def test_a_refused_action_is_told_with_its_number(own):
     solution = '[[do]]\nkind = "wait"\nseconds = 1\n[[do]]\nkind = "cell"\nrow = 1\nfield = "a"\nvalue = 2\n'
     text = step(("check", CHECK), ("solution", solution)).replace("panel", 'locked = ["table"]\npanel')

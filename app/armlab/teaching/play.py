@@ -159,6 +159,7 @@ def problems(key: str, variant: int = 0) -> list[Problem]:
     """
     lesson = find_lesson(key, variant)
     player = Player(lesson)
+    met_by_next = _met_by_next(lesson)
     if player.refused:
         return [Problem(1, lesson.steps[0].line, f"the lesson cannot be opened: {player.refused}")]
     found = []
@@ -167,7 +168,12 @@ def problems(key: str, variant: int = 0) -> list[Problem]:
             found.append(Problem(i + 1, step.line, f"it cannot be shown: {refused}"))
             continue
         begun = player.session.state
-        says = (*_before(player), *_played(player, i), *_wrong_answers(lesson, i), *_wrong_states(lesson, i, begun))
+        says = (
+            *_before(player, i in met_by_next),
+            *_played(player, i),
+            *_wrong_answers(lesson, i),
+            *_wrong_states(lesson, i, begun),
+        )
         found += [Problem(i + 1, step.line, text) for text in (*says, *_by_chance(lesson, i, begun))]
     return found
 
@@ -216,11 +222,23 @@ def _at_start(lesson: Lesson) -> Observation:
     return observed(Player(lesson, planning=False).session.state)
 
 
-def _before(player: Player) -> Iterator[str]:
+def _before(player: Player, met_by_next: bool) -> Iterator[str]:
     """Yield a mistake when a step is done before anything is done in it."""
-    step = player.part.step
-    if step is not None and step.check is not None and check_line(player.session.state)[0]:
+    if _is_met(player):
         yield "its check is met already when the step begins"
+    elif met_by_next:
+        yield "its check is met already when nothing was done in the steps before: give it a block 'start'"
+
+
+def _is_met(player: Player) -> bool:
+    step = player.part.step
+    return step is not None and step.check is not None and check_line(player.session.state)[0]
+
+
+def _met_by_next(lesson: Lesson) -> set[int]:
+    """Return the steps, from 0, whose check is met for a student who has only pressed *Next*."""
+    player = Player(lesson, planning=False)
+    return {i for i in range(len(lesson.steps)) if player.go_to(i) == "" and _is_met(player)}
 
 
 def _played(player: Player, i: int) -> Iterator[str]:
