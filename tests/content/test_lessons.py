@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from armlab import resources
+from armlab import check_lesson, resources
 from armlab.content.check import check_types
 from armlab.content.lesson_folder import sources_of
 from armlab.content.lessons import lesson as variant_of
@@ -241,6 +241,14 @@ def test_a_toggle_press_is_told_as_it_is_asked():
     before, after = (float(arm.jacobian(np.radians(q))[0, 1] * 100.0) for q in ([-5.0, 10.0], [-2.0, 4.0]))
     assert f"{before:.2f}".replace("-", "\u2212") in plain(found.html).replace("-", "\u2212")
     assert found.question.answer == pytest.approx(after, abs=0.005)
+
+
+@pytest.mark.parametrize(("elbow", "met"), [(0.0, True), (2.0, True), (-2.0, True), (4.0, False), (180.0, False)])
+def test_the_arm_that_pushes_along_itself_is_stretched(elbow, met):
+    """The folded arm is singular as well, but it is not the one that is asked for."""
+    number = next(i for i, step in enumerate(lessons()["statics"].steps, start=1) if step.title == "Along the arm")
+    for turn in (0.0, 33.0):
+        assert check_lesson("statics", np.radians([turn, elbow]), number)[0] is met
 
 
 def test_the_joint_speed_near_a_singularity_is_right_to_its_last_digit():
