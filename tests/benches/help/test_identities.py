@@ -24,10 +24,13 @@ from armlab.benches.help.identities.ui.page import _equation
 from armlab.benches.help.identities.ui.verdict import _agreed, _left_out, value_text, verdict_markup
 from armlab.content.expressions import FUNCTIONS, MORE_FUNCTIONS, parse
 from armlab.content.identity import read_formula
+from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.state import State, apply
+from armlab.teaching.parts.lesson import check_line
+from armlab.teaching.play import Player
 from armlab.ui.html import joined
 from support.done import done
 
@@ -164,6 +167,58 @@ def test_facts_tell_an_identity_from_the_same_text_on_both_sides():
     assert wrong["largest"] > 0.5
     assert wrong["left"] == "sin(x + y)"
     assert value(opened(SetIdentity("1/0", "1")))["largest"] is None
+
+
+@pytest.mark.parametrize(
+    ("text", "expanded", "functions"),
+    [
+        ("sin(x) cos(y) + cos(x) sin(y)", True, "cos cos sin sin"),
+        ("r (cos(-a) cos(t) - sin(a) sin(t))", True, "cos cos sin sin"),
+        ("sin(x + y) + 0", False, "sin"),
+        ("sin(x (1 + y/x))", False, "sin"),
+        ("im(e^(i (x + y)))", False, "im"),
+        ("2 cos(x/2)^2 - 1", True, "cos"),
+        ("(x + 1)^2", False, ""),
+    ],
+)
+def test_facts_tell_an_expanded_side_and_its_functions(text, expanded, functions):
+    found = value(opened(SetIdentity("abs(sin(x/2))", text)))
+    assert (found["expanded"], found["left_functions"], found["right_functions"]) == (expanded, "abs sin", functions)
+
+
+@pytest.mark.parametrize(
+    ("key", "number", "side", "dodges", "ways"),
+    [
+        (
+            "same_formula",
+            1,
+            "right",
+            ("sin(y + x)", "sin(x + y) + 0"),
+            ("sin(y) cos(x) + sin(x) cos(y)", "sin(x)*cos(y) - cos(x)*sin(-y)"),
+        ),
+        ("same_formula", 2, "left", ("sqrt(0.5 - cos(x)/2)",), ("abs(sin(-x/2))", "abs(-sin(x/2))")),
+        ("same_formula", 3, "right", ("cos(x)^3 - 3 cos(x) sin(x)^2", "re(e^(3 i x))"), ("cos(3x)", "cos(x + 2x)")),
+        (
+            "turn_a_vector",
+            2,
+            "right",
+            ("r cos(theta + alpha)", "r cos(alpha + theta) + 0"),
+            ("r (cos(alpha) cos(theta) - sin(alpha) sin(theta))",),
+        ),
+    ],
+)
+def test_a_side_that_is_only_typed_in_another_way_does_not_do_a_task(key, number, side, dodges, ways):
+    player = Player(lesson(key), planning=False)
+    player.go_to(number - 1)
+
+    def met(text):
+        assert player.do(SetSide(side, text)) == ""
+        state = player.session.state
+        assert value(state)["holds"]
+        return check_line(state)[0]
+
+    assert [text for text in dodges if met(text)] == []
+    assert [text for text in ways if not met(text)] == []
 
 
 def test_it_is_written_down_and_read_back():
