@@ -197,6 +197,13 @@ def test_facts_tell_an_expanded_side_and_its_functions(text, expanded, functions
             ("sin(y) cos(x) + sin(x) cos(y)", "sin(x)*cos(y) - cos(x)*sin(-y)"),
         ),
         ("same_formula", 2, "left", ("sqrt(0.5 - cos(x)/2)",), ("abs(sin(-x/2))", "abs(-sin(x/2))")),
+        (
+            "zxz_angles",
+            6,
+            "right",
+            ("cos(psi) cos(phi) + sin(phi) sin(psi)",),
+            ("cos(phi - psi)", "cos(psi - phi)"),
+        ),
         ("same_formula", 3, "right", ("cos(x)^3 - 3 cos(x) sin(x)^2", "re(e^(3 i x))"), ("cos(3x)", "cos(x + 2x)")),
         (
             "turn_a_vector",
