@@ -70,7 +70,8 @@ class _Sums:
 
 
 def _functions(formula: Expression) -> str:
-    return " ".join(sorted(formula.folded(_Functions())))
+    found: tuple[str, ...] = formula.folded(_Functions())
+    return " ".join(sorted(found))
 
 
 FACTS = Facts(
