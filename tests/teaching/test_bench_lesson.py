@@ -165,7 +165,7 @@ def test_a_mistake_of_the_lesson_speaks(benches):
 def test_what_is_still_being_worked_out_is_not_known_yet(benches):
     state = done(opened(), GoToStep(2))
     assert check_line(state) == (False, "How the run ends: not known yet.")
-    assert "converged" in check_line(with_films(state))[1]
+    assert "at the target" in check_line(with_films(state))[1]
 
 
 def test_joint_values_can_be_tried_from_a_program(benches):

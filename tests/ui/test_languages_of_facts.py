@@ -52,7 +52,8 @@ PROPER_NAMES = ("robot.history.event", "robot.history.definition")
 AS_THEY_ARE = {
     *("body.meanings.axis", "body.products.axes", "body.products.formula", "body.products.typed"),
     *("frames.chain.reference", "frames.chain.frame", "frames.chain.way", "frames.chain.given", "frames.two.name"),
-    *("help.identities.left", "help.identities.right", "help.identities.names", "lessons.errata.chosen"),
+    *("help.identities.left", "help.identities.right", "help.identities.names"),
+    *("help.identities.left_functions", "help.identities.right_functions", "lessons.errata.chosen"),
     *("lessons.errata.severity", "pose.tool.reference", "pose.tool.frame", "robot.table.kinds"),
     *("robot.table.structure", "sensor.absolute.word", "target.solutions.at"),
 }
