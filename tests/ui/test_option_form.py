@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 
+from armlab.errors import InputError
 from armlab.kin.field import Field
 from armlab.kin.motion.path_types import path_type
 from armlab.ui.html import Markup
@@ -104,6 +105,14 @@ def test_an_angle_may_have_its_unit_and_one_of_many_turns_without_it_is_remarked
         assert option_value(kind, text.replace(" pi", "*pi"), None, (Scale("rad", 1.0),)) == pytest.approx(value)
         assert option_value(kind, "1.5 rad", None, (Scale("°", np.pi / 180.0),)) == pytest.approx(1.5)
     assert heard == said
+
+
+@pytest.mark.parametrize(("text", "value"), [("6.2832", 2.0 * np.pi), ("-6.2832", -2.0 * np.pi), ("6.2830", 6.283)])
+def test_an_angle_typed_as_a_form_shows_its_bound_is_the_bound(text, value):
+    kind = Field("turn", "θ", "turn", "number", 0.0, -2.0 * np.pi, 2.0 * np.pi, unit="q")
+    assert option_value(kind, text, None, (Scale("rad", 1.0),)) == value
+    with pytest.raises(InputError, match=r"from .6\.2832 to 6\.2832"):
+        option_value(kind, "6.2834", None, (Scale("rad", 1.0),))
 
 
 def test_rows_of_derivatives_are_in_the_unit_on_screen():

@@ -15,7 +15,7 @@ from armlab.errors import InputError
 from armlab.kin.field import Field
 from armlab.ui.format import readable
 from armlab.ui.units import ANGLES as SIZES
-from armlab.ui.units import remark_on_radians
+from armlab.ui.units import RELATIVE, remark_on_radians
 
 DECIMALS = 4
 
@@ -119,11 +119,20 @@ def _read(kind: Field, text: str, scales: Sequence[Scale]) -> list[float]:
             value = _number(kind, word.replace(",", "."), scale_of(kind, scales, j))
         except InputError:
             raise _wrong(kind, text if one else word, scales, j) from None
+        value = _within(kind, value, factor_of(kind, scale_of(kind, scales, j)))
         too_low = value <= kind.low if kind.above else value < kind.low
         if too_low or value > kind.high or (kind.kind == "whole" and value != round(value)):
             raise _wrong(kind, text if one else word, scales, j)
         found.append(value)
     return found
+
+
+def _within(kind: Field, value: float, factor: float) -> float:
+    """Return a bound for a value that passes it by no more than its rounding: 6.2832 rad is as far as a whole turn."""
+    for bound, passed in ((kind.low, value < kind.low and not kind.above), (kind.high, value > kind.high)):
+        if passed and abs(value - bound) <= min(0.5 * 10.0**-DECIMALS * factor, RELATIVE * abs(bound)):
+            return bound
+    return value
 
 
 def _number(kind: Field, word: str, scale: Scale) -> float:
