@@ -67,6 +67,11 @@ def test_quarter_turns_end_a_third_of_a_turn_apart_as_in_the_notes():
     assert "120.0°" in said(state)
 
 
+def test_ten_times_a_tenth_of_a_turn_as_it_is_typed_is_a_turn():
+    state = opened(SetOrderAngle(0, 0.62832), SetOrderAngle(1, -0.62832), ScaleAngles(10.0))
+    assert state[Order].angles == (2.0 * math.pi, -2.0 * math.pi)
+
+
 def test_a_tenth_of_the_angles_leaves_a_hundredth_between_the_ends():
     state, found = opened(SetOrderAngle(0, 0.2), SetOrderAngle(1, 0.1)), []
     for _ in range(4):

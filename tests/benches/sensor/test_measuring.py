@@ -229,6 +229,15 @@ def test_too_high_a_degree_is_neither_resolution_nor_noise_that_is_not_there():
     assert "so much noise" not in page.text
 
 
+def test_a_line_through_three_points_of_a_wave_is_not_the_curve():
+    page = Filled("calibration")
+    page.fill("example", "straight")
+    page.do(
+        *(Set(Curve, name, value) for name, value in {"shape": "wave", "bend": 3.0, "degree": 1, "points": 3}.items())
+    )
+    assert "too few points for this degree" in page.text
+
+
 @pytest.mark.parametrize(
     ("key", "cell", "text", "words"),
     [

@@ -27,6 +27,9 @@ MOST = 1e6
 MOST_TURNED = 2.0 * math.pi
 """Largest angle, radians."""
 
+ROUNDED = 1e-5
+"""Relative error of a number with the digits of a field, such as ten times the 0.62832 rad of a tenth of a turn."""
+
 LEAST = 1e-9
 """Smallest angle to which both are divided, radians: any smaller one would be lost in a matrix."""
 
@@ -111,11 +114,12 @@ class ScaleAngles(Command):
         """Return the state with both angles scaled; `InputError` when they become too large or too small."""
         angles = [self.factor * angle for angle in state[Order].angles]
         largest = max(map(abs, angles))
-        if not math.isfinite(self.factor) or self.factor <= 0.0 or largest > MOST_TURNED:
+        if not math.isfinite(self.factor) or self.factor <= 0.0 or largest > MOST_TURNED * (1.0 + ROUNDED):
             raise InputError(f"size: expected angles up to a whole turn, got {math.degrees(largest):.6g}°")
         if 0.0 < largest < LEAST:
             raise InputError(f"size: expected an angle of at least {LEAST:g} rad, got {largest:.3g} rad")
-        return Set(Order, "angles", angles).apply(state)
+        turned = [min(max(angle, -MOST_TURNED), MOST_TURNED) for angle in angles]
+        return Set(Order, "angles", turned).apply(state)
 
 
 @dataclass(frozen=True)

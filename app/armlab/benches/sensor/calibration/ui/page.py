@@ -198,8 +198,8 @@ def _verdict(part: Curve) -> Markup:
         return verdict_box("no", head, f"Mostly drift: {_percent(drifted)} since the calibration. Calibrate again.")
     play_and_steps = 0.5 * (sensor.hysteresis + sensor.resolution)
     # Points that lie on steps of the resolution have no error of it, unlike all other inputs.
-    if part.degree > 1 and between > 2.0 * max(left, play_and_steps) + 1e-9:
-        return verdict_box("no", head, OVERFITTED_NOISE if sensor.noise > 0.0 else OVERFITTED)
+    if between > 2.0 * max(left, play_and_steps) + 1e-9:
+        return verdict_box("no", head, OVERFITTED_NOISE if sensor.noise > 0.0 and part.degree > 1 else OVERFITTED)
     floor = play_and_steps + 3.0 * sensor.noise
     if left > 1.5 * floor + 1e-9:
         return verdict_box("warn", head, _too_coarse(part))
