@@ -143,7 +143,6 @@ def test_what_is_typed_for_one_step_is_no_answer_to_another_to_which_another_win
     lab.page.keyboard.type("2.0")
     other = LabPage(new_page(lab.page.context, painted=False), lab.url)
     other.press("lesson-next")
-    other.leave()
     lab.waits_for("Two?")
     lab.rest()
     lab.page.keyboard.press("Enter")
@@ -172,7 +171,6 @@ def _is_none_either_when_it_was_on_its_way(lab, answer):
     lab.page.keyboard.press("Enter")
     other = LabPage(new_page(lab.page.context, painted=False), lab.url)
     other.press("lesson-next")
-    other.leave()
     lab.waits_for("Two?")
     assert lab.page.locator(answer).input_value() == ""
     lab.page.evaluate("() => window.letGo()")

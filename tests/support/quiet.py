@@ -48,7 +48,8 @@ def wait_for_answer(page: Page, others: Callable[[], Traffic], most: float) -> N
 
     It has come when nothing is left to do in page and lab, nothing is on its way between them, and the page has drawn
     it. Where that cannot be told, since other programs or processes take part, or where a film plays or long work goes
-    on, it is enough that nothing in scene and panel has changed for a while after all commands are done.
+    on, it is enough that nothing in scene and panel has changed for a while after all commands are done and all that
+    the labs of this process had sent before the page was looked at has come.
 
     Parameters
     ----------
@@ -66,6 +67,7 @@ def wait_for_answer(page: Page, others: Callable[[], Traffic], most: float) -> N
         if lab is not None and not lab.idle and time.monotonic() < looked + APART:
             time.sleep(BUSY)
             continue
+        sent = 0 if lab is None else lab.traffic.sent
         still, seen, up, down = page.evaluate(LOOK)
         looked = time.monotonic()
         elsewhere = others()
@@ -77,8 +79,9 @@ def wait_for_answer(page: Page, others: Callable[[], Traffic], most: float) -> N
         if now is not None and now == quiet:
             return
         quiet = now
-        if lab is not None and not (lab.answered and lab.traffic.received >= pages.received):
-            # What was seen was seen before this answer was told.
+        under_way = sent > pages.sent or (lab is not None and lab.traffic.received < pages.received)
+        if under_way or not (lab is None or lab.answered):
+            # What was seen was seen before this answer was told, or had arrived.
             since = max(since, time.monotonic())
         if time.monotonic() > since + QUIET:
             return
