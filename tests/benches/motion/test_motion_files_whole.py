@@ -198,6 +198,11 @@ def in_space():
     return apply(state, SetMove(2, path="spline"))
 
 
+def round_corners_in_space():
+    """Return straight lines through three poses, at whose corners the tool also begins to turn another way."""
+    return apply(in_space(), SetMove(2, path="polyline"))
+
+
 def by_the_wrist():
     return apply(apply(opened(), SetMove(1, space="cartesian", turning="wrist")), LastFor(7.0))
 
@@ -257,6 +262,7 @@ def recorded():
     [
         through_joints,
         in_space,
+        round_corners_in_space,
         by_the_wrist,
         aside,
         own_table,

@@ -156,6 +156,15 @@ def test_samples_that_are_all_solved_can_be_of_two_branches():
     assert len(found.shown_arms) == 5
 
 
+def test_the_orientation_is_smooth_where_the_path_has_no_corner():
+    arc, lines = steps(planned("puma560", TakeExample("circle"))), steps(planned("puma560", CARTESIAN))
+    assert arc.turns_smoothly
+    assert not lines.turns_smoothly
+    units = Units(Notation())
+    assert "smoothly through the waypoints" in str(words.path(arc, units))
+    assert "about one axis" in str(words.path(lines, units))
+
+
 def test_stretches_are_told_apart_by_the_selected_waypoint():
     state = State.initial(catalogue()["puma560"])
     state = apply(apply(state, AddWaypoint()), SetMove(2, space="cartesian"))

@@ -279,7 +279,7 @@ def test_a_corner_of_the_tool_path_is_one_of_the_joint_path():
     found = follow(arm, tool_path, [0, 1], 20)
     assert len(found.s) == 20
     path = found.joint_path()
-    np.testing.assert_array_equal(path.breaks[path.break_classes < 1], corner.pieces)
+    np.testing.assert_array_equal(path.corners, corner.pieces)
     place = found.s[found.corners[0]]
     for before in (True, False):
         q, slope = path.derivatives(place, (0, 1), before=before)

@@ -10,7 +10,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.euler import SEQUENCES
 from armlab.kin.motion.law_types import law_type
-from armlab.kin.motion.orientation import Through, about_one_axis, by_euler_angles, held, swept, wandering
+from armlab.kin.motion.orientation import about_one_axis, by_euler_angles, held, swept, wandering
 from armlab.kin.motion.path_types import path_type
 from armlab.kin.motion.tool_path import ToolPath
 from armlab.kin.rotations import rotation_about, rotation_from_axis_angle, rotation_from_sequence, skew
@@ -110,14 +110,6 @@ def test_in_time_the_angular_acceleration_is_that_of_differences(rng):
     np.testing.assert_allclose(alpha, (after[1] - before[1]) / (2 * STEP), rtol=0, atol=1e-6)
 
 
-def test_through_several_orientations(rng):
-    matrices = np.array([rotation(rng) for _ in range(4)])
-    orientation = Through(matrices, [0.0, 0.2, 0.7, 1.0])
-    np.testing.assert_allclose(orientation.rotation([0.0, 0.2, 0.7, 1.0]), matrices, rtol=0, atol=1e-12)
-    check_angular(orientation, np.array([0.1, 0.3, 0.6, 0.8, 0.9]))
-    assert orientation.pieces.tolist() == [0.2, 0.7]
-
-
 def test_a_tool_path_moves_as_its_twist_says(rng):
     position = path_type("helix").path([[0, 0, 0], [0.3, 0.2, 0.5]])
     tool = ToolPath(position, by_euler_angles(rotation(rng), rotation(rng)), [0.1, -0.2, 0.3])
@@ -150,9 +142,6 @@ def test_with_the_wrist_planned_apart_its_centre_stays_on_the_line(rng):
         (lambda: by_euler_angles(np.eye(3), np.diag([1, 1, -1])), "R_B: expected a 3 x 3 rotation"),
         (lambda: by_euler_angles(np.eye(3), np.eye(3), "xxz"), "axes: unknown name 'xxz'"),
         (lambda: about_one_axis(np.eye(3), np.eye(3), other_way=True), "other_way: both orientations are the same"),
-        (lambda: Through([np.eye(3)]), "rotations: expected at least two"),
-        (lambda: Through([np.eye(3), np.zeros((3, 3))]), "waypoint 2: expected a 3 x 3 rotation"),
-        (lambda: Through([np.eye(3)] * 3, [0, 0.5, 0.5]), "waypoint 3: its time"),
         (lambda: ToolPath(path_type("line").path([[0, 0], [1, 1]]), held(np.eye(3))), "3 coordinates, got 2"),
     ],
 )

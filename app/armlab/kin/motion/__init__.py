@@ -20,13 +20,14 @@ from armlab.kin.motion.law import Law
 from armlab.kin.motion.law_types import LawType, free_law_types, law_type, law_types
 from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.minimum_time import MinimumTime, minimum_time_spline
-from armlab.kin.motion.orientation import Orientation, Through, about_one_axis, by_euler_angles, held, swept, wandering
+from armlab.kin.motion.orientation import Orientation, about_one_axis, by_euler_angles, held, swept, wandering
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.path_types import PathType, path_type, path_types
 from armlab.kin.motion.peaks import Violation, peaks, violations
 from armlab.kin.motion.run_along import run_along
 from armlab.kin.motion.scaling import Scaling, as_fast_as_allowed, optimal_scaling, scaled
 from armlab.kin.motion.sequence import Hold, Separate, Sequential, Slowed
+from armlab.kin.motion.through import Through
 from armlab.kin.motion.tool_path import ToolPath
 from armlab.kin.motion.trajectory import Motion, Samples, Trajectory
 

@@ -89,7 +89,7 @@ def follow(
     Notes, the planning steps before section 6.1; Allgower and Georg, *Introduction to Numerical Continuation Methods*,
     2003, chapter 2.
     """
-    places = _places(s, tool_path.sharp)
+    places = _places(s, tool_path.corners)
     start = None if q0 is None else finite_floats(q0, "q0", (arm.n,), f"{arm.n} finite numbers")
     seed = whole_number(seed, "seed", 0)
     run = _Run(arm, tool_path, places, seed)
@@ -286,7 +286,7 @@ class _Run:
             q = self.q[reached]
             J = scaled_jacobian(self.arm, q, np.asarray(self.arm.fk(q), dtype=np.float64))
             ratio[reached] = _conditioning(J)
-        corners = np.flatnonzero(np.isin(self.s, self.tool_path.sharp)).tolist()
+        corners = np.flatnonzero(np.isin(self.s, self.tool_path.corners)).tolist()
         arriving = np.array([self._arriving(k) for k in corners]).reshape(-1, self.arm.n)
         followed = reached, tuple(self.stops), tuple(self.parts), ratio, tuple(corners), arriving
         return Followed(self.arm, self.s, self.q, self.slope, *followed)

@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,7 +17,6 @@ from numpy.typing import ArrayLike, NDArray
 from armlab.errors import InputError
 from armlab.kin.checks import as_floats
 from armlab.kin.euler import euler_angles
-from armlab.kin.motion.knots import checked_times
 from armlab.kin.motion.law import Law
 from armlab.kin.rotations import (
     axis_angle,
@@ -44,11 +42,14 @@ class Orientation(ABC):
     Attributes
     ----------
     pieces : ndarray, shape (k,)
-        Interior s where the angular velocity may jump.
+        Interior s where one formula ends and the next begins.
+    corners : ndarray, shape (c,)
+        Those of them where the angular velocity may jump.
     remarks : tuple of str
     """
 
     pieces: Floats = np.zeros(0)
+    corners: Floats = np.zeros(0)
     remarks: tuple[str, ...] = ()
 
     @abstractmethod
@@ -205,55 +206,6 @@ def by_euler_angles(R_A: ArrayLike, R_B: ArrayLike, axes: str = "zxz", *, fixed:
     # Principal middle angles are at most a half turn apart, and another turn of them is another way.
     short[1] = change[1]
     return EulerAngles(axes.lower(), fixed, angles[0], angles[0] + short, tuple(remarks))
-
-
-class Through(Orientation):
-    """About one axis from each orientation to the next; the angular velocity jumps where two meet.
-
-    Parameters
-    ----------
-    rotations : array_like, shape (N, 3, 3)
-    places : array_like, shape (N,), optional
-        s of each, increasing from 0 to 1; evenly spaced when left out.
-
-    Raises
-    ------
-    InputError
-        Fewer than two, not rotations (the text names the waypoint), or wrong places.
-    """
-
-    def __init__(self, rotations: ArrayLike, places: ArrayLike | None = None) -> None:
-        matrices = as_floats(rotations, "rotations", "3 x 3 matrices")
-        if matrices.ndim != 3 or len(matrices) < 2:
-            raise InputError(f"rotations: expected at least two 3 x 3 matrices, got shape {matrices.shape}")
-        count = len(matrices)
-        s = np.linspace(0.0, 1.0, count) if places is None else checked_times(places, count, "places")
-        if s[0] != 0.0 or s[-1] != 1.0:
-            raise InputError(f"places: expected the first 0 and the last 1, got {s[0]:g} and {s[-1]:g}")
-        each = [_rotation(R, f"waypoint {k + 1}") for k, R in enumerate(matrices)]
-        self.turns = [about_one_axis(a, b) for a, b in pairwise(each)]
-        self.places, self.pieces = s, s[1:-1]
-        self.remarks = tuple(
-            f"Between waypoints {k + 1} and {k + 2}: {remark}"
-            for k, turn in enumerate(self.turns)
-            for remark in turn.remarks
-        )
-        self._starts = np.array([turn.start for turn in self.turns])
-        self._axes = np.array([turn.axis for turn in self.turns])
-        self._rates = np.array([turn.angle for turn in self.turns]) / np.diff(s)
-
-    def rotation(self, s: ArrayLike) -> Floats:
-        """Return R(s)."""
-        values = np.asarray(s, dtype=float)
-        k = np.searchsorted(self.pieces, values, side="right")
-        turned = (values - self.places[k]) * self._rates[k]
-        return np.asarray(self._starts[k] @ rotation_from_axis_angle(self._axes[k], turned))
-
-    def angular(self, s: ArrayLike) -> tuple[Floats, Floats]:
-        """Return omega, constant between waypoints, and zeros, (..., 3) each."""
-        k = np.searchsorted(self.pieces, np.asarray(s, dtype=float), side="right")
-        omega = (self._starts[k] @ self._axes[k][..., None])[..., 0] * self._rates[k][..., None]
-        return omega, np.zeros_like(omega)
 
 
 def wandering(one: Orientation, other: Orientation, count: int = 201) -> float:

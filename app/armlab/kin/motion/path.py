@@ -104,9 +104,9 @@ class Path(ABC):
         return self.pieces[self._classes < SMOOTH]
 
     @property
-    def break_classes(self) -> Floats:
-        """The class of continuity at each of the breaks, shape (b,)."""
-        return self._classes[self._classes < SMOOTH]
+    def corners(self) -> Floats:
+        """Interior s at which the first derivative jumps, shape (c,)."""
+        return self.pieces[self._classes < 1.0]
 
     @property
     def continuity(self) -> float:

@@ -36,9 +36,7 @@ class ToolPath:
     pieces : ndarray, shape (k,)
         Interior s between which everything is smooth.
     corners : ndarray, shape (c,)
-        The places at which the twist jumps.
-    sharp : ndarray, shape (k,)
-        Those of them at which the path of the point has a corner; at the others only the angular velocity jumps.
+        Those of them at which the twist jumps.
     remarks : tuple of str
 
     Raises
@@ -53,8 +51,7 @@ class ToolPath:
         self.position, self.orientation = position, orientation
         self.point = finite_floats(np.zeros(3) if point is None else point, "point", (3,), "three finite numbers")
         self.pieces = merged([position.pieces, orientation.pieces], 0.0, 1.0)
-        self.sharp = position.breaks[position.break_classes < 1.0]
-        self.corners = merged([self.sharp, orientation.pieces], 0.0, 1.0)
+        self.corners = merged([position.corners, orientation.corners], 0.0, 1.0)
         self.remarks = (*position.remarks, *orientation.remarks)
 
     def pose(self, s: ArrayLike) -> Floats:

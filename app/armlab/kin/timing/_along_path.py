@@ -124,8 +124,7 @@ def grid_of(path: Path, limits: Limits, steps: int) -> Grid:
     even = np.append(np.concatenate(parts), 1.0)
     slopes = np.abs(path.at(even, 1)).max(axis=1)
     still = slopes[[0, -1]] <= STANDS * slopes.max()
-    corners = path.breaks[path.break_classes < 1.0]
-    s = _finer_beside(even, np.concatenate([np.array([0.0, 1.0])[~still], corners]))
+    s = _finer_beside(even, np.concatenate([np.array([0.0, 1.0])[~still], path.corners]))
     h = np.diff(s)
     places = 0.5 - 0.5 * np.cos(np.pi * np.arange(LOOKED) / (LOOKED - 1))
     at = s[:-1, None] + h[:, None] * places
@@ -140,6 +139,6 @@ def grid_of(path: Path, limits: Limits, steps: int) -> Grid:
         first / limits.velocity,
         first / limits.acceleration,
         second / limits.acceleration,
-        np.isin(s, corners),
+        np.isin(s, path.corners),
         (bool(still[0]), bool(still[1])),
     )

@@ -229,7 +229,10 @@ def _orientation(arm: Arm, leg: Leg, at: Floats | None) -> str:
         return f'by_euler_angles(R[0], R[1], "{EULER_AXES}")'
     if at is None:
         return "about_one_axis(R[0], R[1])"
-    return f"Through({'R[[*range(len(R)), 0]]' if leg.stretch.move.returns else 'R'}, {_list(at)})"
+    assert leg.tool_path is not None
+    corners = leg.tool_path.position.corners
+    sharp = f", corners={_list(corners)}" if len(corners) else ""
+    return f"Through({'R[[*range(len(R)), 0]]' if leg.stretch.move.returns else 'R'}, {_list(at)}{sharp})"
 
 
 def _how(question: Question, leg: Leg) -> str:

@@ -127,7 +127,8 @@ class Move:
     path, law : Chosen
         Kinds of `path_types` and `law_types`.
     turning : str
-        One of `TURNINGS`; of a joint move it has no effect.
+        One of `TURNINGS`; of a joint move it has no effect. Through several waypoints "about one axis" is from corner
+        to corner; where the path has none the angular velocity does not jump.
     stop : bool
         Whether the arm rests at the waypoint it comes to, although the path could go through.
     apart : bool

@@ -80,7 +80,7 @@ def _orientation(stretch: Stretch, position: Path, points: Floats, R: Floats, tu
         return by_euler_angles(R[0], R[1], EULER_AXES)
     if len(R) == 2:
         return about_one_axis(R[0], R[1])
-    return Through(R, places(position, points))
+    return Through(R, places(position, points), position.corners)
 
 
 def places(path: Path, points: Floats) -> Floats:

@@ -172,7 +172,8 @@ def path(found: Steps, units: Units) -> Markup:
     if found.length - straight > BENT * found.arm.length_scale:
         rows.append(("straight between knots", units.length(straight)))
     if found.arm.task.rotation != "none":
-        rows.append(("orientation", TURNINGS[found.stretch.move.turning]))
+        turning = TURNINGS[found.stretch.move.turning]
+        rows.append(("orientation", "smoothly through the waypoints" if found.turns_smoothly else turning))
         rows.append(("angle of rotation", units.angle(found.turn)))
     said = (
         f"A curve {'past' if rounds_corners(chosen) else 'through'} the knots with a parameter s from 0 to 1, which is "
@@ -209,7 +210,7 @@ def sampling(found: Steps, field: Inside, units: Units) -> Markup:
         "samples are quickly computed; many keep the tool on its path. Try 4."
     )
     moved = None
-    if found.way is not None and len(found.way.sharp):
+    if found.way is not None and len(found.way.corners):
         moved = tag("p.dim", "The samples nearest to the corners of the path are moved there.")
     return joined(tag("p", said), field, pairs(rows), moved)
 
