@@ -158,8 +158,6 @@ def test_samples_that_are_all_solved_can_be_of_two_branches():
 
 def test_the_orientation_is_smooth_where_the_path_has_no_corner():
     arc, lines = steps(planned("puma560", TakeExample("circle"))), steps(planned("puma560", CARTESIAN))
-    assert arc.turns_smoothly
-    assert not lines.turns_smoothly
     units = Units(Notation())
     assert "smoothly through the waypoints" in str(words.path(arc, units))
     assert "about one axis" in str(words.path(lines, units))

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption
+from armlab.benches.motion.plan.examples import TakeExample
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import LastFor, LimitJoint, LimitTool, UseShare
 from armlab.benches.motion.plan.points import (
     AddWaypoint,
@@ -168,3 +170,16 @@ def test_ramps_that_do_not_count_are_grey_and_a_sentence_says_what_shapes_them(l
     assert field == ("0.2", " disabled")
     assert "The limits shape the ramps of independent joints" in page
     assert typed("law ramp", "0.3", done(STATE, SetMove(1, law=law))) == ()
+
+
+def test_an_orientation_that_goes_on_past_waypoints_says_so():
+    smooth = "It goes on smoothly past the waypoints: the angular velocity does not jump."
+
+    def page(*commands):
+        state = with_planned(done(State.initial(catalogue()["puma560"]), TakeExample("circle"), *commands))
+        return str(move_markup(BareForm(), state))
+
+    assert smooth in page()
+    assert smooth not in page(SetMove(1, turning="kept"), SetMove(2, turning="kept"))
+    assert smooth not in page(SetMove(1, path="polyline"), SetMove(2, path="polyline"))
+    assert smooth not in page(SetMove(1, space="joint"), SetMove(2, space="joint"))

@@ -52,6 +52,11 @@ class Orientation(ABC):
     corners: Floats = np.zeros(0)
     remarks: tuple[str, ...] = ()
 
+    @property
+    def goes_on(self) -> bool:
+        """Whether the angular velocity goes on without a jump from one formula to the next somewhere."""
+        return len(self.pieces) > len(self.corners)
+
     @abstractmethod
     def rotation(self, s: ArrayLike) -> Floats:
         """Return R(s), (..., 3, 3)."""

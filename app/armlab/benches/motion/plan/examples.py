@@ -124,7 +124,7 @@ EXAMPLES: Registry[Example] = Registry(
             "puma560",
             (PUMA,),
             (Move("cartesian", Chosen("circle"), Chosen("trapezoidal")),),
-            "Three waypoints, one arc; the tool passes the orientation of each without a jump of its angular velocity.",
+            "Three waypoints, one arc; the tool has the same orientation at all of them and keeps it.",
             shifts=((0.0, 0.2, 0.2), (0.0, 0.4, 0.0)),
         ),
         Example(

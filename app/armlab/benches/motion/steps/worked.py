@@ -106,11 +106,6 @@ class Steps:
         return self.leg.tool_path
 
     @property
-    def turns_smoothly(self) -> bool:
-        """Whether the tool passes an orientation without a jump of its angular velocity."""
-        return self.way is not None and len(self.way.orientation.pieces) > len(self.way.orientation.corners)
-
-    @property
     def followed(self) -> Followed | None:
         """Steps 3 and 4: the samples and their inverse kinematics."""
         return self.leg.followed

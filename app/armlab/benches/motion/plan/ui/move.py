@@ -8,6 +8,7 @@ from typing import NamedTuple
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption
 from armlab.benches.motion.plan.laws import RAMPS, shaped_by_limits
 from armlab.benches.motion.plan.moves import TURNINGS, Move, Stretch
+from armlab.benches.motion.plan.question import Leg
 from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.kin.motion import law_types, path_types
 from armlab.session.parts.joints import Joints
@@ -74,7 +75,7 @@ def move_markup(form: Form, state: State) -> Markup | None:
         _choice(form, "path", "Path", paths, move.path.key, lambda path: SetMove(k, path=path)),
         _path_form(form, k, move, state),
         _together(form, k, move),
-        _turning(form, k, move, state),
+        _turning(form, k, stretch, state),
         _choice(form, "law", "Law", laws, move.law.key, lambda law: SetMove(k, law=law)),
         _law_form(form, k, stretch, state),
         _bounds(state, stretch),
@@ -128,11 +129,16 @@ def _why_by_limits(stretch: Stretch, timed: bool) -> str:
     return "The limits shape the ramps of the fastest motion; typed ones count in a given time."
 
 
-def _turning(form: Form, k: int, move: Move, state: State) -> Markup | None:
+def _turning(form: Form, k: int, stretch: Stretch, state: State) -> Markup | None:
+    move = stretch.move
     if move.space == "joint" or state[Joints].arm.task.rotation == "none":
         return None
     texts = {str(key): text for key, text in TURNINGS.items()}
-    return _choice(form, "turning", "Orientation", texts, move.turning, lambda turning: SetMove(k, turning=turning))
+    choice = _choice(form, "turning", "Orientation", texts, move.turning, lambda turning: SetMove(k, turning=turning))
+    leg = _leg(state, stretch)
+    if leg is None or leg.tool_path is None or not leg.tool_path.orientation.goes_on:
+        return choice
+    return joined(choice, tag("p.dim", "It goes on smoothly past the waypoints: the angular velocity does not jump."))
 
 
 def _together(form: Form, k: int, move: Move) -> Markup | None:
@@ -147,10 +153,15 @@ def _together(form: Form, k: int, move: Move) -> Markup | None:
     )
 
 
+def _leg(state: State, stretch: Stretch) -> Leg | None:
+    """Return what has become of a stretch, as far as it is planned by now."""
+    planned = planned_now(state)
+    return None if planned is None else next((leg for leg in planned.legs if leg.stretch == stretch), None)
+
+
 def _bounds(state: State, stretch: Stretch) -> Markup | None:
     """Return the bounds of the law from the limits of the joints, as in section 6.1.1."""
-    planned = planned_now(state)
-    leg = None if planned is None else next((leg for leg in planned.legs if leg.stretch == stretch), None)
+    leg = _leg(state, stretch)
     if leg is None or leg.bounds is None:
         return None
     bounds = leg.bounds

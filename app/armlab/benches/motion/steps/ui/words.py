@@ -173,7 +173,7 @@ def path(found: Steps, units: Units) -> Markup:
         rows.append(("straight between knots", units.length(straight)))
     if found.arm.task.rotation != "none":
         turning = TURNINGS[found.stretch.move.turning]
-        rows.append(("orientation", "smoothly through the waypoints" if found.turns_smoothly else turning))
+        rows.append(("orientation", "smoothly through the waypoints" if found.way.orientation.goes_on else turning))
         rows.append(("angle of rotation", units.angle(found.turn)))
     said = (
         f"A curve {'past' if rounds_corners(chosen) else 'through'} the knots with a parameter s from 0 to 1, which is "
