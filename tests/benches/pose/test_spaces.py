@@ -216,6 +216,16 @@ def test_two_arms_have_the_same_r_and_their_tools_are_apart_or_not(described, rn
             assert apart == pytest.approx(2.0 * math.sin(0.5 * turned), abs=1e-9)
 
 
+@pytest.mark.parametrize("described", ["joint3", "tool"])
+def test_half_a_turn_forwards_and_backwards_are_the_same_number_of_r(described):
+    state = opened(Set(Spaces, "described", described))
+    state = state.replace(state[Joints].moved_to(np.radians([100.0, 40.0, -180.0 if described == "joint3" else 40.0])))
+    assert abs(fact("r", state)[2]) == pytest.approx(math.pi)
+    assert fact("arms", state) == 2
+    assert fact("r_residual", state) < 1e-9
+    assert "6.3 m or rad" not in shown(arms_markup, state)
+
+
 @pytest.mark.parametrize(
     "turned",
     [SetCell(1, "alpha", math.pi), SetCell(2, "alpha", math.pi), SetEnd("tool", ABOUT_X), SetEnd("tool", TILTED)],

@@ -103,6 +103,17 @@ def twins_of(state: State) -> Twins:
     return Twins(r, np.array(joints.q), np.array(others).reshape(-1, 3))
 
 
+def r_apart(arm: Arm, twins: Twins, described: str) -> float:
+    """Return the largest difference of r of an arm and of the others, metres or radians; angles up to whole turns."""
+    gaps = [_r_gap(r_of(arm, q, described), twins.r) for q in twins.others]
+    return float(np.abs(gaps).max()) if gaps else 0.0
+
+
+def _r_gap(one: Floats, other: Floats) -> Floats:
+    """Return the difference of two r; the angle of one may be half a turn and that of the other minus half a turn."""
+    return np.append((one - other)[:2], _apart(one[2:], other[2:]))
+
+
 def tools_apart(state: State) -> tuple[float, float] | None:
     """Return how far the tools of the present arm and of the first other are apart, if there is one.
 

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
-
-from armlab.benches.pose.spaces.arms import misfit, r_of, tools_apart, twins_of
+from armlab.benches.pose.spaces.arms import misfit, r_apart, tools_apart, twins_of
 from armlab.benches.pose.spaces.maps import KINDS, maps_of
 from armlab.benches.pose.spaces.state import BY, DESCRIBED, SHOWN, Spaces
 from armlab.session.facts import Fact, Facts
@@ -22,9 +20,7 @@ def _of_3r(value: Callable[[State], Any]) -> Callable[[State], Any]:
 
 def _residual(state: State) -> float:
     """Return the largest difference of r of the present arm and of the others."""
-    twins, arm = twins_of(state), state[Joints].arm
-    found = [r_of(arm, q, state[Spaces].described) - twins.r for q in twins.others]
-    return float(np.abs(found).max()) if found else 0.0
+    return r_apart(state[Joints].arm, twins_of(state), state[Spaces].described)
 
 
 def _apart(state: State) -> float | None:

@@ -11,7 +11,7 @@ from armlab.benches.pose.spaces.arms import (
     SetR,
     Twins,
     misfit,
-    r_of,
+    r_apart,
     suited,
     tools_apart,
     twins_of,
@@ -102,8 +102,7 @@ def _card(state: State, twins: Twins, units: Units) -> Markup:
         return verdict_box(
             "warn", "One arm only", tag("p", "The links before are stretched or folded, and both arms are one.")
         )
-    arm = state[Joints].arm
-    residual = float(abs(r_of(arm, twins.others[0], described) - twins.r).max())
+    residual = r_apart(state[Joints].arm, twins, described)
     amount = f"{scientific(residual)} m or rad" if residual else "0"
     same = tag("p", f"No number of r differs by more than {amount}.")
     if apart[0] <= ONE_TOOL:
