@@ -279,6 +279,19 @@ def test_the_tool_stands_still_along_the_self_motion(key, pose):
     assert far > 0.3
 
 
+def test_whole_turns_have_a_self_motion_of_their_own_and_the_arm_does_not_leap_on_it():
+    state = searched(opened("gen3"))
+    arm, before = state[Joints].arm, state.derived(motion_of)
+    turned = np.array(state[Joints].q)
+    turned[6] += math.copysign(math.tau, -turned[6])
+    state = searched(state.replace(state[Joints].moved_to(turned)))
+    motion = state.derived(motion_of)
+    assert motion is not None
+    assert motion is not before
+    part = motion.part(arm, turned)
+    np.testing.assert_allclose(apply(state, MoveAlong(part))[Joints].q, turned, rtol=0, atol=2e-2)
+
+
 def test_a_held_joint_stays_along_the_self_motion():
     state = apply(opened("trunk9"), LockJoint(2, True))
     state = searched(state)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from armlab.benches.target.solutions.question import Question
 from armlab.kin.arm import Arm
 from armlab.kin.ik.held import with_held
-from armlab.kin.ik.self_motion import distance_to, trace_self_motion
+from armlab.kin.ik.self_motion import trace_self_motion
 from armlab.kin.ik.verdict import task_error_of
 from armlab.kin.ik.verified import solution
 from armlab.session.way_to_solution import ON_CURVE
@@ -40,8 +40,10 @@ class Motion:
     stops: tuple[int, int]
 
     def is_on(self, arm: Arm, q: NDArray[np.float64]) -> bool:
-        """Return whether a configuration is on the curve."""
-        return distance_to(arm, q, [self.q]) < ON_CURVE
+        """Return whether a configuration is on the curve; one that is whole turns beside it is not."""
+        # Along the curve an arm comes from one to the other at best by a way round, and maybe not inside the limits.
+        scales = np.where(arm.revolute, 1.0, arm.length_scale)
+        return float(np.linalg.norm((self.q - q) / scales, axis=1).min()) < ON_CURVE
 
     def part(self, arm: Arm, q: NDArray[np.float64]) -> float:
         """Return the place of a configuration along the curve, 0 to 1."""
