@@ -118,6 +118,18 @@ def test_out_of_reach_is_said(method):
     assert (trace.status, trace.reason) == ("out of reach", "out of reach: farther than the fully stretched arm")
 
 
+@pytest.mark.parametrize("method", ["gradient", "dls_error"])
+def test_no_target_is_out_of_reach_of_a_slide_whose_limits_are_not_kept(method):
+    arm = catalogue()["cartesian_3p"].arm
+    far = transform(arm.fk(np.zeros(3))[:3, :3], [2.0, 2.5, 3.0])
+    short = ik.iterate(arm, far, np.zeros(3), method, most=3, limits="none")
+    assert (short.status, short.reason) == ("most", "not reached in 3 steps, still converging: more steps may reach it")
+    assert ik.iterate(arm, far, np.zeros(3), method, most=300, limits="none").success
+    assert ik.iterate(arm, far, np.zeros(3), method, most=3).status == "out of reach"
+    flow = ik.transpose_flow(arm, far, np.zeros(3), duration=1.0)
+    assert (flow.status, flow.reason) == ("going", "not at the target after 1.00 s")
+
+
 def test_too_few_steps_and_going_to_and_fro_are_told_apart():
     few = ik.iterate(TWO_R, at(0.9, 0.7), [0.2, 1.0], "gradient", most=5)
     assert (few.status, few.reason) == ("most", "not reached in 5 steps, still converging: more steps may reach it")

@@ -181,7 +181,12 @@ class Problem:
 
     @property
     def beyond(self) -> bool:
-        """Whether the wanted coordinates alone are farther from frame 0 than the sum of all lengths."""
+        """Whether the wanted coordinates alone are farther from frame 0 than the sum of all lengths.
+
+        Slides have no greatest length where limits are not kept: then nothing is known of an arm that has some.
+        """
+        if not self.clamp and not bool(self.arm.revolute[self.free].all()):
+            return False
         return math.hypot(*self.target[self.vector.task.coordinates, 3]) > self.arm.reach * (1.0 + 1e-12)
 
     def at(self, q: Floats) -> Point:
