@@ -148,6 +148,20 @@ def test_nonsense_is_refused_in_words(command, says):
         apply(opened(), command)
 
 
+def test_a_flow_that_is_too_fast_at_first_and_arrives_all_the_same_has_arrived():
+    state = done(opened(), ChooseMethod(0, FLOW), SetParameter(0, "gain", 13.0))
+    start, target = (-0.65, 0.73), np.asarray(state[Joints].arm.fk([0.25, -1.2]), dtype=float)
+    state = done(state, AimAt(target), SetStart(start))
+    film = state[Iterations].film
+    flow = transpose_flow(state[Joints].arm, target, start, gain=13.0, duration=10.0, dt=0.05)
+    assert flow.status == "converged"
+    assert (film.status, film.reason) == (flow.status, flow.reason)
+    assert film.t[-1] == pytest.approx(flow.t[-1])
+    fast = done(state, SetParameter(0, "gain", 60.0))[Iterations].film
+    assert fast.status == "unstable"
+    assert "the time step is too long for this gain" in fast.reason
+
+
 def test_a_flow_of_too_many_steps_is_refused():
     state = done(opened(), ChooseMethod(0, FLOW))
     with pytest.raises(InputError, match="400 steps"):

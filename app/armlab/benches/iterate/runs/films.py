@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Generator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import count
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from armlab.benches.iterate.runs.worked import methods
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.ik.iterate import Flow, TaskVector, iteration_method, transpose_flow
+from armlab.kin.ik.iterate import Flow, TaskVector, iteration_method
+from armlab.kin.ik.iterate.flow import flowing
 from armlab.kin.ik.iterate.loop import march
 from armlab.kin.ik.iterate.problem import Problem
 from armlab.kin.ik.iterate.record import TOLERANCE, Limits, checked_vector, filmed, unfit
@@ -183,54 +184,43 @@ def _steps(question: Question) -> Generator[None, None, Film]:
 
 
 def _flow(question: Question) -> Generator[None, None, Film]:
-    """Do one call of `transpose_flow` as several calls, each of which continues the previous one."""
+    """Do the same as `armlab.kin.ik.iterate.transpose_flow`, with rests."""
     arm, parameters, vector = question.arm, dict(question.parameters), question.task or TaskVector(question.arm.task)
-    dt, start, began = parameters["dt"], np.array(question.start), 0
-    left = math.ceil(parameters["duration"] / dt - 1e-9)
-    parts: list[Flow] = []
-    while True:
-        count = min(left, FLOW_PIECE)
-        flow = transpose_flow(
-            arm,
-            target_of(question),
-            start,
-            gain=parameters["gain"],
-            duration=count * dt,
-            dt=dt,
-            locked=question.locked,
-            task=question.task,
-        )
-        parts.append(flow)
-        left -= count
-        if left <= 0 or flow.status != "going":
+    work = flowing(
+        arm,
+        target_of(question),
+        question.start,
+        gain=parameters["gain"],
+        duration=parameters["duration"],
+        dt=parameters["dt"],
+        locked=question.locked,
+        task=question.task,
+    )
+    for step in count(1):
+        try:
+            next(work)
+        except StopIteration as done:
+            flow: Flow = done.value
             break
-        start, began = flow.q[-1], began + count
-        yield
-    t = dt * np.arange(float(began + len(flow.t)))
-    pick = np.unique(np.linspace(0, len(t) - 1, min(len(t), MOST_SHOWN + 1)).round().astype(int))
-
-    def joined(name: str) -> Floats:
-        """Return a quantity over the whole run at the shown instants; at the joint of two parts only once."""
-        whole = [getattr(part, name)[: None if part is flow else -1] for part in parts]
-        return np.asarray(np.concatenate(whole)[pick])
-
-    q = joined("q")
+        if step % FLOW_PIECE == 0:
+            yield
+    pick = np.unique(np.linspace(0, len(flow.t) - 1, min(len(flow.t), MOST_SHOWN + 1)).round().astype(int))
+    q = flow.q[pick]
     return Film(
         question=question,
         q=q,
         way=_way(arm, q),
-        position_error=joined("position_error"),
-        rotation_error=joined("rotation_error"),
-        components=joined("components"),
+        position_error=flow.position_error[pick],
+        rotation_error=flow.rotation_error[pick],
+        components=flow.components[pick],
         names=vector.names,
         kinds=vector.kinds(arm),
         step=np.diff(q, axis=0),
-        t=t[pick],
-        V=joined("V"),
-        V_dot=joined("V_dot"),
+        t=flow.t[pick],
+        V=flow.V[pick],
+        V_dot=flow.V_dot[pick],
         status=flow.status,
-        # The last part counts its own time.
-        reason=flow.reason.replace(f"{flow.t[-1]:.2f} s", f"{t[-1]:.2f} s"),
+        reason=flow.reason,
         scaling=flow.scaling,
     )
 

@@ -8,7 +8,7 @@ V never rises, so the scheme is stable; but it comes to rest wherever J^T K e = 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -108,28 +108,57 @@ def transpose_flow(
     Notes 4.127-4.129. In 4.127 q(t + dt) should be q(t), and with a gain matrix V has K in it, too. That V falls does
     not mean that e goes to zero: the stretched 2R pulled along its own line stays where it is.
     """
+    work = flowing(arm, T, q0, gain=gain, duration=duration, dt=dt, tolerance=tolerance, locked=locked, task=task)
+    while True:
+        try:
+            next(work)
+        except StopIteration as done:
+            flow: Flow = done.value
+            return flow
+
+
+def flowing(
+    arm: Arm,
+    T: ArrayLike,
+    q0: ArrayLike,
+    *,
+    gain: ArrayLike = 1.0,
+    duration: float = 10.0,
+    dt: float = 0.01,
+    tolerance: tuple[float, float] = TOLERANCE,
+    locked: Sequence[bool] | None = None,
+    task: TaskVector | str | None = None,
+) -> Generator[None, None, Flow]:
+    """Do the same as `transpose_flow`, with a rest after each step; arguments, result and errors are its own."""
     vector = checked_vector(arm, task)
     start, pair = joint_values(arm, q0, "q0"), checked_tolerance(tolerance)
     held = checked_locks(arm, locked) or [False] * arm.n
     problem = Problem(arm, as_pose(T, "T"), vector, [i for i in range(arm.n) if not held[i]], clamp=False)
     K, steps = _gains(gain, vector), _steps(duration, dt)
-    # A run that is not stable grows beyond all numbers, which its status says.
-    with np.errstate(all="ignore"):
-        return _integrated(problem, start, K, steps, dt, pair)
-
-
-def _integrated(problem: Problem, start: Floats, K: Floats, steps: int, dt: float, pair: tuple[float, float]) -> Flow:
     points, status = [problem.at(start[None])], "going"
     for _ in range(steps):
-        status = _status(problem, points[-1], K, pair)
+        after, status = _stepped(problem, points[-1], K, dt, pair)
+        if after is None:
+            break
+        points.append(after)
+        yield
+    with np.errstate(all="ignore"):
+        return _flow(problem, points, K, dt, status if status != "going" else _status(problem, points[-1], K, pair))
+
+
+def _stepped(
+    problem: Problem, point: Point, K: Floats, dt: float, tolerance: tuple[float, float]
+) -> tuple[Point | None, str]:
+    """Return the task after one step and ``"going"``, or None and why the run ends before it."""
+    # A run that is not stable grows beyond all numbers, which its status says.
+    with np.errstate(all="ignore"):
+        status = _status(problem, point, K, tolerance)
         if status != "going":
-            break
-        after = _runge_kutta(problem, points[-1].q, K, dt)
+            return None, status
+        after = _runge_kutta(problem, point.q, K, dt)
         if not np.isfinite(after).all() or np.max(np.abs(after)) > FARTHEST:
-            status = "unstable"
-            break
-        points.append(problem.at(after))
-    return _flow(problem, points, K, dt, status if status != "going" else _status(problem, points[-1], K, pair))
+            return None, "unstable"
+        return problem.at(after), status
 
 
 def _runge_kutta(problem: Problem, q: Floats, K: Floats, dt: float) -> Floats:
