@@ -9,6 +9,7 @@ import re
 import numpy as np
 import pytest
 
+from armlab.benches.iterate.runs.commands import ChooseMethod
 from armlab.benches.iterate.runs.examples import EXAMPLES, ChooseExample
 from armlab.benches.iterate.runs.job import with_films
 from armlab.benches.iterate.runs.state import Iterations
@@ -23,6 +24,7 @@ from armlab.ui.format import scientific
 from armlab.ui.small_numbers import small
 from armlab.ui.ticks import ticks
 from armlab.ui.units import Units
+from support.bare_gui import BarePage, words
 from support.forms import asked
 from support.student import run, student
 
@@ -54,6 +56,19 @@ def test_small_numbers_are_written_so_that_something_is_seen():
     ]
     assert small(float("nan"), True, UNITS) == "–"
     assert scientific(-2.5e-12) == "−2.5·10⁻¹²"
+
+
+@pytest.mark.parametrize(
+    ("key", "units"), [("cartesian_3p", ("m²/s", "m²/s²")), ("planar_2r", ("1/s", "1/s²")), ("scara", ("1/s", "1/s²"))]
+)
+def test_the_lyapunov_function_has_the_unit_of_its_error(key, units):
+    page = BarePage("iterations", catalogue()[key])
+    page.session.apply(ChooseMethod(0, "flow"), 0.0)
+    page.session.state = with_films(page.session.state)
+    page.show()
+    shown = re.sub(r"\s+", " ", words(page))
+    assert re.findall(r"T K e , (\S+)", shown) == [units[0]]
+    assert re.findall(r"\| 2 , (\S+)", shown) == [units[1]]
 
 
 @pytest.mark.parametrize("key", ["planar_2r", "planar_3r", "puma560", "scara", "panda", "cartesian_3p"])

@@ -70,6 +70,8 @@ class Plots:
         grid, metres = _grid(alike, flow), sigma_unit(state) == "m"
         for key, unit in UNITS.items():
             self._plots[key].name_unit(unit if metres else "")
+        for key, unit in lyapunov_units(state).items():
+            self._plots[key].name_unit(unit)
         for key, plot in self._plots.items():
             plot.visible(wanted[key])
             if wanted[key]:
@@ -115,14 +117,23 @@ UNITS = {"sigma": "m", "damping": "m²"}
 """Units of plots if the task vector is a position in metres; for others it is without unit."""
 
 
+def lyapunov_units(state: State) -> dict[str, str]:
+    """Return the units of V and of its derivative: V has those of e, of slides alone metres, and J none."""
+    joints = state[Joints]
+    free = [row for row, held in zip(joints.arm.rows, joints.locked, strict=True) if not held]
+    slides = bool(free) and not any(row.revolute for row in free)
+    metres = slides and set(vector_of(state).kinds(joints.arm)) == {"m"}
+    return {"V": "m²/s", "V_dot": "m²/s²"} if metres else {"V": "1/s", "V_dot": "1/s²"}
+
+
 def _plots(gui: Gui, state: State) -> tuple[dict[str, RunPlot], Fold]:
     """Return the plots by their keys, and the fold that holds most of them."""
     arm, units = state[Joints].arm, units_of(state)
     plots = {
         "position": RunPlot(gui, "log₁₀ of the position error in m", "position_error", lambda f: _log(f.position_error))
     }
-    plots["V"] = RunPlot(gui, ("Lyapunov function ", mathml(LYAPUNOV), ", 1/s"), "V", lambda f: f.V, True)
-    plots["V_dot"] = RunPlot(gui, ("Its derivative ", mathml(ITS_RATE), ", 1/s²"), "V_dot", lambda f: f.V_dot)
+    plots["V"] = RunPlot(gui, ("Lyapunov function ", mathml(LYAPUNOV)), "V", lambda f: f.V, True)
+    plots["V_dot"] = RunPlot(gui, ("Its derivative ", mathml(ITS_RATE)), "V_dot", lambda f: f.V_dot)
     with gui.fold("Orientation, steps, singular values, damping") as more:
         if arm.task.rotation != "none":
             plots["rotation"] = RunPlot(
