@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
+from armlab.kin.ik.branches import branch_names
 from armlab.kin.ik.by_hand import derived, every_derivation, method_of
-from armlab.kin.transforms import inverse
+from armlab.kin.transforms import inverse, transform
 from support.solutions import apart
 
 COVERED = [key for key, robot in catalogue().robots.items() if method_of(robot.arm) is not None]
@@ -76,6 +77,16 @@ def test_a_shoulder_singularity_lets_joint_1_stay():
     assert first.note.startswith("Shoulder singularity: the wrist centre lies on axis 1")
     assert [one.q[0] for one in found if one.q is not None] == pytest.approx([q1] * sum(o.q is not None for o in found))
     assert all(one.position_error < 1e-9 for one in found if one.q is not None)
+
+
+@pytest.mark.parametrize("height", [0.5, -0.4])
+def test_of_a_point_above_or_below_the_shoulder_no_elbow_is_higher_than_the_other(height):
+    arm = arm_of("elbow_3r")
+    shoulder = arm.frames(np.zeros(3))[1][:3, 3]
+    found = derived(arm, transform(position=shoulder + np.array([0.0, 0.0, height])), np.zeros(3))
+    (bend,) = (step for step in found.steps if step.by == "law of cosines")
+    assert [branch.title for branch in bend.branches] == ["elbow beside", "elbow beside"]
+    assert "elbow beside" in branch_names(arm, found.q[None])[0]
 
 
 def test_what_may_be_any_keeps_its_present_value():

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from armlab.kin.ik.branches import BESIDE
 from armlab.kin.ik.by_hand.step import (
     Arc,
     Branch,
@@ -137,7 +138,7 @@ def _bend(work: Work, links: Links, end: complex, given: dict[str, Quantity], ho
     straight = 0.0 if cosine > 0.0 else math.pi
     angles = (math.atan2(sine, cosine), -math.atan2(sine, cosine)) if case == "two" else (straight,)
     gamma = angles[k] if case != "none" else math.nan
-    branches = () if case == "none" else tuple(_branch(links, end, angle, case) for angle in angles)
+    branches = () if case == "none" else tuple(_branch(work, links, end, angle, case) for angle in angles)
     one, two, name, start = links.names
     values = given | {
         "D": Quantity("D", D),
@@ -169,7 +170,7 @@ def _bend(work: Work, links: Links, end: complex, given: dict[str, Quantity], ho
     return gamma
 
 
-def _branch(links: Links, end: complex, gamma: float, case: Case) -> Branch:
+def _branch(work: Work, links: Links, end: complex, gamma: float, case: Case) -> Branch:
     if case == "merged":
         return Branch("straight" if gamma == 0.0 else "folded", links.joints[1].value(gamma))
     aside = _elbow(links, end, gamma)
@@ -180,8 +181,10 @@ def _branch(links: Links, end: complex, gamma: float, case: Case) -> Branch:
     else:
         up = 1j
     height = (aside * up.conjugate()).real
-    sides = "up" if height > 0.0 else "down"
-    return Branch(f"elbow {sides}", links.joints[1].value(gamma))
+    # Where the end is above the shoulder, both elbows are beside the way to it, none higher than the other.
+    least = BESIDE * work.s.scale
+    side = "up" if height > least else "down" if height < -least else "beside"
+    return Branch(f"elbow {side}", links.joints[1].value(gamma))
 
 
 def _elbow(links: Links, end: complex, gamma: float) -> complex:
