@@ -12,7 +12,7 @@ from armlab.kin.convert import converted
 from armlab.kin.ik.by_hand import Arc, Circle, Segment, Triangle, derived, every_derivation, method_of, why_not
 from armlab.kin.ik.solve_all import solve_all
 from armlab.kin.task import Task
-from armlab.kin.transforms import inverse
+from armlab.kin.transforms import inverse, transform
 from support.arms import random_pose, tool_by_products
 from support.by_hand import evaluated
 from support.solutions import apart, contains, same_set
@@ -166,6 +166,23 @@ def test_the_equations_are_true_with_the_numbers_beside_them(key, seeded):
                     gap = np.abs(np.remainder(gap + math.pi, math.tau) - math.pi) if angle else gap
                     # A difference of squares under a root loses half the digits where it is small.
                     assert gap.max() < 1e-7, (key, step.key, line)
+
+
+@pytest.mark.parametrize("lift", [0.0, math.pi])
+def test_of_an_arm_that_hangs_the_coordinates_are_those_of_frame_0(lift):
+    rows = [("R", 0, math.pi, 0, 0), ("R", 0.5, 0, 0, 0), ("P", 0.4, lift, 0.1, 0), ("R", 0, -lift, 0, 0)]
+    arm = Arm.from_dh(rows, "modified", tool=transform(position=[0.2, 0.0, 0.05]), task="xyz phi")
+    T = arm.fk([0.3, 0.5, 0.2, 0.1])
+    found = {step.key: step.values for step in derived(arm, T, np.zeros(4)).steps}
+    assert (found["q3"]["z"].symbol, found["q3"]["z"].value) == ("p_z", pytest.approx(T[2, 3]))
+    x, y, _ = T[:3, 3]
+    assert (found["c"]["p"].symbol, found["c"]["p"].value) == (r"(p_x,\, -p_y)", pytest.approx((x, -y)))
+    for one in every_derivation(arm, T, np.zeros(4)):
+        for step in one.steps:
+            for line in step.lines:
+                if not line.right.startswith("<p>"):
+                    left, right, _ = evaluated(line, step)
+                    assert math.isclose(left, right, abs_tol=1e-9)
 
 
 @pytest.mark.parametrize("key", COVERED)

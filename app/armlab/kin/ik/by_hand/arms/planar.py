@@ -19,7 +19,7 @@ from armlab.kin.ik.by_hand.stretch import Stroke, stretch
 from armlab.kin.ik.by_hand.triangle import Joint, Links, between, reach
 from armlab.kin.ik.by_hand.turning import MARK
 from armlab.kin.ik.by_hand.work import Work
-from armlab.kin.ik.closed._plane import Plane, heading, plane_of
+from armlab.kin.ik.closed._plane import ALONG, Plane, heading, plane_of
 from armlab.kin.ik.closed_form import closed_form_of
 from armlab.kin.ik.screws import screws_of
 from armlab.kin.ik.trig import wrap
@@ -84,21 +84,36 @@ def write(work: Work) -> None:
 def _lift(work: Work, plane: Plane, joint: int, sense: float, height: float) -> None:
     n, value = joint + 1, sense * height
     top = np.asarray(work.T[:3, 3])
+    # A plane may be seen from below, as that of an arm that hangs: heights are still those of frame 0.
+    axis = int(np.argmax(np.abs(plane.n)))
+    upwards = math.copysign(1.0, plane.n[axis])
+    letter, up = ("xyz"[axis], upwards * plane.n) if _along_an_axis(plane.n) else ("n", plane.n)
+    rises = sense * float(up @ plane.n) > 0.0
     work.add(
         f"q{n}",
         f"q_{n}",
         "The height is one joint's alone",
         "read off",
         {
-            "z": Quantity("p_z", float(plane.n @ work.T[:3, 3])),
-            "zero": Quantity("p_{z,0}", float(plane.n @ plane.home[:3, 3])),
+            "z": Quantity(f"p_{letter}", float(up @ work.T[:3, 3])),
+            "zero": Quantity(f"p_{{{letter},0}}", float(up @ plane.home[:3, 3])),
             "q": Quantity(f"q_{n}", value),
         },
-        (Line("q", "<z> - <zero>" if sense > 0.0 else "<zero> - <z>"),),
+        (Line("q", "<z> - <zero>" if rises else "<zero> - <z>"),),
         index=joint,
         branches=(Branch("", value),),
         shapes=(Segment(top - height * plane.n, top, "q", "found"), Point(top, "", "wanted")),
     )
+
+
+def _along_an_axis(way: Vector) -> bool:
+    """Return whether a direction is that of an axis of frame 0, or its opposite."""
+    return float(np.abs(way).max()) > 1.0 - ALONG
+
+
+def _pair(plane: Plane, letter: str) -> str:
+    """Return the LaTeX of both coordinates of a point of the plane, seen from above or from below."""
+    return rf"({letter}_x,\, {letter}_y)" if plane.n[2] > 0.0 else rf"({letter}_x,\, -{letter}_y)"
 
 
 def _back(work: Work, plane: Plane, goal: complex, angle: float, at: Vector) -> tuple[complex, str]:
@@ -110,10 +125,10 @@ def _back(work: Work, plane: Plane, goal: complex, angle: float, at: Vector) -> 
     centre = goal - cmath.exp(1j * angle) * hand
     turned, length = cmath.phase(hand), abs(hand)
     values = {
-        "p": Quantity(r"(p_x,\, p_y)", (goal.real, goal.imag)),
+        "p": Quantity(_pair(plane, "p"), (goal.real, goal.imag)),
         "L3": Quantity("L_3", length),
         "phi": Quantity(r"\varphi", wrap(angle + turned), "rad"),
-        "c": Quantity(r"(c_x,\, c_y)", (centre.real, centre.imag)),
+        "c": Quantity(_pair(plane, "c"), (centre.real, centre.imag)),
     }
     place = np.asarray(at + (centre - goal).real * plane.u + (centre - goal).imag * plane.v)
     work.add(
