@@ -78,7 +78,9 @@ def _branches(form: Form, state: State, found: Sheet, step: Step, units: Units) 
         assert branch.value is not None
         leads = found.leads_on(step, i)
         sign = "+" if i == 0 else "−"
-        text = f"{sign} {branch.title} {joint_value(state, step, branch.value, units)}{'' if leads else ' ✕'}"
+        value = joint_value(state, step, branch.value, units)
+        # Signs stand before a text: behind it they would be a part of what is translated.
+        text = f"{'' if leads else '✕ '}{sign} {branch.title} {value}"
         hint = "Take this branch" if leads else "Take this branch: a later step then has no value"
         chips.append(form.chip(f"{step.key} {i}", text, ChooseBranch(step.key, i), hint, i == step.chosen))
     return tag("div.bar", chips)
@@ -142,8 +144,14 @@ def out_of_limits(state: State, q: Vector) -> str:
     """Return a sentence on the joints that no whole turn brings inside their limits, empty when there are none."""
     arm = state[Joints].arm
     out = np.flatnonzero(beyond_limits(arm, wrapped_rows(arm, q[None]))[0])
-    joints = " and ".join(str(i + 1) for i in out)
-    return f" Out of the limits of joint{'s' if len(out) > 1 else ''} {joints}." if len(out) else ""
+    if not len(out):
+        return ""
+    *others, last = (str(i + 1) for i in out)
+    return (
+        f" Out of the limits of joints {', '.join(others)} and {last}."
+        if others
+        else f" Out of the limits of joint {last}."
+    )
 
 
 def _listed(state: State, found: Sheet) -> str:
