@@ -24,6 +24,8 @@ from armlab.benches.velocity.statics.ui.scene import torque_name
 from armlab.benches.velocity.statics.ui.words import duality_markup, free_markup, torques_markup, verdict, work_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.dh import Row
 from armlab.session.bench import PutInPlace
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.state import State, apply
@@ -133,6 +135,17 @@ def test_force_half_axes_end_in_infinity_where_no_torque_is_needed():
     kind, head, said = force_verdict(block, bent)
     assert (kind, head) == ("ok", "Slow is strong")
     assert f"{1.0 / bent.sigma[1]:.2f} N" in said
+
+
+def test_no_direction_is_the_strongest_where_all_half_axes_are_alike():
+    arm = catalogue()["cartesian_3p"].arm
+    block = VelocityBlock(arm, "translation")
+    found = placed(block, arm.limits.mean(axis=1))
+    assert force_verdict(block, found) == ("ok", "Equally strong", "In every direction: 1.00 N.")
+    arm = Arm.from_dh([Row("R", np.sqrt(0.5), 0.0), Row("R", 0.5, 0.0)])
+    block = VelocityBlock(arm, "translation")
+    found = placed(block, np.array([0.4, 0.75 * np.pi]))
+    assert force_verdict(block, found)[1:] == ("Equally strong", "In every direction the task controls (x, y): 2.00 N.")
 
 
 def test_the_torques_that_count_as_one_are_said():

@@ -6,12 +6,15 @@ import math
 
 from armlab.benches.velocity.ellipsoid.state import PlacedEllipsoid, VelocityBlock
 from armlab.benches.velocity.ellipsoid.ui.scene import force
-from armlab.benches.velocity.ellipsoid.ui.words import LETTERS, direction, half_axis, vector, volume_unit
+from armlab.benches.velocity.ellipsoid.ui.words import LETTERS, direction, every, half_axis, vector, volume_unit
 from armlab.ui.format import mathml, number, pairs, subscript, trimmed
 from armlab.ui.html import Markup, joined, tag
 
 HALF = r"1/\sigma_i"
 NAMES = {"translation": "force", "rotation": "moment"}
+
+ALIKE = 1e-6
+"""Difference of the half axes, relative to the longest, up to which no direction is stronger than another."""
 
 
 def force_axes(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
@@ -43,6 +46,8 @@ def force_verdict(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, st
     weak = direction(found.axes[:, 0])
     if block.m == 1:
         return "ok", "One direction", f"{word.capitalize()} {weak}: {weakest}."
+    if halves[-1] - halves[0] <= ALIKE * halves[-1]:
+        return "ok", "Equally strong", f"{every(block)}: {strongest}."
     strong = direction(found.axes[:, block.m - 1])
     return "ok", "Slow is strong", f"Most {word} {strong}, {strongest}; least {word} {weak}, {weakest}."
 

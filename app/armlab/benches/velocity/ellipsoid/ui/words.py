@@ -46,10 +46,10 @@ def verdict_of(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, str, 
         return "warn", TITLES[verdict], f"{ratio}. {along.capitalize()} {direction(least)} only {slowest}."
     if block.m == 1:
         return "ok", "One direction", f"{along.capitalize()} {direction(least)}: {slowest}."
-    return "ok", TITLES[verdict], f"{ratio}. {_every(block)}: at least {slowest}."
+    return "ok", TITLES[verdict], f"{ratio}. {every(block)}: at least {slowest}."
 
 
-def _every(block: VelocityBlock) -> str:
+def every(block: VelocityBlock) -> str:
     """Return in words the directions that the task controls, to which the shortest half axis belongs."""
     task = block.arm.task
     if block.m == 3:
