@@ -205,6 +205,21 @@ def test_slips_are_refused_with_words():
         apply(state, WriteAlong("base"))
 
 
+def test_the_largest_wrench_along_other_axes_is_read_again_and_can_be_typed_on():
+    robot, state = catalogue()["puma560"], state_of("puma560")
+    for kind in ("force", "moment"):
+        for axis in range(3):
+            state = apply(state, SetComponent(kind, axis, 1e6))
+    for axes in ("tool", "world", "tool"):
+        state = apply(state, WriteAlong(axes))
+        part = state[Statics]
+        assert Statics.from_json(part.to_json(), robot) == part
+    assert max(map(abs, part.force)) > 1e6
+    assert apply(state, SetComponent("force", 0, 0.0))[Statics].force == (0.0, *part.force[1:])
+    with pytest.raises(InputError, match="force: expected a size of at most 1.73e\\+06 N, got 2e\\+06 N"):
+        Statics.from_json({**part.to_json(), "force": [2e6, 0.0, 0.0]}, robot)
+
+
 def test_another_arm_begins_with_its_own_wrench_and_an_edited_table_keeps_it():
     state = apply(state_of("puma560"), SetComponent("force", 0, 3.0))
     assert apply(state, ChooseRobot("planar_2r"))[Statics].force[2] == 0.0

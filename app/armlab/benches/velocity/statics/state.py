@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, ClassVar, Literal, NamedTuple, Self
+from typing import Any, ClassVar, Literal, NamedTuple, Self, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,7 +35,10 @@ UNITS: dict[Kind, str] = {"force": "N", "moment": "N m"}
 ZERO: Triple = (0.0, 0.0, 0.0)
 
 MOST = 1e6
-"""Largest component of force or moment, N or N m."""
+"""Largest component of force or moment that can be given, N or N m."""
+
+LONGEST = math.sqrt(3.0) * MOST * (1.0 + 1e-9)
+"""Largest size of force or moment, N or N m: along other axes a component may be as large, up to rounding."""
 
 USUAL = 20.0
 """Initial force, N, which also sets the scale of the arrow while there is no force."""
@@ -53,9 +56,9 @@ NOTHING = 1e-9
 def _triple(kind: str, values: Json) -> Triple:
     unit = "N" if kind == "force" else "N m"
     x, y, z = finite_floats(values, kind, (3,), f"three finite numbers, in {unit}").tolist()
-    for value in (x, y, z):
-        if abs(value) > MOST:
-            raise InputError(f"{kind}: expected at most {MOST:g} {unit} either way, got {value:.6g} {unit}")
+    size = math.hypot(x, y, z)
+    if size > LONGEST:
+        raise InputError(f"{kind}: expected a size of at most {LONGEST:.3g} {unit}, got {size:.6g} {unit}")
     return x, y, z
 
 
@@ -240,6 +243,9 @@ class SetComponent(Command):
         """Return the state with the component set."""
         known_name("part of a wrench", self.kind, KINDS)
         refuse_beyond(self.axis, 3, "component of a wrench")
+        if abs(self.value) > MOST:
+            unit = UNITS[cast(Kind, self.kind)]
+            raise InputError(f"{self.kind}: expected at most {MOST:g} {unit} either way, got {self.value:.6g} {unit}")
         values = list(getattr(state[Statics], self.kind))
         values[self.axis] = self.value
         return setting(state, Statics, {self.kind: values})
