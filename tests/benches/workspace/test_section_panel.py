@@ -1,5 +1,6 @@
 """The page of the section as a browser gets it."""
 
+import itertools
 import re
 from dataclasses import replace
 from functools import cache
@@ -14,7 +15,7 @@ from armlab.benches.workspace.section.slice import hull, plane_drawn, slice_at, 
 from armlab.benches.workspace.section.state import GoInSection, GoToPoint, PlaceSlice, SectionView, found_of
 from armlab.benches.workspace.section.ui.page import PANEL, choices_markup, place_markup, view_markup
 from armlab.benches.workspace.section.ui.picture import SPECK, _outlines, frame_of, image_rule
-from armlab.benches.workspace.section.ui.words import facts, scale
+from armlab.benches.workspace.section.ui.words import distances, facts, scale
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.dh import Row
@@ -86,6 +87,17 @@ def test_no_page_holds_a_number_that_is_none(key):
     assert not re.search(r"\bnan\b|\binf\b|∞", page)
     assert "data:image/png;base64," in image_rule(found, "x")
     assert ("Area" in page) == (key == "planar_2r_unequal")
+
+
+@pytest.mark.parametrize("key", ["scara", "cylindrical_rpp"])
+def test_the_tool_is_never_told_to_be_outside_the_workspace(key):
+    state = whole(key)
+    arm, units = state[Joints].arm, units_of(state)
+    for ends in itertools.product((0, 1), repeat=arm.n):
+        there = state.replace(state[Joints].moved_to(arm.limits[range(arm.n), ends]))
+        page = joined(distances(BareForm(), there, units))
+        assert "outside" not in page
+        assert "on the boundary" in page
 
 
 @pytest.mark.parametrize("key", ARMS)
