@@ -12,10 +12,14 @@ from armlab.benches.workspace.cloud.samples import SHOWN, sampling
 from armlab.benches.workspace.cloud.state import AUTO, LookAtWorkspace, SampleWorkspace, Workspace, question_of
 from armlab.benches.workspace.cloud.ui.page import PANEL
 from armlab.benches.workspace.cloud.view import kept
+from armlab.benches.workspace.section.state import PlaceSlice, SectionView
 from armlab.benches.workspace.what_if.job import compared
 from armlab.benches.workspace.what_if.state import WhatIf
 from armlab.benches.workspace.what_if.view import parts_of
-from armlab.content.robots import catalogue
+from armlab.content.robots import catalogue, own_robot
+from armlab.kin.arm import Arm
+from armlab.kin.dh import Row
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.state import State, apply
@@ -167,3 +171,17 @@ def test_what_if_shows_all_of_a_body_that_would_mostly_be_cut_away():
         drawn = len(state.derived(parts_of).kept) / len(state[WhatIf].found.old.points)
         assert drawn >= least
         assert (drawn == 1.0) == (key == "scara")
+
+
+def test_slices_go_as_far_as_an_arm_of_the_longest_links_reaches():
+    arm = Arm.from_dh([Row("R", 0.0, np.pi / 2, 50.0), Row("R", 90.0, 0.0), Row("R", 80.0, 0.0)])
+    state = apply(State.initial(own_robot(arm, "crane")), LookAtWorkspace(count=26_000))
+    state = sampled(apply(state, SampleWorkspace()))
+    for axis in AXES:
+        state = apply(state, LookAtWorkspace(cut=axis))
+        for end in range_of(state[Workspace]):
+            there = apply(state, LookAtWorkspace(offset=end))
+            assert there[Workspace].offset == end
+            section = apply(apply(there, Set(SectionView, "slice", axis)), PlaceSlice(end))[SectionView]
+            assert SectionView.from_json(section.to_json(), there[RobotPart].robot).offset == pytest.approx(end)
+    assert abs(end) > 100.0

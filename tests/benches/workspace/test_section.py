@@ -252,7 +252,7 @@ def test_how_it_is_looked_at_is_kept_and_damaged_files_are_refused():
             SectionView.from_json(data | damage, robot)
     with pytest.raises(InputError, match="place of the slice"):
         PlaceSlice(1e6).apply(state)
-    with pytest.raises(InputError, match=r"at most 100 m either way, got 9000000 m$"):
+    with pytest.raises(InputError, match=r"at most 10000 m either way, got 9000000 m$"):
         PlaceSlice(9e6).apply(state)
     with pytest.raises(InputError, match=r"at most 100 rad either way, got 157 rad$"):
         PlaceSlice(157.0).apply(done(state, Set(SectionView, "slice", "axis")))

@@ -186,7 +186,7 @@ def test_the_target_is_put_at_a_sample_also_where_a_held_joint_keeps_the_arm_awa
         ({"draw": "fog"}, "draw: unknown name 'fog'"),
         ({"cut": "q"}, "cut"),
         ({"offset": float("nan")}, "offset: expected finite numbers, got nan"),
-        ({"offset": -200.0}, "place of the slice: expected at most 100 m either way, got -200 m"),
+        ({"offset": -2e4}, "place of the slice: expected at most 10000 m either way, got -20000 m"),
         ({"seed": 2**31}, "seed: expected a whole number, at most 2.14748e"),
     ],
 )

@@ -60,7 +60,7 @@ def test_where_nothing_is_left_to_draw_it_is_said(url):
         await browser.press("offset", "50000")
         await browser.until(lambda: "No sample lies here" in browser.html())
         await browser.press("offset", "9e9")
-        await browser.until(lambda: "expected at most 100 m" in browser.html())
+        await browser.until(lambda: "expected at most 10000 m" in browser.html())
         # A surface has no slices; while it is being found the points stay.
         await browser.press("draw surface")
         await browser.until(lambda: any(name.endswith("workspace/surface") for name in browser.nodes))

@@ -29,8 +29,8 @@ CUTS = {"none": "Whole", "front": "Half", "x": "x", "y": "y", "z": "z"}
 AUTO = "auto"
 """The cut that nobody has chosen: it shows most of what there is; see `armlab.benches.workspace.cloud.cuts`."""
 
-FARTHEST = 100.0
-"""Largest distance of a slice from the origin, metres."""
+FARTHEST = 1e4
+"""Largest distance of a slice from the origin, metres: no table makes an arm that reaches so far."""
 
 LARGEST_SEED = 2**31
 

@@ -7,6 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from armlab.benches.workspace.cloud.state import FARTHEST
 from armlab.benches.workspace.section.found import REACH, Found, Question
 from armlab.errors import InputError
 from armlab.kin.workspace.measures import MEASURES
@@ -24,8 +25,8 @@ the axes of frame 0."""
 
 PLACE = "place of the slice"
 
-FARTHEST = 100.0
-"""Largest place of a slice, metres or radians."""
+MOST_TURNED = 100.0
+"""Largest angle of a slice through the axis of joint 1, radians."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,9 +94,10 @@ class PlaceSlice(Command):
         """Return the state with the slice there; `InputError` if that is too far away."""
         part = state[SectionView]
         turned = part.slice == "axis"
-        unit = "rad" if turned and state[Joints].arm.revolute[0] else "m"
-        if self.at is not None and not abs(self.at) <= FARTHEST:
-            raise InputError(f"{PLACE}: expected at most {FARTHEST:g} {unit} either way, got {self.at:.10g} {unit}")
+        turns = turned and bool(state[Joints].arm.revolute[0])
+        most, unit = (MOST_TURNED, "rad") if turns else (FARTHEST, "m")
+        if self.at is not None and not abs(self.at) <= most:
+            raise InputError(f"{PLACE}: expected at most {most:g} {unit} either way, got {self.at:.10g} {unit}")
         return put(state, part.with_values({"turn": self.at} if turned else {"offset": self.at or 0.0}))
 
 
