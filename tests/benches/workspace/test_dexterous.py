@@ -23,12 +23,20 @@ from armlab.benches.workspace.dexterous.state import (
     slice_of,
     study_of,
 )
-from armlab.benches.workspace.dexterous.study import methods, misses_orientations, never_turns, studying, turns_in_place
+from armlab.benches.workspace.dexterous.study import (
+    methods,
+    misses_orientations,
+    never_turns,
+    studying,
+    turns_in_place,
+    why_sampled_alone,
+)
 from armlab.content.robots import catalogue, own_robot
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.planar import lengths_of, planar_workspace
+from armlab.kin.wrist import wrist_centre
 from armlab.session.edits import SetCell, SetKind, SetLimits
 from armlab.session.field_words import SetFields
 from armlab.session.fields import Set
@@ -75,6 +83,26 @@ def limited():
 )
 def test_what_can_be_asked_follows_from_the_arm(key, wanted):
     assert methods(catalogue()[key].arm) == wanted
+
+
+WRIST = [("R", 0.0, np.pi / 2, 0.0, 0.0), ("R", 0.0, -np.pi / 2, 0.0, 0.0)]
+
+
+@pytest.mark.parametrize("hand", [0.0, 0.1])
+@pytest.mark.parametrize(
+    "front",
+    [
+        [("P", 0.0, 0.0, 0.0, 0.0)],
+        [("R", 0.5, 0.3, 0.2, 0.0)],
+        [("R", 0.0, np.pi / 2, 0.3, 0.0), ("R", 0.4, -np.pi / 2, 0.0, 0.0)],
+        [("R", 0.4, 0.0, 0.0, 0.0), ("R", 0.3, 0.0, 0.0, 0.0), ("R", 0.2, 0.5, 0.0, 0.0)],
+    ],
+)
+def test_a_wrist_whose_centre_stays_on_a_line_or_a_surface_has_no_shares_of_the_directions(front, hand):
+    arm = Arm.from_dh([*front, *WRIST, ("R", 0.0, 0.0, hand, 0.0)])
+    assert wrist_centre(arm) is not None
+    assert methods(arm) == ("sampled",)
+    assert "keep its centre on a line or a surface; not by Solutions" in why_sampled_alone(arm)
 
 
 def test_it_is_computed_while_the_page_is_seen_and_once():

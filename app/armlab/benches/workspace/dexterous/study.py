@@ -12,9 +12,12 @@ import numpy as np
 from armlab.kin.arm import Arm
 from armlab.kin.ik.closed_form import closed_form_of
 from armlab.kin.workspace.approach import keeps_upright
+from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.planar import lengths_of
+from armlab.kin.workspace.section_size import dimension
 from armlab.kin.workspace.sheet_maps import SheetMap, approach_maps, count_maps, sheet_of
 from armlab.kin.workspace.spherical_wrist import Coverage, coverages
+from armlab.kin.workspace.wrist_points import front_of
 from armlab.kin.wrist import wrist_centre
 
 Method = Literal["rings", "wrist", "sampled", "count"]
@@ -27,6 +30,9 @@ SEED = 0
 TRIED, SMALL = 32, 1e-6
 """Number of random configurations that tell how far the tool turns in place, and the rate, in half reaches, that counts
 as 0."""
+
+SPATIAL = 3
+"""Dimension of what the centre of a wrist reaches where it has a volume."""
 
 STRIDE = 0.08
 """Share of the whole work that is done from one picture to the next."""
@@ -84,11 +90,15 @@ class Study:
 
 @lru_cache(maxsize=64)
 def methods(arm: Arm) -> tuple[Method, ...]:
-    """Return the methods for an arm, the most informative first (arms are compared by identity)."""
+    """Return the methods for an arm, the most informative first (arms are compared by identity).
+
+    Shares of the directions are counted in cells that the centre of a wrist reaches. Where it stays on a line or a
+    surface, all of them are zero, and cells, which have a volume, would tell of others.
+    """
     found: list[Method] = []
     if lengths_of(arm) is not None:
         found.append("rings")
-    if arm.n > 3 and wrist_centre(arm) is not None:
+    if arm.n > 3 and wrist_centre(arm) is not None and dimension(first_joint(front_of(arm))) == SPATIAL:
         found.append("wrist")
     found.append("sampled")
     if closed_form_of(arm) is not None:
@@ -100,6 +110,8 @@ def why_sampled_alone(arm: Arm) -> str:
     """Return one sentence that says why an arm has neither of the methods "wrist" and "count"."""
     if arm.n <= 3:
         wrist = "no joint is in front of three that could be a wrist"
+    elif wrist_centre(arm) is not None:
+        wrist = "the joints in front of the wrist keep its centre on a line or a surface"
     else:
         wrist = "the last three axes do not meet in one point"
     spare = arm.n > arm.task.m
