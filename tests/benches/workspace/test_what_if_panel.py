@@ -126,13 +126,23 @@ def test_the_verdict_says_how_much_larger_or_that_it_cannot_be_told():
         "≈ The same area The difference is within the uncertainty, ±0.00"
     )
     assert joined(verdict_markup(known("planar_2r"))) == ""
-    bent = known("planar_2r", Suppose(0, "alpha", 0.5))
+    bent = known("planar_3r", Suppose(0, "alpha", 0.5))
     assert plain(joined(verdict_markup(bent))) == "The area becomes a volume m² and m³ cannot be compared."
     figures = plain(joined(figures_markup(bent[WhatIf].found, units_of(bent))))
-    assert re.search(r"Size 12\.56\d+ ± 0\.0\d+ m² \d\.\d+ ± 0\.\d+ m³", figures)
+    assert re.search(r"Size 28\.27\d+ ± 0\.0\d+ m² \d+\.\d+ ± 0\.\d+ m³", figures)
     # Until the numbers are those of the present change, none is told.
     ahead = apply(larger, Suppose(1, "a", 1.3))
     assert plain(joined(verdict_markup(ahead))) == "… The boundary is being followed."
+
+
+def test_no_surface_is_called_a_volume():
+    surface = "he tool point moves on a line or a surface; compare how far it comes."
+    bent = known("planar_2r", Suppose(0, "alpha", 0.5))
+    assert plain(joined(verdict_markup(bent))) == f"No volume T{surface}"
+    part = bent[WhatIf]
+    straightened = replace(part.found, figures=part.found.figures[::-1])
+    there = bent.replace(replace(part, found=straightened))
+    assert plain(joined(verdict_markup(there))) == f"No volume before As it is, t{surface}"
 
 
 def test_before_the_boundary_is_known_a_large_difference_is_told_roughly():

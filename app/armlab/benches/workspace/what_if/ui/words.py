@@ -30,6 +30,9 @@ LEGEND = {
 
 FOLLOWED = "The boundary is being followed."
 
+ON_A_SURFACE = "The tool point moves on a line or a surface; compare how far it comes."
+ON_A_SURFACE_BEFORE = "As it is, the tool point moves on a line or a surface; compare how far it comes."
+
 HINTS = {
     "From axis 1": "Smallest and largest distance of the tool point from the axis of joint 1",
     "Along axis 1": "Lowest and highest position of the tool point along the axis of joint 1",
@@ -86,12 +89,15 @@ def verdict_markup(state: State) -> Markup | None:
     before, after = (each.size for each in found.figures)
     if not is_present(state) or before is None or after is None:
         return _card("warn", "…", FOLLOWED)
+    what, grown = WORDS[after.unit], after.value - before.value
+    # A size of 0 is none in either unit, and a surface in space is no volume.
+    if after.value == 0.0 and (before.value == 0.0 or before.unit != after.unit):
+        return _card("warn", f"No {what}", ON_A_SURFACE)
+    if before.unit != after.unit and before.value == 0.0:
+        return _card("warn", f"No {WORDS[before.unit]} before", ON_A_SURFACE_BEFORE)
     if before.unit != after.unit:
         said = f"{before.unit} and {after.unit} cannot be compared."
         return _card("warn", f"The {WORDS[before.unit]} becomes {ARTICLES[after.unit]}", said)
-    what, grown = WORDS[after.unit], after.value - before.value
-    if before.value == after.value == 0.0:
-        return _card("warn", f"No {what}", "The tool point moves on a line or a surface; compare how far it comes.")
     word, sign, kind, mark = ("larger", "+", "ok", "▲") if grown > 0.0 else ("smaller", "−", "no", "▼")
     share = abs(grown) / before.value if before.value > 0.0 else math.inf
     if not all(each.refined for each in found.figures):
