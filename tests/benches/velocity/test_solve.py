@@ -11,8 +11,10 @@ from armlab.benches.velocity.solve.found import found
 from armlab.benches.velocity.solve.motion import BeginAlong, SlideAlong, begun, looked_for, part_of
 from armlab.benches.velocity.solve.pictures import DragTo, StandAt, contour, flat, norm_curve, refusal, square, suited
 from armlab.benches.velocity.solve.state import CLIP_KEY, Aim, AskFor, SetComponent, Solve
-from armlab.content.robots import catalogue
+from armlab.content.robots import catalogue, own_robot
 from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.dh import Row
 from armlab.session.bench import PutInPlace, benches
 from armlab.session.edits import RemoveJoint, SetCell
 from armlab.session.fields import Set
@@ -303,6 +305,9 @@ def test_other_arms_are_refused_in_a_sentence():
     assert "slides out of the plane" in refusal(apply(opened("scara"), Set(Solve, "pair", (0, 2))))
     with pytest.raises(InputError, match="parallel axes"):
         apply(opened("puma560"), StandAt(0.5, 0.5))
+    # Axes that are parallel along another line than z of frame 0 are not said to be none.
+    upright = Arm.from_dh([Row("R", 0.0, math.pi / 2), Row("R", 0.5, 0.0)], "modified")
+    assert "along z of frame 0" in refusal(State.initial(own_robot(upright, "upright")))
     with pytest.raises(InputError, match="two joints"):
         apply(opened(), Set(Solve, "pair", (1, 1)))
 

@@ -61,7 +61,10 @@ def refusal(state: State) -> str:
     if arm.n < 2:
         return "The pictures need two joints; this arm has one."
     if not suits(arm):
-        return "This page draws the speeds of two joints as points of a plane. It needs an arm with parallel axes."
+        return (
+            "This page draws the speeds of two joints as points of a plane. It needs parallel axes, along z of frame "
+            "0, that move the tool in a plane."
+        )
     first, second = state[Solve].pair
     for k in (first, second):
         if not arm.revolute[k] and not _moves_in_plane(arm, k):
@@ -70,7 +73,7 @@ def refusal(state: State) -> str:
 
 
 def suits(arm: Arm) -> bool:
-    """Return whether some two joints of an arm can be in the pictures: its axes are parallel, its tool in a plane."""
+    """Return whether some two joints of an arm can be in the pictures: its axes are parallel to z of frame 0."""
     return arm.n >= 2 and arm.description.axes_parallel and len(arm.task.position) >= 2
 
 
