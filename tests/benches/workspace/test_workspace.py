@@ -1,5 +1,7 @@
 """The sampled workspace of a student: settings, sampling in pieces, cancelling, the cut, clicks, files."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -245,6 +247,13 @@ def test_files_hold_what_is_drawn():
     row = np.array([float(value) for value in lines[5].split(",")])
     np.testing.assert_allclose(row[:3], found.shown.points[4], rtol=1e-5)
     np.testing.assert_allclose(row[4:], found.shown.q[4], rtol=1e-5, atol=1e-7)
+
+
+def test_a_name_of_several_lines_ends_no_head_of_a_file():
+    found = whole("planar_2r")[Workspace].found
+    arm = replace(found.question.arm, name="two\nend_header\nlines")
+    named = replace(found, question=replace(found.question, arm=arm))
+    assert as_ply(named).split(b"\n")[2].startswith(b"comment workspace of two end_header lines, first ")
 
 
 def test_a_boundary_comes_ready_for_what_shows_it():

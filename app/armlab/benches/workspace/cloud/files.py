@@ -18,9 +18,10 @@ def as_ply(found: Sampled) -> bytes:
     Turk, *The PLY Polygon File Format*, 1994.
     """
     shown, asked = found.shown, found.question
+    name = " ".join(asked.arm.name.split()) or "an arm"  # a comment is one line, which a name need not be
     head = (
         "ply\nformat binary_little_endian 1.0\n"
-        f"comment workspace of {asked.arm.name or 'an arm'}, first {len(shown.points)} of {found.done} samples, "
+        f"comment workspace of {name}, first {len(shown.points)} of {found.done} samples, "
         f"seed {asked.seed}, metres\n"
         f"element vertex {len(shown.points)}\nproperty float x\nproperty float y\nproperty float z\n"
         f"property float {asked.measure}\nend_header\n"
