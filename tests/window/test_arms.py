@@ -109,6 +109,11 @@ def test_arms_are_found_by_name_joints_and_maker(asked, found):
     assert not all(fits(robot, asked) for robot in catalogue().robots.values())
 
 
+def test_arms_are_found_by_the_words_of_their_files(robot):
+    assert all(fits(robot, word) for word in robot.words)
+    assert fits(catalogue()["ur10"], "universal robots 6R")
+
+
 def test_arms_are_found_also_in_the_language_in_which_they_are_shown():
     assert fits(catalogue()["gen3"], "7 giunti", "it")
     assert fits(catalogue()["gen3"], "7 joints", "it")

@@ -61,7 +61,7 @@ def fits(robot: Robot, asked: str, language: str = ENGLISH) -> bool:
     """
     kinds = kinds_of(robot)
     only = f"{len(kinds)}{kinds[0]}" if len(set(kinds)) == 1 else ""
-    told = (robot.family, _joints(robot), robot.summary)
+    told = (robot.family, _joints(robot), robot.summary, *robot.words)
     also = map(words_in(language), (_capital(robot.family), *told[1:]))
     said = plain(" ".join((robot.name, robot.key, kinds, only, *told, *also)))
     return all(word in said for word in plain(asked).split())
