@@ -10,6 +10,7 @@ import pytest
 from armlab.content.robots import catalogue
 from armlab.content.tables import parse_table
 from armlab.content.write_table import ANGLE_UNITS, FORMATS, write_table
+from armlab.kin.arm import Arm
 from armlab.kin.rotations import rotation_from_sequence
 from support.arms import limited_arm, random_pose
 
@@ -38,3 +39,13 @@ def test_limits_are_in_the_table_and_base_and_tool_in_a_comment_below_it(format,
         notes = parse_table(text).notes
         assert not poses or f"Not read: {' and '.join(poses)}." in notes
         assert any(note.startswith("Not read: the columns q_") for note in notes)
+
+
+@pytest.mark.parametrize("format", FORMATS)
+@pytest.mark.parametrize("angle", ANGLE_UNITS)
+@pytest.mark.parametrize("near", [1.57, 1.571, -1.5708, 3.14, -3.1416, 4.71, 6.283, math.pi / 2])
+def test_an_angle_beside_a_quarter_turn_is_read_back_as_it_is(format, angle, near):
+    arm = Arm.from_dh([("R", 0.5, near, 0.1, -near), ("P", 0.4, 0.001, 0.2, near)])
+    for own, read in zip(arm.rows, parse_table(write_table(arm, format, angle)).rows, strict=True):
+        assert own.kind == read.kind
+        np.testing.assert_allclose([read.alpha, read.theta], [own.alpha, own.theta], rtol=0, atol=1e-12)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass
 
@@ -12,6 +13,9 @@ from armlab.errors import InputError
 ANGLES = ("deg", "rad")
 MOST_DECIMALS = 15
 """Largest number of decimals of a number that was rounded in writing; more come from a program."""
+
+LARGEST_ROUNDING = 2e-3
+"""Largest difference, radians, of an angle from the quarter turn that it stands for: 3.14 means pi."""
 
 LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
 
@@ -135,7 +139,7 @@ def read_cell(text: str, decimal_comma: bool = False) -> Cell:
     try:
         if not found:
             bare = bare.strip("{}") if "{" in bare else bare
-            return Cell(evaluate(bare), unit, rounding=_rounding(bare))
+            return Cell(evaluate(bare), unit, rounding=rounding_of(bare))
         name, mark = found[0]["name"], found[0]["mark"]
         offset, *more = (evaluate(_VARIABLE.sub(value, bare)) for value in ("(0)", "(1)", "(2)"))
     except InputError:
@@ -146,11 +150,21 @@ def read_cell(text: str, decimal_comma: bool = False) -> Cell:
         ) from None
     if any(abs(value - offset - step) > 1e-9 * max(1.0, abs(offset)) for step, value in enumerate(more, start=1)):
         raise InputError(f"expected the joint variable plus a number, got {text!r}; the variable counts once, with +")
-    rounding = _rounding(_VARIABLE.sub("(0)", bare))
+    rounding = rounding_of(_VARIABLE.sub("(0)", bare))
     return Cell(offset, unit, "theta" if name == "th" else name, bool(mark and "*" in mark), rounding)
 
 
-def _rounding(text: str) -> float:
+def quarter_turn(value: float, rounding: float, most: float = LARGEST_ROUNDING) -> float:
+    """Return an angle in radians, or the multiple of a quarter turn of which it is the rounding, at most by ``most``.
+
+    >>> quarter_turn(1.571, 5e-4) == math.pi / 2, quarter_turn(1.571, 5e-5)
+    (True, 1.571)
+    """
+    nearest = round(value / (math.pi / 2)) * (math.pi / 2)
+    return nearest if abs(nearest - value) <= min(rounding, most) else value
+
+
+def rounding_of(text: str) -> float:
     """Return the change of an expression when its only decimal number grows by half a unit of the last digit."""
     found = list(_DECIMAL.finditer(text))
     if len(found) != 1:

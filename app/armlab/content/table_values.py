@@ -6,16 +6,13 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 
-from armlab.content.table_cells import ANGLES, LENGTHS, Cell, plain, read_cell
+from armlab.content.table_cells import ANGLES, LENGTHS, Cell, plain, quarter_turn, read_cell
 from armlab.content.table_header import DH, Column, unit_refused
 from armlab.errors import InputError
 from armlab.kin.dh import LARGEST_ANGLE, Kind
 
 LARGEST_RADIANS = 6.3
 """Largest angle in radians: a larger one without a unit is taken as degrees."""
-
-LARGEST_ROUNDING = 2e-3
-"""Largest difference, radians, of an angle from the quarter turn that it stands for: 3.14 means pi."""
 
 LARGEST_METRES = 20.0
 """Largest length in metres: a larger one without a unit is taken as millimetres."""
@@ -34,12 +31,6 @@ _KIND_OF_UNIT = {**dict.fromkeys(ANGLES, "an angle"), **dict.fromkeys(LENGTHS, "
 
 EXACT = 1e-12
 """Change of an angle, radians, below which it counts as unchanged."""
-
-
-def _quarter_turn(cell: Cell) -> float:
-    """Return an angle in radians, or the multiple of a quarter turn of which it is the rounding."""
-    nearest = round(cell.value / (math.pi / 2)) * (math.pi / 2)
-    return nearest if abs(nearest - cell.value) <= min(cell.rounding, LARGEST_ROUNDING) else cell.value
 
 
 def _in_quarters(value: float) -> str:
@@ -116,7 +107,7 @@ class PastedCells:
         meant: dict[str, str] = {}
         for i, role, cell in cells:
             unit = self._checked(i, role, cell, ANGLES) or self._column_unit(role, ANGLES) or default
-            value = math.radians(cell.value) if unit == "deg" else _quarter_turn(cell)
+            value = math.radians(cell.value) if unit == "deg" else quarter_turn(cell.value, cell.rounding)
             if abs(value) > LARGEST_ANGLE + EXACT:
                 raise self._fail(i, role, "expected at most a full turn either way")
             if unit == "rad" and abs(value - cell.value) > EXACT:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 
 from armlab.content.arithmetic import shortest, shortest_degrees
+from armlab.content.table_cells import MOST_DECIMALS, quarter_turn, rounding_of
 from armlab.content.write_robot import roll_pitch_yaw
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
@@ -41,7 +42,8 @@ def write_table(arm: Arm, format: str, angle: str = "deg") -> str:
     known_name("format", format, FORMATS)
     known_name("angle", angle, ANGLE_UNITS)
     turned = shortest_degrees if angle == "deg" else shortest
-    rows = [[*_cells(row, i + 1, turned), *_limits(arm, i, turned)] for i, row in enumerate(arm.rows)]
+    in_cells = shortest_degrees if angle == "deg" else _radians
+    rows = [[*_cells(row, i + 1, in_cells), *_limits(arm, i, turned)] for i, row in enumerate(arm.rows)]
     comments = [COMMENTS[format].format(line) for line in _beside(arm, angle, turned)]
     return _table(arm, format, angle, rows) + "".join(comments)
 
@@ -76,6 +78,19 @@ def _beside(arm: Arm, angle: str, turned: Written) -> Iterable[str]:
             place = ", ".join(shortest(float(value)) for value in T[:3, 3])
             turn = ", ".join(turned(each) for each in roll_pitch_yaw(T[:3, :3]))
             yield f"{name}, not in the table: at ({place}) m, turned by ({turn}) {angle} about the fixed x, y, z"
+
+
+def _radians(value: float) -> str:
+    """Return an angle of the table in radians, with more zeros where it would be read as a rounded quarter turn.
+
+    >>> _radians(0.5), _radians(1.571)
+    ('0.5', '1.5710000000000000')
+    """
+    text = shortest(value)
+    if quarter_turn(value, rounding_of(text)) == value:
+        return text
+    whole, _, decimals = text.partition(".")
+    return f"{whole}.{decimals:0<{MOST_DECIMALS + 1}}"
 
 
 def _cells(row: Row, number: int, turned: Written) -> list[str]:
