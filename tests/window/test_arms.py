@@ -270,7 +270,9 @@ def test_units_can_be_said_and_the_rows_to_begin_with_stay_the_same_arm():
     draft.set_unit("angle", "rad")
     draft.write(1, "alpha", "pi/2")
     draft.write(1, "theta", "q2 + 0.5")
+    draft.write(0, "alpha", "-3.1416")
     rows = draft.command().rows
+    assert rows[0].alpha == -np.pi, "as a field shows it"
     assert rows[0].a == 2.0
     assert rows[1] == Row("R", a=0.4, alpha=np.pi / 2, theta=0.5)
     draft.set_unit("length", "mm")

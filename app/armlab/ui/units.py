@@ -8,6 +8,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from armlab.content.arithmetic import evaluate
+from armlab.content.table_cells import quarter_turn, rounding_of
 from armlab.errors import InputError
 from armlab.kin.dh import Convention
 from armlab.kin.field import ROUNDING
@@ -190,7 +191,14 @@ class Units:
         return joined(self.book.symbols[field], tag("sub", index), f", {unit}")
 
     def read(
-        self, text: str, revolute: bool, where: str, per: str = "", within: Range | None = None, why: str = ""
+        self,
+        text: str,
+        revolute: bool,
+        where: str,
+        per: str = "",
+        within: Range | None = None,
+        why: str = "",
+        quarters: bool = False,
     ) -> float:
         """Return radians or metres from a typed text: a number in the unit on screen, or with π or a unit.
 
@@ -207,6 +215,9 @@ class Units:
             is that one: 3.1416 rad is as far as π.
         why : str
             End of the sentence of the error for a value beyond these.
+        quarters : bool
+            Whether an angle in radians that is the rounding of quarter turns, and whose field shows these, is these:
+            3.1416 is π. Axes of a table are parallel or not.
 
         Raises
         ------
@@ -237,6 +248,8 @@ class Units:
             value = factor * evaluate(plain)
         except InputError:
             raise InputError(f"{where}: expected a number in {unit}, got {text.strip()[:40]!r}") from None
+        if quarters and factor == 1.0:
+            value = quarter_turn(value, rounding_of(plain), self._half_a_digit)
         if bare:
             remark_on_radians(value)
         low, high = (-math.inf, math.inf) if within is None else within
@@ -248,8 +261,12 @@ class Units:
 
     def _rounding(self, bound: float, revolute: bool) -> float:
         """Return how far from a bound, radians or metres, that field may be which shows the bound."""
-        half_a_digit = 0.5 * 10.0 ** -(self.decimals(True) + 1) * self.factor(True)
-        return max(ROUNDING, min(half_a_digit, RELATIVE * abs(bound))) if revolute else ROUNDING
+        return max(ROUNDING, min(self._half_a_digit, RELATIVE * abs(bound))) if revolute else ROUNDING
+
+    @property
+    def _half_a_digit(self) -> float:
+        """Half of the last digit of an angle in a field, radians."""
+        return 0.5 * 10.0 ** -(self.decimals(True) + 1) * self.factor(True)
 
 
 _DEGREES = re.compile(r"(\d+(?:\.\d+)?) ?°")

@@ -86,6 +86,8 @@ async def at_the_table(url, cookie=None, path="/"):
         ("dh-1-theta", "90", SetCell(0, "theta", np.pi / 2)),
         ("dh-1-theta", "q1", SetCell(0, "theta", 0.0)),
         ("dh-1-theta", "", SetCell(0, "theta", 0.0)),
+        ("dh-2-alpha", "3.1416 rad", SetCell(1, "alpha", np.pi)),
+        ("dh-1-theta", "q1 - 1.5708 rad", SetCell(0, "theta", -np.pi / 2)),
         ("dh-6-add", "", AddJoint(5)),
     ],
 )

@@ -84,6 +84,8 @@ def test_cells_become_commands():
     (command,) = commands(turned, "value", "90")
     assert (command.row, command.field) == (1, "high")
     assert command.value == pytest.approx(1.5707963, abs=1e-6)
+    in_radians = apply(apply(state, ChooseQuantity(1, "alpha")), Set(Notation, "angle", "rad"))
+    assert commands(in_radians, "value", "-1.5708")[0].value == -math.pi / 2
 
 
 def test_quantities_have_the_names_of_the_table():

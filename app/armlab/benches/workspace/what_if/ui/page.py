@@ -25,6 +25,7 @@ from armlab.benches.workspace.what_if.ui.words import (
 )
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
+from armlab.session.sizes import ANGLES
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised
@@ -89,7 +90,7 @@ def exact_markup(form: Form, part: WhatIf, units: Units) -> Markup:
     thought = units.entry(value_of(part.other, part.row, part.field), angle)
 
     def typed(text: str) -> Suppose:
-        return Suppose(part.row, part.field, units.read(text, angle, name))
+        return Suppose(part.row, part.field, units.read(text, angle, name, quarters=part.field in ANGLES))
 
     field = form.field("value", thought, f"{name}, {NAMED[part.field]}, in {units.unit(angle)}", typed)
     now = f"now {with_unit(value_of(part.arm, part.row, part.field), angle, units)}"
