@@ -50,6 +50,27 @@ def test_angles_beyond_a_full_turn_are_told_where_they_are_typed():
         assert str(refused.value) == f"row 1, column {place}: expected at most a full turn either way, got {got!r}"
 
 
+FRAMES = (
+    "┌─┬┐ │ ├─┼┤ └─┴┘",
+    "┏━┳┓ ┃ ┣━╋┫ ┗━┻┛",
+    "╔═╦╗ ║ ╠═╬╣ ╚═╩╝",
+    "╒═╤╕ │ ╞═╪╡ ╘═╧╛",
+    "╭─┬╮ │ ├─┼┤ ╰─┴╯",
+    "┍━┯┑ │ ┝━┿┥ ┕━┷┙",
+)
+"""Lines above, between the cells, between the rows and below, as programs draw them."""
+
+
+@pytest.mark.parametrize("frame", FRAMES)
+def test_a_drawn_table_may_have_lines_of_any_kind_and_another_table_below_is_not_read(frame):
+    above, bar, between, below = (
+        part if len(part) == 1 else part[0] + part[1] * 3 + part[2:] for part in frame.split()
+    )
+    lines = [bar.join(("", *cells.split(), "")) for cells in ("θⱼ dⱼ aⱼ ⍺ⱼ", "q1 0.4 0 90°", "q2 0 0.5 0°")]
+    drawn = "\n".join([above, lines[0], between, lines[1], lines[2], below])
+    same(parse_table(f"{drawn}\n{above}\n{bar}tool{bar}0{bar}\n{below}"), [("R", 0, H, 0.4, 0), ("R", 0.5, 0, 0, 0)])
+
+
 # --- Conventions
 
 KHALIL = r"""

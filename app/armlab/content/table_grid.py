@@ -14,7 +14,12 @@ LONGEST = 20_000
 """Longest text, in characters; twelve joints need a tenth of it."""
 
 _BARS = re.compile(r"[│┃║|]")
-_RULE = re.compile(r"[\s│┃║|─━═┄┌┐└┘├┤┬┴┼╔╗╚╝╠╣╦╩╬╒╕╘╛╞╡╤╧╪+:=_-]+")
+_RULE = re.compile(r"[\s|\u2500-\u257f+:=_-]+")
+"""A line between rows, of box-drawing characters of any weight or of those of a keyboard."""
+
+_FOOT = re.compile(r"\s*[└-┛╘-╝╰]")
+"""Beginning of the line below a drawn table."""
+
 _ENVIRONMENT = re.compile(r"\\begin\s*\{(tabular[x*]?|array|[bBpvV]?matrix|smallmatrix|longtable)\}")
 _LATEX_RULES = re.compile(
     r"\\(?:hline|toprule|midrule|bottomrule|addlinespace|centering|endhead|endfirsthead)(?![a-zA-Z])(?:\[[^\]]*\])?"
@@ -118,7 +123,7 @@ def _bars(text: str) -> tuple[tuple[str, ...], ...]:
     """Split Markdown or drawn tables; the first block of lines with bars is the table."""
     lines: list[tuple[str, ...]] = []
     for line in text.split("\n"):
-        closed = line.lstrip().startswith(("└", "╚", "╘")) or not (_BARS.search(line) or _RULE.fullmatch(line))
+        closed = _FOOT.match(line) or not (_BARS.search(line) or _RULE.fullmatch(line))
         if lines and (closed or not line.strip()):
             break
         if _BARS.search(line) and not _RULE.fullmatch(line):
