@@ -16,7 +16,7 @@ from armlab.benches.workspace.what_if.found import Question, comparing
 from armlab.benches.workspace.what_if.job import JOB, PAGE, compared, delivered, wanted
 from armlab.benches.workspace.what_if.state import ChooseQuantity, ForgetChanges, Suppose, TakeOver, WhatIf, is_present
 from armlab.benches.workspace.what_if.view import parts_of, thought_pose
-from armlab.content.robots import catalogue
+from armlab.content.robots import catalogue, own_robot
 from armlab.errors import InputError
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.sections import _kept
@@ -219,6 +219,31 @@ def test_a_narrower_limit_of_a_box_takes_away_its_part():
     assert found.lost.mean() == pytest.approx(0.5, abs=0.03)
     # What is told wrong lies within a cell of the boundary: next to nothing.
     assert found.gained.mean() < 0.002
+
+
+@pytest.mark.parametrize(("key", "row"), [("scara", 0), ("elbow_3r", 0), ("polar_rrp", 0)])
+def test_narrower_limits_gain_nothing_also_on_the_boundary_of_both_workspaces(key, row):
+    low, high = armlab.load(key).limits[row].tolist()
+    found = found_of(key, Suppose(row, "high", high - 0.2 * (high - low)))
+    assert found.told_apart
+    assert found.gained.sum() == 0
+
+
+def test_of_two_lines_or_surfaces_no_point_is_said_to_be_gained_or_lost():
+    """Nothing but where it ends changes on the arc of a single joint."""
+    arc = State.initial(own_robot(armlab.Arm.from_dh([("R", 0.5, 0.0, 0.0, 0.0)]), "One joint"))
+    state = compared(apply(arc, Suppose(0, "high", 1.0)))
+    found, parts = state[WhatIf].found, state.derived(parts_of)
+    assert found.finished
+    assert not found.told_apart
+    assert (len(parts.kept), len(parts.thought)) == (len(found.old.points), len(found.new.points))
+    assert len(parts.gained) == len(parts.lost) == 0
+    # A line beside an area is not in it, but for some of its points.
+    wider = compared(apply(arc, Suppose(1, "x", 0.3)))[WhatIf].found
+    assert not wider.told_apart
+    area = compared(opened("planar_2r", Suppose(1, "a", 0.0)))[WhatIf].found
+    assert area.told_apart
+    assert area.lost.mean() > 0.99
 
 
 @cache

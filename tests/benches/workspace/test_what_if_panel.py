@@ -208,6 +208,8 @@ def test_the_legend_names_the_colours_that_are_there():
     early = joined(legend_markup(replace(found, lost=None, gained=None)))
     assert "as proposed" in early
     assert "lost" not in early
+    line = joined(legend_markup(known("planar_2r", Suppose(0, "a", 0.0), Suppose(1, "a", 0.0))[WhatIf].found))
+    assert "lost" in line, "an area that shrinks to a point is lost"
     alone = joined(legend_markup(known("planar_2r")[WhatIf].found))
     assert plain(alone) == "as it is"
 

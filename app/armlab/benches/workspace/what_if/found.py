@@ -70,6 +70,11 @@ class Figures:
     size: Size | None
     refined: bool
 
+    @property
+    def extended(self) -> bool:
+        """Whether it has a volume, or an area of a planar arm, and is no line or surface."""
+        return self.size is not None and self.size.value > 0.0
+
 
 @dataclass(frozen=True, eq=False)
 class Compared:
@@ -106,6 +111,11 @@ class Compared:
     def finished(self) -> bool:
         """Whether the work is done."""
         return self.lost is not None
+
+    @property
+    def told_apart(self) -> bool:
+        """Whether it is known which points are lost and gained: of two lines or surfaces it is not."""
+        return self.finished and any(each.extended for each in self.figures)
 
 
 @dataclass(eq=False)
@@ -152,9 +162,23 @@ def comparing(question: Question) -> Iterator[Compared | None]:
     assert new.section is not None
     found = replace(found, figures=(old.refined, new.refined), sections=(old.section, new.section))
     yield found
-    lost = ~new.section.holds(old.points.points)
-    yield None
-    yield replace(found, lost=lost, gained=~old.section.holds(new.points.points))
+    lost = yield from _only(old, new)
+    yield replace(found, lost=lost, gained=(yield from _only(new, old)))
+
+
+def _only(own: _Known, other: _Known) -> Generator[None, None, Mask]:
+    """Return, after pieces of work, which drawn points of an arm the other arm does not reach.
+
+    On the boundary a point may be told to be outside, of its own workspace, too: of that nothing is said.
+    """
+    assert own.points is not None
+    assert own.section is not None
+    assert other.section is not None
+    points = own.points.points
+    alone = np.asarray(~other.section.holds(points))
+    yield
+    # A line or a surface holds none of its points.
+    return alone & own.section.holds(points) if own.refined is not None and own.refined.extended else alone
 
 
 def _sampling(arm: Arm, known: _Known) -> Iterator[Samples]:

@@ -43,7 +43,7 @@ def parts_of(state: State) -> Parts:
     old, new = found.old.points, found.new.points
     if found.same:
         parts = Parts(old, nothing, nothing, nothing)
-    elif found.lost is None or found.gained is None:
+    elif found.lost is None or found.gained is None or not found.told_apart:
         parts = Parts(old, new, nothing, nothing)
     else:
         parts = Parts(old[~found.lost], nothing, new[found.gained], old[found.lost])

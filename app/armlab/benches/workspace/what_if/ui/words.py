@@ -162,8 +162,8 @@ def legend_markup(found: Compared) -> Markup:
     if found.same:
         names: tuple[str, ...] = ("kept",)
     else:
-        names = ("kept", "gained", "lost") if found.finished else ("kept", "thought")
-    texts = {**LEGEND, "kept": "as it is" if not found.finished or found.same else LEGEND["kept"]}
+        names = ("kept", "gained", "lost") if found.told_apart else ("kept", "thought")
+    texts = {**LEGEND, "kept": "as it is" if not found.told_apart or found.same else LEGEND["kept"]}
     dots = [tag("span", dot(css(COLOURS[name])), texts[name]) for name in names]
     line = tag("span", tag("u", style=f"background:{css(THOUGHT)}"), "the arm as proposed")
     return tag("div.wi-legend", dots, None if found.same else line)
