@@ -116,6 +116,19 @@ def test_a_path_through_few_waypoints_is_that_of_the_chosen_move(k, path, expect
     assert part.stretch_to(k).move.path.key == path
 
 
+def laid(state):
+    return [(part.title, part.move.path.key) for part in state[Plan].parts]
+
+
+def test_waypoints_are_added_behind_an_arc_of_four_one_by_one():
+    state = done(opened("puma560", 4), SetMove(1, path="lts_434"))
+    for count in (5, 6, 7):
+        state = done(state, RandomPose(), AddWaypoint())
+        assert len(state[Plan].waypoints) == count
+    assert laid(state) == [("1 → 4", "lts_434"), ("4 → 7", "lts_434")]
+    assert laid(done(state, RemoveWaypoint(6)))[1:] == [("4 → 5", "line"), ("5 → 6", "line")]
+
+
 @pytest.mark.parametrize("rest", [SetAtWaypoint(1, "wait", 0.5), SetMove(1, stop=True)])
 @pytest.mark.parametrize("k", [1, 2])
 def test_a_circle_across_a_rest_is_refused_in_a_sentence(k, rest):

@@ -226,18 +226,27 @@ def stretches(moves: tuple[Move, ...], waypoints: tuple[Waypoint, ...]) -> tuple
             found[-1] = replace(before, last=k + 1)
         else:
             found.append(Stretch(k, k + 1, move))
-    return tuple(_straightened(stretch) for stretch in found)
+    return tuple(each for stretch in found for each in _straightened(stretch, moves))
 
 
-def _straightened(stretch: Stretch) -> Stretch:
-    """Return a stretch with enough waypoints for its path; one with too few, as half an arc, becomes a straight line.
+def as_laid(moves: tuple[Move, ...], waypoints: tuple[Waypoint, ...]) -> tuple[Move, ...]:
+    """Return each move with the path and the law that it has in its stretch; see `stretches`."""
+    return tuple(
+        replace(moves[k], path=stretch.move.path, law=stretch.move.law)
+        for stretch in stretches(moves, waypoints)
+        for k in range(stretch.first, stretch.last)
+    )
+
+
+def _straightened(stretch: Stretch, moves: tuple[Move, ...]) -> tuple[Stretch, ...]:
+    """Return a stretch with enough waypoints for its path; one with too few, as half an arc, becomes straight lines.
 
     The moves keep their path, so that a stop that is taken away again brings it back.
     """
-    move = stretch.move
-    if stretch.last - stretch.first + 1 >= move.kind.least:
-        return stretch
-    return replace(stretch, move=replace(move, path=LINE, law=resting(move.law)))
+    if stretch.last - stretch.first + 1 >= stretch.move.kind.least:
+        return (stretch,)
+    straight = (replace(move, path=LINE, law=resting(move.law)) for move in moves[stretch.first : stretch.last])
+    return tuple(Stretch(k, k + 1, move) for k, move in enumerate(straight, start=stretch.first))
 
 
 def resting(law: Chosen) -> Chosen:
