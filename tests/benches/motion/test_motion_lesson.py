@@ -15,7 +15,8 @@ from armlab.benches.motion.plan.job import JOB, with_planned
 from armlab.benches.motion.plan.limits import LastFor, LimitJoint, UseShare
 from armlab.benches.motion.plan.measured import measuring
 from armlab.benches.motion.plan.planning import making
-from armlab.benches.motion.plan.points import AddWaypoint
+from armlab.benches.motion.plan.points import AddWaypoint, SelectWaypoint
+from armlab.benches.motion.plan.seen import seen_motion
 from armlab.benches.motion.plan.seen_motion import motion_in
 from armlab.benches.motion.plan.state import Plan, planned_now
 from armlab.content.lessons import lesson
@@ -207,6 +208,12 @@ def test_what_is_seen_of_a_plan(corners):
     short = motion_in(observed(worked(done(state, LastFor(1.0)))))
     assert (short.whole, short.within) == (True, False)
     assert short.acceleration > 1.0
+
+
+def test_half_an_arc_is_seen_as_the_straight_line_that_it_runs_along():
+    state = done(State.initial(PUMA), TakeExample("circle"), SelectWaypoint(2), MoveJoint(0, 1.0), AddWaypoint())
+    moves = seen_motion(state, played=False).moves
+    assert [move.path for move in moves] == ["circle", "circle", "line"]
 
 
 def test_a_motion_that_cannot_be_run_says_why(own):

@@ -116,6 +116,14 @@ def test_a_path_through_few_waypoints_is_that_of_the_chosen_move(k, path, expect
     assert part.stretch_to(k).move.path.key == path
 
 
+def arcs(count):
+    """Return the state with so many moves that are all arcs; of an odd number the last runs straight."""
+    state = done(
+        opened("puma560", count + 1), SetMove(1, space="cartesian"), AllMovesLike(1), SetMove(1, path="circle")
+    )
+    return done(state, AllMovesLike(1))
+
+
 def laid(state):
     return [(part.title, part.move.path.key) for part in state[Plan].parts]
 
@@ -127,6 +135,35 @@ def test_waypoints_are_added_behind_an_arc_of_four_one_by_one():
         assert len(state[Plan].waypoints) == count
     assert laid(state) == [("1 → 4", "lts_434"), ("4 → 7", "lts_434")]
     assert laid(done(state, RemoveWaypoint(6)))[1:] == [("4 → 5", "line"), ("5 → 6", "line")]
+
+
+def test_a_circle_for_the_half_arc_that_is_left_over_is_refused_in_a_sentence():
+    state = arcs(3)
+    assert laid(state) == [("1 → 3", "circle"), ("3 → 4", "line")]
+    with pytest.raises(InputError, match=r"move 3 → 4: Circle through three points takes 3 waypoints .* there are 2"):
+        apply(state, SetMove(3, path="circle"))
+
+
+def test_a_circle_behind_half_an_arc_is_that_of_the_chosen_move():
+    state = done(opened("puma560", 4), SetMove(1, space="cartesian"), AllMovesLike(1), SetMove(1, path="circle"))
+    state = done(
+        state, RemoveWaypoint(1), RandomPose(), AddWaypoint(), SetMove(2, path="line"), SetMove(3, path="line")
+    )
+    assert state[Plan].moves[0].path.key == "circle"
+    assert [key for _, key in laid(state)] == ["line"] * 3
+    for k in (2, 3):
+        assert done(state, SetMove(k, path="circle"))[Plan].stretch_to(k).move.path.key == "circle"
+    assert laid(done(state, SetMove(3, path="circle"))) == [("1 → 2", "line"), ("2 → 4", "circle")]
+    assert laid(done(state, SetMove(1, path="circle"))) == [("1 → 3", "circle"), ("3 → 4", "line")]
+
+
+def test_half_an_arc_is_changed_as_it_is_shown_and_a_stop_that_goes_brings_the_arc_back():
+    slow = done(arcs(2), SetMove(2, law="constant"), SetMove(1, stop=True))
+    assert [(part.move.path.key, part.move.law.key) for part in slow[Plan].parts] == [("line", "trapezoidal")] * 2
+    assert done(slow, SetMoveOption(2, "law", "ramp", 0.3))[Plan].parts[1].move.law.options == {"ramp": 0.3}
+    assert done(slow, SetMove(2, law="constant"))[Plan].parts[1].move.law.key == "constant"
+    assert laid(done(slow, AllMovesLike(2))) == [("1 → 2", "line"), ("2 → 3", "line")]
+    assert laid(done(slow, SetMove(1, stop=False))) == [("1 → 3", "circle")]
 
 
 @pytest.mark.parametrize("rest", [SetAtWaypoint(1, "wait", 0.5), SetMove(1, stop=True)])

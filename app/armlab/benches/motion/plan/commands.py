@@ -13,6 +13,7 @@ from armlab.benches.motion.plan.moves import (
     LINE,
     Move,
     Stretch,
+    as_laid,
     checked_space,
     checked_turning,
     resting,
@@ -103,14 +104,19 @@ class SetMove(PlanCommand):
         """Return the state with the choice made."""
         part = state[Plan]
         first, last = _moves_of(part, self.k) if self.path is None else self._reached(part)
-        moves = list(part.moves)
-        for i in range(first, last):
-            moves[i] = self._changed(moves[i])
+        # A choice is made of the move that is shown, which of half an arc is a straight line; a stop changes no path.
+        shown = part.moves if self == SetMove(self.k, stop=self.stop) else part.laid
+        chosen = tuple(map(self._changed, shown[first:last]))
+        moves = (*part.moves[:first], *chosen, *part.moves[last:])
+        # Half an arc before them would make a whole one of their first move.
+        if self.path is not None and as_laid(moves, part.waypoints)[first:last] != chosen:
+            moves = (*part.laid[:first], *chosen, *part.laid[last:])
         if self.stop is not None:
-            moves[self.k - 1] = replace(moves[self.k - 1], stop=self.stop)
-        if tuple(moves) == part.moves:
+            stops = replace(moves[self.k - 1], stop=self.stop)
+            moves = (*moves[: self.k - 1], stops, *moves[self.k :])
+        if moves == part.moves:
             return state
-        return with_plan(state, refitted(state[Joints].arm, edited(part, moves=tuple(moves))))
+        return with_plan(state, refitted(state[Joints].arm, edited(part, moves=moves)))
 
     def _reached(self, part: Plan) -> tuple[int, int]:
         """Return the moves that get a new path: those of the stretch, and as many beside it as the path needs.
@@ -119,14 +125,14 @@ class SetMove(PlanCommand):
         """
         first, last = _moves_of(part, self.k)
         kind = path_type(str(self.path))
-        like = part.moves[first].through()
+        like = part.laid[first].through()
         most = len(part.moves) if kind.most is None else max(kind.least - 1, 1)
         # A path through three or more is not that path any more where the arm rests between them.
         inner = range(1, len(part.moves)) if kind.least > 2 else ()
         rests = {k for k in inner if part.moves[k - 1].stop or part.waypoints[k].rests}
 
         def goes_on(k: int, i: int) -> bool:
-            return last - first < most and k not in rests and part.moves[i].through() == like
+            return last - first < most and k not in rests and part.laid[i].through() == like
 
         while last < len(part.moves) and goes_on(last, last):
             last += 1
@@ -188,9 +194,10 @@ class SetMoveOption(PlanCommand):
         kinds = path_types() if self.of == "path" else law_types()
         moves = list(part.moves)
         for i in range(first, last):
-            chosen: Chosen = getattr(moves[i], self.of)
+            shown = part.laid[i]
+            chosen: Chosen = getattr(shown, self.of)
             changed = chosen.with_option(kinds[chosen.key], self.name, self.value)
-            moves[i] = replace(moves[i], path=changed) if self.of == "path" else replace(moves[i], law=changed)
+            moves[i] = replace(shown, path=changed) if self.of == "path" else replace(shown, law=changed)
         return with_plan(state, edited(part, moves=tuple(moves)))
 
 
@@ -205,7 +212,7 @@ class AllMovesLike(PlanCommand):
         """Return the state with equal moves, without stops where the path can pass through."""
         part = state[Plan]
         first, _ = _moves_of(part, self.k)
-        like = part.moves[first].through()
+        like = part.laid[first].through()
         return with_plan(state, refitted(state[Joints].arm, edited(part, moves=(like,) * len(part.moves))))
 
 

@@ -38,7 +38,7 @@ def seen_motion(state: State, played: bool) -> SeenMotion:
     """
     part, timeline, planned = state[Plan], state[Timeline], planned_now(state)
     points = () if part.recorded is not None else part.waypoints
-    moves = () if part.recorded is not None else part.moves
+    moves = () if part.recorded is not None else part.laid
     return replace(
         SeenMotion() if planned is None else _facts(planned, part.velocity, part.acceleration),
         waypoints=len(points),

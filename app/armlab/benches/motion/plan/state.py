@@ -10,7 +10,7 @@ from typing import ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.benches.motion.plan.moves import Move, Stretch, Waypoint, checked_q, stretches
+from armlab.benches.motion.plan.moves import Move, Stretch, Waypoint, as_laid, checked_q, stretches
 from armlab.benches.motion.plan.question import (
     LONGEST,
     SHORTEST,
@@ -136,6 +136,11 @@ class Plan(Part):
     def parts(self) -> tuple[Stretch, ...]:
         """The stretches of the moves."""
         return stretches(self.moves, self.waypoints)
+
+    @cached_property
+    def laid(self) -> tuple[Move, ...]:
+        """The moves with the paths and laws that they run along, as they are shown; see `as_laid`."""
+        return as_laid(self.moves, self.waypoints)
 
     @property
     def limits(self) -> Limits:
