@@ -73,6 +73,39 @@ def test_what_has_no_unit_at_its_end_is_read_as_what_is_asked(text, asked, expec
     assert (pytest.approx(number), unit) == expected
 
 
+OPEN = ("180° - 55", "180 deg - 30 - 25", "2*(180° - 55)", "90° + 0.5", "1 rad - 55", "max(180, 90°)", "180 - 30° + pi")
+
+
+@pytest.mark.parametrize("text", OPEN)
+def test_a_number_without_a_unit_beside_an_angle_with_one_is_no_answer(text):
+    says = f"In '{text}' one angle has a unit and another has none: write it at each, as in 180° - 30°."
+    for unit in ("deg", "rad"):
+        assert NumberQuestion("", 125.0, unit, 0.1).judge(text) == Verdict(False, says, "unreadable")
+        with pytest.raises(InputError, match=r"Row 1, column 2: In .* one angle has a unit"):
+            read_matrix(f"0, {text.replace('max(180, 90°)', '180° - 55')}", (1, 2), unit)
+
+
+def test_a_number_beside_an_angle_within_a_cosine_is_no_answer():
+    assert "another has none" in ROOT.judge("cos(180° - 55)").says
+    with pytest.raises(InputError, match=r"Row 1, column 1: In .* another has none"):
+        read_matrix("cos(180° - 55)", (1, 1))
+
+
+@pytest.mark.parametrize(
+    ("text", "asked", "expected"),
+    [
+        ("90° - 1 rad", "deg", (math.pi / 2.0 - 1.0, "rad")),
+        ("90° - pi/4 + 0", "deg", (math.pi / 4.0, "rad")),
+        ("180°/30° - 2", "", (4.0, None)),
+        ("0.3*180° + 0.2", "m", (0.3 * math.pi + 0.2, None)),
+        ("rad(180) - 0.5", "rad", (math.pi - 0.5, None)),
+    ],
+)
+def test_units_that_are_not_open_are_read(text, asked, expected):
+    number, unit = read_quantity(text, asked)
+    assert (pytest.approx(number), unit) == expected
+
+
 @pytest.mark.parametrize("text", ["5", "5 %", "5%", "5,05 %", "10/2 %", "5 percent", "5％"])
 def test_right_shares(text):
     assert SHARE.judge(text).right

@@ -71,7 +71,7 @@ ASKED: tuple[tuple[str, tuple[str, ...]], ...] = (
         NUMBER.format(answer=1.0, unit="rad", tolerance=0.01),
         ("1", "-1", "57.3", "1 deg", "2", "0.5", "7.283", "5", "1 m", "1 m/s"),
     ),
-    (NUMBER.format(answer=60, unit="deg", tolerance=0.5), ("1.0472", "60 rad", "1 m", "-60", "420")),
+    (NUMBER.format(answer=60, unit="deg", tolerance=0.5), ("1.0472", "60 rad", "1 m", "-60", "420", "180° - 55")),
     (NUMBER.format(answer=0.5, unit="", tolerance=0.001), ("foo", "cos(60)", "1 m", "0.25", "1")),
     (NUMBER.format(answer=25, unit="%", tolerance=0.1), ("0.25", "1 m")),
     (NUMBER.format(answer=0.5, unit="m", tolerance=0.001), ("foo", "500", "50", "0.5 rad", "90°", "1")),
@@ -95,7 +95,7 @@ ASKED: tuple[tuple[str, tuple[str, ...]], ...] = (
         ),
     ),
     (MATRIX.format(answer="[[1, 2, 3]]", unit="m"), ("100 200 300", "3 1 2", "1rad 2 3", "1 2", "2 1 3")),
-    (MATRIX.format(answer="[[1], [2], [3]]", unit="deg"), ("3; 1; 2", "1m; 2; 3")),
+    (MATRIX.format(answer="[[1], [2], [3]]", unit="deg"), ("3; 1; 2", "1m; 2; 3", "180° - 55; 2; 3")),
     (
         EXPRESSION.format(answer="l1*cos(q1)"),
         (*UNREADABLE, "-l1*cos(q1)", "l1*sin(q1)", "-l1*sin(q1)", "l1", "cos(q2)", "l1*cos(q1)"),

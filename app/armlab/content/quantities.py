@@ -6,7 +6,7 @@ import math
 import re
 from collections import Counter
 
-from armlab.content.angle_terms import angle_terms, is_in_radians, units_in
+from armlab.content.angle_terms import angle_terms, is_in_radians, refuse_open_units, units_in
 from armlab.content.expressions import LONGEST, Expression, parse
 from armlab.content.symbols import plain_symbols
 from armlab.errors import InputError
@@ -93,7 +93,7 @@ def read_quantity(text: str, asked: str = "") -> tuple[float, str | None]:
     Raises
     ------
     InputError
-        It cannot be read.
+        It cannot be read, or of two angles one has a unit and the other has none.
 
     Examples
     --------
@@ -121,10 +121,13 @@ def read_formula(text: str, asked: str = "") -> tuple[Expression, str | None]:
         raise _unreadable(text, asked)
     source = _WORD.sub(r"\1", plain_symbols(text).strip())
     source, unit = _without_unit(source, asked)
+    source = with_decimal_points(source)
     try:
-        return parse(with_decimal_points(source)), unit
+        formula = parse(source)
     except InputError:
         raise _unreadable(text, asked) from None
+    refuse_open_units(source, text.strip(), UNITS[asked][0].startswith(("an angle", "an angular")))
+    return formula, unit
 
 
 def with_decimal_points(source: str) -> str:
@@ -157,7 +160,7 @@ def _without_unit(source: str, asked: str) -> tuple[str, str | None]:
         written = re.sub(r"[\s()]", "", found[0])
         raise InputError(f"The unit {written} is not known; there are {', '.join(filter(None, UNITS))}.")
     *before, last = terms
-    if unit == "deg" and (units_in(last) > 1 or any(units_in(term) or is_in_radians(term) for term in before)):
+    if unit in ("deg", "rad") and (units_in(last) > 1 or any(units_in(term) or is_in_radians(term) for term in before)):
         return source, "rad" if any(units_in(term) == 1 for term in terms) else None
     return source[: found.start()].strip() or "1" * found[0].startswith("/"), unit
 

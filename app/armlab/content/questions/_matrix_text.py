@@ -7,6 +7,7 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.content.angle_terms import OpenUnit, refuse_open_units
 from armlab.content.expressions import parse
 from armlab.content.quantities import UNITS, read_quantity
 from armlab.content.symbols import MINUS_SIGNS
@@ -121,7 +122,9 @@ def _entry(word: str, i: int, k: int, unit: str) -> float:
     if value is not None:
         return value
     try:
-        return parse(word).value({})
+        formula = parse(word)
+        refuse_open_units(word, word, is_angle=False)
+        return formula.value({})
     except InputError as error:
         value = _with_unit(word, place, unit)
         if value is None:
@@ -133,6 +136,8 @@ def _with_unit(word: str, place: str, unit: str) -> float | None:
     """Return an entry that has its own unit, or None when it has none."""
     try:
         number, own = read_quantity(word, unit)
+    except OpenUnit as error:
+        raise InputError(f"{place}: {error}") from None
     except InputError:
         return None
     if own is None:
