@@ -11,10 +11,13 @@ from armlab.commands._found import Place
 from armlab.commands._lesson_sheet import names_of, numbers_of
 from armlab.commands._sheet import escaped
 from armlab.commands._sheet_answers import right_answer
+from armlab.commands._sheet_bench import FROM_ZERO, bench_words
 from armlab.content import lessons as library_module
+from armlab.content.bench_words import BenchWord
 from armlab.content.question import Choices
 from armlab.content.questions.matrix import MatrixQuestion
 from armlab.errors import ArmlabError
+from armlab.session.words import pages_with_words, words_of
 from support.motion_lesson import MOTION
 from support.small_lessons import VARIED
 
@@ -116,6 +119,43 @@ ON_BENCHES = (
     ("two_orders", "(law 1, piece 1, rate, value 6 deg/s)", "what 3"),
     ("same_formula", "entry of a product (row 1, column 3)", "column 4"),
 )
+
+
+AMOUNTS = (
+    *(
+        "axis",
+        "by",
+        "circular",
+        "count",
+        "counts",
+        "flexspline",
+        "frame",
+        "link",
+        "made",
+        "quarters",
+        "seed",
+        "step",
+        "teeth",
+    ),
+    *("terms", "turns"),
+)
+"""Arguments whose numbers stand on a sheet as they are in a file: amounts, what counts from 1, frames 0 to n, axes."""
+
+
+def test_a_sheet_counts_from_1_as_the_screen_does():
+    known = (known for page in pages_with_words() for known in words_of(page).values())
+    whole = {
+        (each.name, argument.name)
+        for each in known
+        if isinstance(each.make, type)
+        for argument in each.arguments
+        if argument.kind.says.startswith("a whole number") and argument.name not in each.make.places
+    }
+    assert sorted((word, name) for word, name in whole if (name in FROM_ZERO) == (name in AMOUNTS)) == []
+    near = BenchWord("velocity.microscope.bring_near", {"place": 0}, "f.md", "step 1.solution", "do[1]")
+    assert bench_words(near) == "on the page Singularities: move near a singularity (number 1)"
+    curve = BenchWord("motion.curves.set", {"selected": 1}, "f.md", "step 1.solution", "do[1]")
+    assert bench_words(curve) == "on the page Interpolation: curve whose equations are shown: 2"
 
 
 @pytest.mark.parametrize(("lesson", "said", "unsaid"), ON_BENCHES)

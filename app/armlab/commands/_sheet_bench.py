@@ -26,10 +26,16 @@ from armlab.session.put_words import PutPart
 from armlab.session.state import Command, Part
 from armlab.session.words import Word, pages_with_words, word
 
-FROM_ZERO = ("column", "component", "first", "i", "index", "joint", "k", "last", "law", "piece", "row", "run", "wheel")
+FROM_ZERO = (
+    *("across", "after", "branch", "column", "component", "first", "i", "index", "joint", "k", "last", "law", "like"),
+    *("pair", "piece", "place", "point", "row", "run", "slot", "up", "way", "wheel", "which"),
+)
 """Arguments of commands that count places from 0."""
 
-CALLED = {"i": "number", "index": "number", "k": "number"}
+SELECTED = ("scaled", "selected")
+"""Fields that hold a place in a list, from 0."""
+
+CALLED = {"i": "number", "index": "number", "k": "number", "place": "number", "which": "number"}
 """Arguments with other names for a person."""
 
 AXES = {"axis": ("x", "y", "z")}
@@ -95,7 +101,9 @@ def _set(key: str, value: Any, field: Field | None) -> str:
     if field.kind == "choice":
         return f"{field.title}: {dict(field.choices).get(value, value)}"
     unit = "" if field.unit == "1" else field.unit
-    if key.endswith("_deg"):
+    if key in SELECTED:
+        value += 1
+    elif key.endswith("_deg"):
         unit = DEGREE if unit == "rad" else unit.replace("rad", "deg")
     elif key.endswith("_mm"):
         unit = "mm"
