@@ -199,6 +199,11 @@ def test_a_command_that_changes_nothing_returns_the_same_state(state):
         assert apply(state, command) is state
 
 
+def test_a_second_command_is_not_taken_for_the_time(state):
+    with pytest.raises(TypeError, match="one command is applied at a time; MoveJoint stands in place of the time"):
+        apply(state, MoveJoint(0, 0.1), MoveJoint(1, 0.2))
+
+
 def test_only_the_touched_parts_are_new(state):
     after = apply(state, Show("frames", True))
     assert after[Joints] is state[Joints]

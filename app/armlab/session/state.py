@@ -366,7 +366,11 @@ def apply(state: State, command: Command, at: float = 0.0) -> State:
     ------
     ArmlabError
         The command, or a part that guards the state, refuses.
+    TypeError
+        A second command stands in place of the time; it would not be applied.
     """
+    if isinstance(at, Command):
+        raise TypeError(f"one command is applied at a time; {type(at).__name__} stands in place of the time")
     dated = state.dated(at)
     changed = command.apply(dated)
     if changed is dated:
