@@ -89,6 +89,13 @@ def by_third_joint(arm: Arm, q: ArrayLike) -> Floats:
     return np.array([x, y, values[2]])
 
 
+def third_joint_on_first_axis(arm: Arm, q: ArrayLike) -> bool:
+    """Return whether joint 3 of a planar 3R lies on the axis of joint 1: any angle of joint 1 then leaves it there."""
+    axes = _axes(arm, finite_floats(q, "q", (3,), "three finite numbers"))
+    away = float(np.hypot(*(axes[2] - axes[0])[:2, 3]))
+    return away <= PARALLEL * sum(_lengths(axes))
+
+
 def arms_by_third_joint(arm: Arm, r: ArrayLike) -> Floats:
     """Return all configurations of a planar 3R with r = (p_x, p_y, q_3).
 

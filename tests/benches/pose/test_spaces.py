@@ -305,6 +305,18 @@ def test_a_stretched_arm_has_no_other_and_a_held_joint_does_not_move():
         GoToTwin().apply(held)
 
 
+@pytest.mark.parametrize("described", ["joint3", "tool"])
+@pytest.mark.parametrize("first", [0.0, 20.0])
+def test_of_a_folded_arm_that_turns_freely_a_whole_curve_has_the_same_r(described, first):
+    state = opened(Set(Spaces, "described", described))
+    state = state.replace(state[Joints].moved_to(np.radians([first, 180.0, 30.0])))
+    assert fact("arms", state) is None
+    text = shown(arms_markup, state)
+    assert "Infinitely many arms" in text
+    assert "arms, " not in text
+    assert "One arm only" not in text
+
+
 def test_another_arm_is_told_why_and_what_to_go_on_with():
     state = opened(robot="puma560")
     assert "RRRRRR" in misfit(state)

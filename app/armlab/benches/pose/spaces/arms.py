@@ -16,7 +16,12 @@ from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.ik.solutions import wrapped_rows
 from armlab.kin.ik.solve_all import solve_all
-from armlab.kin.representations import arms_by_third_joint, by_third_joint, third_joint_misfit
+from armlab.kin.representations import (
+    arms_by_third_joint,
+    by_third_joint,
+    third_joint_misfit,
+    third_joint_on_first_axis,
+)
 from armlab.kin.rotations import rotation_about
 from armlab.kin.task import task_named
 from armlab.kin.transforms import inverse
@@ -44,7 +49,8 @@ class Twins(NamedTuple):
     q : ndarray, shape (n,)
         Of the present arm.
     others : ndarray, shape (k, 3)
-        Configurations of the others; none where the present one is stretched or folded.
+        Configurations of the others; none where the present one is stretched or folded, and some where there are
+        infinitely many.
     """
 
     r: Floats
@@ -101,6 +107,11 @@ def twins_of(state: State) -> Twins:
     every = arms_of(joints.arm, r, described)
     others = [q for q in every if float(np.abs(_apart(q, joints.q)).max()) > SAME]
     return Twins(r, np.array(joints.q), np.array(others).reshape(-1, 3))
+
+
+def are_infinitely_many(state: State) -> bool:
+    """Return whether a whole curve of arms has the r of the present one: joint 1 may then have any angle."""
+    return third_joint_on_first_axis(state[Joints].arm, state[Joints].q)
 
 
 def r_apart(arm: Arm, twins: Twins, described: str) -> float:

@@ -10,6 +10,7 @@ from armlab.benches.pose.spaces.arms import (
     GoToTwin,
     SetR,
     Twins,
+    are_infinitely_many,
     misfit,
     r_apart,
     suited,
@@ -98,6 +99,9 @@ def _go(form: Form, twins: Twins) -> Markup:
 
 def _card(state: State, twins: Twins, units: Units) -> Markup:
     described, apart = state[Spaces].described, tools_apart(state)
+    if are_infinitely_many(state):
+        said = "Joint 3 lies on the axis of joint 1, which may then have any angle: a whole curve of arms has this r."
+        return verdict_box("no", "Infinitely many arms", tag("p", said))
     if apart is None:
         return verdict_box(
             "warn", "One arm only", tag("p", "The links before are stretched or folded, and both arms are one.")
