@@ -16,6 +16,7 @@ from armlab.benches.iterate.runs.commands import (
     SetStart,
 )
 from armlab.benches.iterate.runs.examples import ChooseExample
+from armlab.benches.iterate.runs.facts import FACTS
 from armlab.benches.iterate.runs.job import JOB, todo, with_films
 from armlab.benches.iterate.runs.state import Iterations, StartIterations
 from armlab.benches.iterate.runs.worked import FLOW, MOST_RUNS
@@ -160,6 +161,15 @@ def test_a_flow_that_is_too_fast_at_first_and_arrives_all_the_same_has_arrived()
     fast = done(state, SetParameter(0, "gain", 60.0))[Iterations].film
     assert fast.status == "unstable"
     assert "the time step is too long for this gain" in fast.reason
+
+
+def test_the_start_of_which_lessons_know_is_where_the_runs_begin():
+    state = done(opened(), SetStart((0.4, 0.9)))
+    known = FACTS.facts["start"].value
+    assert known(state) == (0.4, 0.9)
+    held = done(state, MoveJoint(1, 0.5), LockJoint(1, True))
+    assert known(held) == (0.4, 0.5)
+    assert tuple(held[Iterations].film.q[0]) == (0.4, 0.5)
 
 
 def test_a_flow_of_too_many_steps_is_refused():

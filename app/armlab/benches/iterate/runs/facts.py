@@ -21,6 +21,12 @@ def _film(state: State) -> Film | None:
 
 _of_film = facts_of(_film)
 
+
+def _start(state: State) -> tuple[float, ...]:
+    """Return where the runs begin: a held joint stays where it is, whatever start was chosen for it."""
+    return state.derived(questions)[0].start
+
+
 ENDS = {
     "converged": "at the target",
     "stuck": "stuck, not at the target",
@@ -57,7 +63,7 @@ FACTS = Facts(
             kind="text",
             names={key: f"{each.title[:1].upper()}{each.title[1:]}" for key, each in methods().items()},
         ),
-        "start": Fact("the start, in rad and m", lambda s: s[Iterations].start, kind="numbers"),
+        "start": Fact("the start, in rad and m", _start, kind="numbers"),
     },
     JOB,
 )
