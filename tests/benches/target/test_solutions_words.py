@@ -3,13 +3,22 @@
 import math
 
 import numpy as np
+import pytest
 
 from armlab.benches.target.solutions.state import GoToSolution
+from armlab.content.languages import keys, messages
+from armlab.content.robots import catalogue
 from armlab.kin.conditioning import NEAR
+from armlab.session.asked import ASKED, asks_of
 from armlab.session.branch_words import STILL_NEAR, near_singularity
 from armlab.session.parts.joints import Joints, MoveJoint
-from armlab.session.parts.target import DragTarget, Target, _placed, target_pose, verdict
+from armlab.session.parts.notation import Notation
+from armlab.session.parts.target import AskFor, DragTarget, Target, _placed, target_pose, verdict
 from armlab.session.state import apply
+from armlab.ui.units import Units
+from armlab.ui.verdicts import verdict_card
+from support.bare_gui import BarePage, words
+from support.saying import Listener
 from support.searched import moved, opened, rows, searched
 
 # -- words on a drag ---------------------------------------------------------------------------------------------
@@ -88,3 +97,22 @@ def test_a_jump_that_was_wished_is_no_news():
     on = apply(there, DragTarget(moved(there, 0.005, 0.0, 0.0), 2))
     assert not any("changed" in note for note in on.derived(verdict).notes)
     assert apply(on, MoveJoint(0, 0.2)).derived(verdict).notes == ()
+
+
+# -- where less than the pose counts -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("language", keys()[1:])
+@pytest.mark.parametrize("key", ["planar_3r", "puma560"])
+def test_a_list_for_the_whole_pose_says_so_where_only_a_part_of_the_target_counts(key, language):
+    page, listener = BarePage("solutions", catalogue()[key], language), Listener(messages(language))
+    listener.at("page/solutions")
+    assert "The list is for the whole pose" not in words(page)
+    for asks, said in ASKED.items():
+        page.session.apply(AskFor(asks=asks), 0.0)
+        page.show()
+        counts = asks in asks_of(catalogue()[key].arm)
+        assert (f"with the orientation that the tool has now, although {said}." in words(page)) is counts
+        listener.hear(page)
+        listener.hear_markup([str(verdict_card(page.session.state.derived(verdict), Units(Notation())))])
+    assert sorted(listener.missing) == []

@@ -25,8 +25,9 @@ from armlab.benches.target.solutions.state import (
 )
 from armlab.benches.target.solutions.ui.table import Table
 from armlab.kin.arm import Arm
+from armlab.session.asked import ASKED
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.target import Target
+from armlab.session.parts.target import Target, aimed_arm
 from armlab.session.state import Post, State
 from armlab.ui.format import subscripts
 from armlab.ui.html import Inside, Markup, tag
@@ -53,7 +54,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
     def show(state: State) -> None:
         found = state[Solutions].found
-        head.show(_head(found))
+        head.show(_head(found), _less(state))
         listing.show(state)
         motion.show(state)
         proof.show(state)
@@ -72,6 +73,15 @@ def _head(found: Found | None) -> Inside:
     kind = "no" if solutions.completeness == "none" else "warn" if solutions.completeness == "at least" else "ok"
     said = tag("p.count", tag(f"b.{kind}", f"{SIGNS[kind]} {count}."), rest)
     return tag("h3", "All solutions"), said, tag("p.dim.why", subscripts(solutions.why))
+
+
+def _less(state: State) -> Markup | None:
+    """Return that the list is of more than is asked for, where only a part of the target counts."""
+    if aimed_arm(state) is state[Joints].arm:
+        return None
+    wish = ASKED[state[Target].asks]
+    said = f"The list is for the whole pose, with the orientation that the tool has now, although {wish}."
+    return tag("p.warn", said)
 
 
 class _Listing:
