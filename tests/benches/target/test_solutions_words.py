@@ -11,6 +11,7 @@ from armlab.content.robots import catalogue
 from armlab.kin.conditioning import NEAR
 from armlab.session.asked import ASKED, asks_of
 from armlab.session.branch_words import STILL_NEAR, near_singularity
+from armlab.session.edits import SetLimits
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.target import AskFor, DragTarget, Target, _placed, target_pose, verdict
@@ -116,3 +117,14 @@ def test_a_list_for_the_whole_pose_says_so_where_only_a_part_of_the_target_count
         listener.hear(page)
         listener.hear_markup([str(verdict_card(page.session.state.derived(verdict), Units(Notation())))])
     assert sorted(listener.missing) == []
+
+
+@pytest.mark.parametrize(("turns", "said"), [(1.5, " 27 ways inside"), (9.5, "at least 4096 ways inside")])
+def test_ways_by_whole_turns_are_counted_as_far_as_they_are_listed(turns, said):
+    page = BarePage("solutions", catalogue()["planar_3r"])
+    for joint in range(3):
+        page.session.apply(SetLimits(joint, -turns * math.tau, turns * math.tau), 0.0)
+    page.session.state = searched(page.session.state)
+    page.show()
+    assert said in words(page)
+    assert ("at least" in said) is ("at least" in words(page))

@@ -25,6 +25,7 @@ from armlab.benches.target.solutions.state import (
 )
 from armlab.benches.target.solutions.ui.table import Table
 from armlab.kin.arm import Arm
+from armlab.kin.ik.solutions import MOST_EQUIVALENTS
 from armlab.session.asked import ASKED
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target, aimed_arm
@@ -140,7 +141,8 @@ class _Listing:
         order = np.argsort(np.abs(turns - turns[here]).sum(axis=1), kind="stable")[:MOST_TURNS]
         texts = {str(k): self._turn_words(turns[k] - turns[here]) for k in sorted(order)}
         menu = self._form.select("turns", "Whole turns", texts, str(here), lambda k: TurnTo(int(k)))
-        count = tag("small", f" {len(turns)} ways inside the limits")
+        least = "at least " if len(turns) >= MOST_EQUIVALENTS else ""
+        count = tag("small", f" {least}{len(turns)} ways inside the limits")
         return tag("div.turns", tag("span", "Whole turns", count), menu)
 
     def _turn_words(self, away: np.ndarray) -> str:
