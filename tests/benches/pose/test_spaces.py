@@ -105,6 +105,15 @@ def test_a_singular_configuration_is_told(robot):
     assert "the arm is singular here" in shown(maps_markup, stretched)
 
 
+@pytest.mark.parametrize("task", ["xyz approach", "pose", "own"])
+def test_three_components_of_a_direction_count_as_two(task):
+    state = opened(Set(Spaces, "task", task), robot="puma560")
+    text = shown(maps_markup, state)
+    more = len(components_of(state)) > maps_of(state).m
+    assert more is (task == "xyz approach")
+    assert ("a has length 1" in text) is more
+
+
 def test_the_diagram_has_the_numbers_and_the_formula_of_the_arm():
     state = opened(ChooseSpacesExample("square"))
     text = shown(maps_markup, state)

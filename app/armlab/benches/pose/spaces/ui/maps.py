@@ -67,8 +67,15 @@ def _diagram(state: State, found: Maps, units: Units) -> Markup:
         _arrow(tag("b", "gears"), "here the lab commands q itself"),
         _space("Joint space", f"n = {found.n}", _values(q)),
         _arrow(tag("b", "r = f", tag("sub", "r"), "(q)"), "direct kinematics; the way back is inverse"),
-        _space("Task space", f"m = {found.m}", _values(r)),
+        _space("Task space", f"m = {found.m}", (_values(r), _unit_length(found))),
     )
+
+
+def _unit_length(found: Maps) -> Markup | None:
+    """Return why a direction is told by more components than it counts."""
+    if found.task.rotation != "approach":
+        return None
+    return tag("p.dim", "a has length 1: its three components count as two numbers.")
 
 
 def _space(name: str, size: str, inside: Inside) -> Markup:
