@@ -217,7 +217,7 @@ class Units:
             End of the sentence of the error for a value beyond these.
         quarters : bool
             Whether an angle in radians that is the rounding of quarter turns, and whose field shows these, is these:
-            3.1416 is π. Axes of a table are parallel or not.
+            3.1416 is π. Axes of a table are parallel or not, and half a turn has no other sense.
 
         Raises
         ------

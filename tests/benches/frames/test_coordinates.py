@@ -80,6 +80,17 @@ def test_where_x_is_zero_the_page_says_that_atan_would_divide_by_it():
         assert "atan would divide by zero" in page.text
 
 
+def test_quarter_turns_typed_in_radians_are_those_of_the_fields():
+    page = Filled("coordinates")
+    page.do(Set(Notation, "angle", "rad"))
+    page.fill("cylindrical theta", "1.5708")
+    assert "– (x = 0)" in page.text
+    page.fill("cylindrical theta", "3.1416")
+    assert page.value("cylindrical theta") == "3.1416", "and not −3.1416, beyond the jump"
+    page.fill("spherical phi", "1.5708")
+    assert page.state.derived(where_of).h == 0.0
+
+
 def test_at_the_singular_places_the_last_angles_are_kept():
     state = opened(PlacePoint((1.0, 1.0, 0.5)), SetCylindrical("r", 0.0))
     found = state.derived(where_of)

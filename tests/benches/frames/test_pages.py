@@ -18,12 +18,14 @@ from armlab.benches.frames.chain.ui.scene import arrows_of, steps
 from armlab.benches.frames.screw.examples import ChooseScrewExample
 from armlab.benches.frames.screw.state import MakeScrew, Screw
 from armlab.benches.frames.screw.ui.numbers import screw_form, ways_markup
+from armlab.benches.frames.table.state import TableTask
 from armlab.benches.frames.two.examples import ChooseTwoExample
 from armlab.benches.frames.two.state import TwoRobots
 from armlab.benches.frames.two.ui.solutions import solutions_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
+from armlab.session.parts.notation import Notation
 from armlab.session.session import Asked
 from armlab.session.state import State, apply
 from armlab.ui.html import joined
@@ -114,6 +116,26 @@ def test_a_range_is_told_of_the_field_and_in_its_unit(page, cell, text, told):
     bench = Filled(page)
     bench.fill(cell, text)
     assert told in bench.text
+
+
+@pytest.mark.parametrize(
+    ("page", "cell", "angle"),
+    [
+        ("frame_chain", "angle 2", lambda state: state[Chain].named("B").angles[2]),
+        ("table_task", "turn", lambda state: state[TableTask].turn),
+        ("table_task", "spin", lambda state: state[TableTask].spin),
+        ("two_robots", "base B turn", lambda state: state[TwoRobots].turn_b),
+        ("two_robots", "between", lambda state: state[TwoRobots].between),
+        ("two_robots", "joint 1", lambda state: state[TwoRobots].q_a[1]),
+    ],
+)
+def test_quarter_turns_typed_in_radians_are_exact(page, cell, angle):
+    bench = Filled(page)
+    bench.do(Set(Notation, "angle", "rad"))
+    bench.fill(cell, "-1.5708")
+    assert angle(bench.state) == -math.pi / 2
+    bench.fill(cell, "1.5")
+    assert angle(bench.state) == 1.5
 
 
 def test_names_that_cancel_are_struck_out_and_inverses_are_named():

@@ -28,6 +28,7 @@ from armlab.errors import InputError
 from armlab.kin.rotations import axis_angle, rotation_about, skew
 from armlab.kin.transforms import inverse, transform
 from armlab.session.fields import Set
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import State, apply
 from armlab.ui.format import capitalised
@@ -134,6 +135,15 @@ def test_a_typed_screw_puts_pose_2_where_it_brings_pose_1(rng):
         assert screw.distance == pytest.approx(0.3, abs=1e-9)
         assert state[Screw].axis == tuple(direction)
         assert state[Screw].pose("first").tolist() == opened()[Screw].pose("first").tolist()
+
+
+def test_half_a_turn_typed_in_radians_is_one_about_the_axis_that_was_typed():
+    page = Filled("screw")
+    page.do(Set(Notation, "angle", "rad"), MakeScrew((0.0, 0.0, 1.0), (0.1, 0.0, 0.0), 1.0, 0.2))
+    page.fill("screw angle", "3.1416")
+    assert page.state.derived(ways_of).screw.half_turn
+    assert "At half a turn the opposite axis is as good" in page.text
+    np.testing.assert_allclose(page.state.derived(ways_of).screw.direction, [0.0, 0.0, 1.0], atol=1e-12)
 
 
 def test_the_film_goes_at_an_even_rate_and_begins_again_when_a_pose_is_moved():

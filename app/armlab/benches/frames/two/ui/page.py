@@ -86,7 +86,8 @@ def _robot_b(form: Form, state: State) -> Inside:
         return Set(TwoRobots, "link", units.read(text, False, "l", within=(SHORTEST, LONGEST)))
 
     def between(text: str) -> Command:
-        return Set(TwoRobots, "between", units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED)))
+        typed = units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED), quarters=True)
+        return Set(TwoRobots, "between", typed)
 
     length = form.field("link", units.entry(part.link, False, MORE), "Length of the links of B", link)
     turn = form.field("between", units.entry(part.between, True), "Angle from the tool of A to that of B", between)
@@ -120,7 +121,7 @@ def _base(form: Form, part: TwoRobots, robot: str, units: Units) -> Markup:
     def field(cell: str, name: str, value: float, turns: bool) -> Markup:
         def taken(text: str) -> Command:
             most = MOST_TURNED if turns else FARTHEST
-            typed = units.read(text, turns, name, within=(-most, most))
+            typed = units.read(text, turns, name, within=(-most, most), quarters=turns)
             return TurnRobotBase(robot, typed) if turns else SetRobotBase(robot, "xy".index(name), typed)
 
         label = f"{name} of the base of {ROBOTS[robot]} in {units.unit(turns)}"
