@@ -17,7 +17,7 @@ from armlab.benches.workspace.what_if.state import (
     TakeOver,
     WhatIf,
 )
-from armlab.benches.workspace.what_if.ui.page import PANEL, choices_markup, exact_markup, told_markup
+from armlab.benches.workspace.what_if.ui.page import PANEL, choices_markup, exact_markup, slid_to, told_markup
 from armlab.benches.workspace.what_if.ui.picture import picture
 from armlab.benches.workspace.what_if.ui.words import (
     changes_markup,
@@ -67,6 +67,25 @@ def commands(state, cell, text=""):
 
 def plain(markup):
     return " ".join(re.sub(r"<[^>]+>", " ", markup).split())
+
+
+@pytest.mark.parametrize("unit", ["rad", "deg"])
+def test_the_slider_stands_for_what_looks_the_same(unit):
+    state = apply(
+        opened("planar_2r", Suppose(0, "alpha", 1.0), ChooseQuantity(0, "alpha")), Set(Notation, "angle", unit)
+    )
+    part, units = state[WhatIf], units_of(state)
+    for exact in (math.pi, -math.pi, math.pi / 2, 0.0):
+        assert slid_to(part, units.value(exact, True), units) == Suppose(0, "alpha", exact)
+    between = units.value(1.3, True)
+    assert slid_to(part, between, units).value == pytest.approx(between * units.factor(True), abs=1e-15)
+    turned = apply(state, slid_to(part, units.value(math.pi, True), units))
+    assert first_joint(turned[WhatIf].other).planar, "axes are parallel"
+    puma = opened("puma560", ChooseQuantity(2, "d"))
+    real = puma[WhatIf].arm.rows[2].d
+    assert units.value(real, False) * units.factor(False) != real
+    moved = apply(puma, slid_to(puma[WhatIf], 200.0, units))
+    assert not apply(moved, slid_to(moved[WhatIf], units.value(real, False), units))[WhatIf].changes
 
 
 def test_cells_become_commands():

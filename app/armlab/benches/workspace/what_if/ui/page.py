@@ -23,6 +23,7 @@ from armlab.benches.workspace.what_if.ui.words import (
     verdict_markup,
     with_unit,
 )
+from armlab.content.table_cells import quarter_turn
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.sizes import ANGLES
@@ -41,8 +42,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     present, units = state, units_of(state)
 
     def slid(value: float) -> None:
-        part = present[WhatIf]
-        post(Suppose(part.row, part.field, value * units.factor(turns(part.arm, part.row, part.field))))
+        post(slid_to(present[WhatIf], value, units))
 
     choices = gui.form(post)
     slider = gui.slider("value", 0.0, 1.0, 0.1, 0.0, slid, None)
@@ -64,6 +64,23 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         told.show(told_markup(told, state, units))
 
     return show
+
+
+def slid_to(part: WhatIf, shown: float, units: Units) -> Suppose:
+    """Return the command of the slider at a number, which is rounded on screen.
+
+    It stands for the real value, for quarter turns of an angle of the table, or for an end of the span where these look
+    the same: a twist of 3.142 rad would leave no axes parallel.
+    """
+    row, field = part.row, part.field
+    angle, real = turns(part.arm, row, field), value_of(part.arm, row, field)
+    if shown == units.value(real, angle):
+        return Suppose(row, field, real)
+    low, high = span_of(part.arm, part.other, row, field)
+    value = shown * units.factor(angle)
+    if field in ANGLES:
+        value = quarter_turn(value, 0.5 * 10.0 ** -units.decimals(True) * units.factor(True))
+    return Suppose(row, field, min(max(value, low), high))
 
 
 def choices_markup(form: Form, part: WhatIf, units: Units) -> Inside:
