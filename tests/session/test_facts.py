@@ -30,7 +30,9 @@ from armlab.session.facts import (
     worked_out,
 )
 from armlab.session.parts.joints import Joints, MoveJoint
+from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
+from armlab.session.parts.timeline import OpenClip, Seek
 from armlab.session.state import State, apply
 from armlab.session.words import command_of
 
@@ -173,6 +175,36 @@ def test_facts_are_worked_out_again_from_what_is_written_down(page):
     again = facts_again(data, words, seen_of(state), catalogue()["planar_2r"], True)
     for word, seen in seen_facts(state, words).items():
         np.testing.assert_equal(again[word].value, seen.value, word)
+
+
+class Watched(State):
+    """A state that notes of which parts it is asked."""
+
+    def __init__(self, state):
+        super().__init__(state, state.at)
+        self.asked = set()
+
+    def __getitem__(self, kind):
+        self.asked.add(kind)
+        return super().__getitem__(kind)
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_facts_follow_from_the_parts_that_are_kept_as_evidence(page):
+    found = facts_of_benches()[page]
+    for state in (opened("puma560"), worked_at(page)):
+        for fact in found.facts.values():
+            watched = Watched(state)
+            fact.now(watched)
+            assert watched.asked <= {Joints, Target, RobotPart, *found.parts}, fact.title
+
+
+def test_a_rotation_on_the_way_is_that_of_the_film_where_it_was_paused():
+    word = "body.quaternion.on_the_way"
+    state = apply(apply(worked_at("body.quaternion"), OpenClip("quaternion_way")), Seek(1.0))
+    again = facts_again(evidence_of(state, [word]), [word], seen_of(state), catalogue()["planar_2r"], True)
+    np.testing.assert_equal(again[word].value, seen_facts(state, [word])[word].value)
+    assert again[word].value != seen_facts(worked_at("body.quaternion"), [word])[word].value
 
 
 @pytest.mark.parametrize("page", ["iterate.runs", "workspace.section"])

@@ -15,6 +15,7 @@ from armlab.benches.body.quaternion.state import Quaternions
 from armlab.benches.body.quaternion.state_view import SHOWN, WAYS, QuaternionView
 from armlab.kin.quaternions import inverse, logarithm, product
 from armlab.session.facts import Fact, Facts
+from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 
 
@@ -33,7 +34,7 @@ def _turned(key: str) -> Callable[[State], float | None]:
 
 FACTS = Facts(
     __name__,
-    (Body, Quaternions, QuaternionView),
+    (Body, Quaternions, QuaternionView, Timeline),
     {
         "second": Fact("the second quaternion p, of unit length", second, kind="numbers"),
         "product": Fact("p q, with the quaternion q of the body", lambda s: _both(s)[0], kind="numbers"),
