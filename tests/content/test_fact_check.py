@@ -46,6 +46,11 @@ def seen(value, unit="", slow=False):
         ("value = false", [False], [True, 0.0, None]),
         ("value_deg = 90\ntolerance_deg = 1", [math.radians(89.5)], [math.radians(88), 90.0]),
         ("at_least_deg = 10", [math.radians(11)], [math.radians(9)]),
+        ("value = 1\ntolerance = 0.1", [1.1, 0.9], [1.1001, 0.8999]),
+        ("value = [1, 2]\ntolerance = 0.1", [(1.1, 1.9)], [(1.1001, 1.9)]),
+        ("at_most = 0.7", [700 * 1e-3], [0.70001]),
+        ("at_least = -0.7", [-700 * 1e-3], [-0.70001]),
+        ("at_least = 0", [0.0], [-1e-12]),
     ],
 )
 def test_a_check_is_met_by_what_it_asks_for(text, met, not_met):

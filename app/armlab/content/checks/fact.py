@@ -13,6 +13,7 @@ from armlab.content.check import PLAIN, CheckType, Words
 from armlab.content.fact_words import said
 from armlab.content.lesson_fields import Fields
 from armlab.content.observation import Observation
+from armlab.content.quantities import ROUNDING, is_near
 from armlab.content.reader import Table, shown
 from armlab.content.robots import Robot
 from armlab.content.seen_fact import SeenFact, Value
@@ -63,9 +64,11 @@ class FactIs:
             return type(value) is type(self.value) and value == self.value
         if isinstance(value, tuple) or isinstance(self.value, tuple):
             return self._near_all(value)
-        if self.value is not None and not abs(value - self.value) <= (self.tolerance or 0.0):
+        if self.value is not None and not is_near(value, self.value, self.tolerance or 0.0):
             return False
-        return (self.at_least is None or value >= self.at_least) and (self.at_most is None or value <= self.at_most)
+        # A number that is typed as the bound is the bound: 700 mm are at most 0.7 m.
+        low = self.at_least is None or value >= self.at_least - ROUNDING * abs(self.at_least)
+        return low and (self.at_most is None or value <= self.at_most + ROUNDING * abs(self.at_most))
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return a sentence on the value of the fact and the required one."""
@@ -106,7 +109,8 @@ class FactIs:
     def _near_all(self, value: Value) -> bool:
         if not isinstance(value, tuple) or not isinstance(self.value, tuple) or len(value) != len(self.value):
             return False
-        return all(abs(one - other) <= (self.tolerance or 0.0) for one, other in zip(value, self.value, strict=True))
+        within = self.tolerance or 0.0
+        return all(is_near(one, other, within) for one, other in zip(value, self.value, strict=True))
 
 
 def _begun(title: str) -> str:
