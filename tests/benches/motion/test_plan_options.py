@@ -164,6 +164,8 @@ def test_half_an_arc_is_changed_as_it_is_shown_and_a_stop_that_goes_brings_the_a
     assert done(slow, SetMove(2, law="constant"))[Plan].parts[1].move.law.key == "constant"
     assert laid(done(slow, AllMovesLike(2))) == [("1 → 2", "line"), ("2 → 3", "line")]
     assert laid(done(slow, SetMove(1, stop=False))) == [("1 → 3", "circle")]
+    cubic = done(slow, SetMove(1, law="cubic"), SetMove(2, law="cubic"), SetMove(1, stop=False))
+    assert laid(cubic) == [("1 → 3", "circle")]
 
 
 @pytest.mark.parametrize("rest", [SetAtWaypoint(1, "wait", 0.5), SetMove(1, stop=True)])

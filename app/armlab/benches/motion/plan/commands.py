@@ -104,8 +104,8 @@ class SetMove(PlanCommand):
         """Return the state with the choice made."""
         part = state[Plan]
         first, last = _moves_of(part, self.k) if self.path is None else self._reached(part)
-        # A choice is made of the move that is shown, which of half an arc is a straight line; a stop changes no path.
-        shown = part.moves if self == SetMove(self.k, stop=self.stop) else part.laid
+        # Half an arc is shown as a straight line, and only that can have another path, or go on at its ends.
+        shown = part.laid if self.path is not None or self.law == "constant" else part.moves
         chosen = tuple(map(self._changed, shown[first:last]))
         moves = (*part.moves[:first], *chosen, *part.moves[last:])
         # Half an arc before them would make a whole one of their first move.
@@ -194,10 +194,9 @@ class SetMoveOption(PlanCommand):
         kinds = path_types() if self.of == "path" else law_types()
         moves = list(part.moves)
         for i in range(first, last):
-            shown = part.laid[i]
-            chosen: Chosen = getattr(shown, self.of)
+            chosen: Chosen = getattr(part.laid[i], self.of)
             changed = chosen.with_option(kinds[chosen.key], self.name, self.value)
-            moves[i] = replace(shown, path=changed) if self.of == "path" else replace(shown, law=changed)
+            moves[i] = replace(moves[i], path=changed) if self.of == "path" else replace(moves[i], law=changed)
         return with_plan(state, edited(part, moves=tuple(moves)))
 
 
