@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from armlab.benches.velocity.ellipsoid.facts import FACTS
 from armlab.benches.velocity.ellipsoid.state import (
     LookAtBlock,
     Manipulability,
@@ -14,10 +15,11 @@ from armlab.benches.velocity.ellipsoid.state import (
     present,
 )
 from armlab.benches.velocity.ellipsoid.ui.words import verdict_of
-from armlab.content.robots import catalogue
+from armlab.content.robots import catalogue, own_robot
 from armlab.errors import UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
+from armlab.kin.transforms import transform
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.state import State, apply
@@ -143,3 +145,16 @@ def test_it_is_written_and_read_and_damage_is_noticed():
     assert Manipulability.from_json(part.to_json(), robot) == part
     with pytest.raises(UnknownName):
         Manipulability.from_json("force", robot)
+
+
+def test_the_direction_of_an_ellipse_is_a_fact_in_the_plane_of_x_and_y_alone():
+    def told(arm, *q):
+        state = State.initial(own_robot(arm, "2R"))
+        return FACTS.facts["longest_direction"].now(state.replace(state[Joints].moved_to(np.array(q)))).value
+
+    rows = [Row("R", 1.0, 0.0), Row("R", 0.5, 0.0)]
+    assert told(Arm.from_dh(rows), 0.4, 0.0) == pytest.approx(0.4 - np.pi / 2)
+    upright = transform(np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]))
+    assert told(Arm.from_dh(rows, base=upright), 0.4, 0.0) is None
+    # With these links the ellipse is a circle, which has no longest axis.
+    assert told(Arm.from_dh([Row("R", np.sqrt(0.5), 0.0), Row("R", 0.5, 0.0)]), 0.4, 0.75 * np.pi) is None

@@ -10,6 +10,9 @@ from armlab.benches.velocity.ellipsoid.state import Manipulability, PlacedEllips
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
+ALIKE = 1e-6
+"""Difference of half axes, relative to the longest, up to which an ellipse is a circle; sine that counts as 0."""
+
 
 def _seen(state: State) -> PlacedEllipsoid:
     return state.derived(present)
@@ -32,11 +35,16 @@ def _force(state: State) -> np.ndarray:
 
 
 def _tilt(state: State) -> float | None:
-    """Return the angle in (-pi/2, pi/2] from the world's x axis to the longest axis of an ellipse in its plane."""
-    seen = _seen(state)
-    if len(seen.ellipsoid.sigma) != 2 or seen.ellipsoid.rank == 0:
+    """Return the angle in (-pi/2, pi/2] from the world's x axis to the longest axis of an ellipse.
+
+    None where it is a circle, or where its plane is not that of x and y of the world: there is no such angle.
+    """
+    seen, sigma = _seen(state), _sigma(state)
+    if len(sigma) != 2 or seen.ellipsoid.rank == 0 or sigma[0] - sigma[1] <= ALIKE * sigma[0]:
         return None
-    x, y = seen.axes[:2, 0]
+    x, y, _ = seen.axes[:, 0]
+    if np.abs(seen.axes[2, :2]).max() > ALIKE:
+        return None
     angle = math.atan2(float(y), float(x))
     return angle - math.pi * math.ceil(angle / math.pi - 0.5)
 
@@ -51,7 +59,10 @@ FACTS = Facts(
         "condition": Fact("the longest half axis over the shortest", _condition),
         "rank": Fact("the rank of the rows that are looked at", lambda s: _seen(s).ellipsoid.rank, kind="count"),
         "longest_direction": Fact(
-            "the angle from the world's x axis to the longest half axis of an ellipse", _tilt, "rad"
+            "the angle from the world's x axis to the longest half axis of an ellipse",
+            _tilt,
+            "rad",
+            only="where it lies in the plane of x and y and is no circle",
         ),
         "force_half_axes": Fact("the half axes of the force ellipsoid, in N or N m", _force, kind="numbers"),
     },
