@@ -27,7 +27,9 @@ from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
 from armlab.session.bench import PutInPlace
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, MoveJoint
+from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from support.done import done
 from support.forms import BareForm, asked
@@ -135,6 +137,20 @@ def test_force_half_axes_end_in_infinity_where_no_torque_is_needed():
     kind, head, said = force_verdict(block, bent)
     assert (kind, head) == ("ok", "Slow is strong")
     assert f"{1.0 / bent.sigma[1]:.2f} N" in said
+
+
+@pytest.mark.parametrize(
+    ("units", "said"),
+    [
+        ((), "δq = (0.57°, 0.57°, 7.5 mm)"),
+        ((("length", "m"), ("angle", "rad")), "δq = (0.0100 rad, 0.0100 rad, 0.0075 m)"),
+    ],
+)
+def test_a_virtual_displacement_is_told_in_all_units_and_is_not_zero(units, said):
+    state = State.initial(catalogue()["polar_rrp"])
+    for name, unit in units:
+        state = apply(state, Set(Notation, name, unit))
+    assert said in work_markup(BareForm(), state)
 
 
 def test_no_direction_is_the_strongest_where_all_half_axes_are_alike():

@@ -110,7 +110,7 @@ def work_markup(form: Form, state: State) -> Markup:
     found, units, arm = state.derived(work), units_of(state), state[Joints].arm
     dq = state.derived(displacement)
     moved = ", ".join(
-        f"{number(float(value) / units.factor(bool(turns)), 2 if turns else 1)}"
+        f"{number(float(value) / units.factor(bool(turns)), units.decimals(bool(turns)) + int(turns))}"
         f"{'°' if turns and units.in_degrees else ' ' + units.unit(bool(turns))}"
         for value, turns in zip(dq, arm.revolute, strict=True)
     )
