@@ -24,6 +24,13 @@ def pressed(browser, cell):
     return re.search(rf'data-cell="{cell}"[^>]*aria-pressed="true"', browser.html()) is not None
 
 
+async def sends_to(browser, cell, not_to=""):
+    """Return where a button sends to, once it does, and to another place than it did: panels come, and are made anew."""
+    there = f'data-cell="{cell}"'
+    await browser.until(lambda: there in browser.html() and browser.channel(cell) != not_to)
+    return browser.channel(cell)
+
+
 def test_a_choice_undone_before_anything_was_shown_is_shown_undone(url, monkeypatch):
     monkeypatch.setattr(Pace, "interval", lambda self, usual, browser="": 0.5)
 
@@ -48,9 +55,9 @@ def test_what_was_pressed_while_the_page_was_made_anew_counts(url):
     async def main():
         browser = await student(url)
         await browser.open("picture")
-        before = browser.channel("m")
+        before = await sends_to(browser, "m")
         await browser.press("rad")
-        await browser.until(lambda: browser.channel("m") != before)
+        await sends_to(browser, "m", before)
         await browser.press_on(before, "m")
         await browser.until(lambda: pressed(browser, "m") and pressed(browser, "rad"))
         await browser.close()
@@ -62,9 +69,9 @@ def test_what_was_pressed_for_another_arm_does_not_count(url):
     async def main():
         browser = await student(url)
         await browser.open("picture", "joints", "robot")
-        before = browser.channel("zero")
+        before = await sends_to(browser, "zero")
         await browser.press("ur10e")
-        await browser.until(lambda: browser.channel("zero") != before)
+        await sends_to(browser, "zero", before)
         await browser.press_on(before, "zero")
         await settled(browser)  # "m" is made anew for this arm, too
         await browser.press("m")
