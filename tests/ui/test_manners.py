@@ -25,7 +25,7 @@ def pressed(browser, cell):
 
 
 async def sends_to(browser, cell, not_to=""):
-    """Return where a button sends to, once it does, and to another place than it did: panels come, and are made anew."""
+    """Return where a button sends to, once that is another place than before: panels come, and are made anew."""
     there = f'data-cell="{cell}"'
     await browser.until(lambda: there in browser.html() and browser.channel(cell) != not_to)
     return browser.channel(cell)
