@@ -48,7 +48,7 @@ def test_an_exercise_wrongly_then_rightly(visit):
     """First an arm that is no exercise offers others."""
     lab = visit("robot/panda", size=(1024, 700))
     open_trainer(lab)
-    assert "Not for this arm" in words(lab)
+    lab.waits_for("Not for this arm")
     lab.press("trainer-robot-planar_2r")
     lab.until(lambda: "Exercise: Planar 2R" in words(lab))
     lab.press("trainer-start")
