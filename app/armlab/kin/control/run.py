@@ -8,7 +8,7 @@ Notes 5.2 (simulations), 7.1-7.2.
 from __future__ import annotations
 
 import math
-from collections.abc import Generator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -31,6 +31,7 @@ from armlab.kin.control.reference import JointAims, Reference, ToolAims
 from armlab.kin.control.saturation import limited
 from armlab.kin.control.scaled_task import ScaledTask
 from armlab.kin.field import positive
+from armlab.kin.work import Work, result_of
 from armlab.registry import known_name
 
 Floats = NDArray[np.float64]
@@ -140,18 +141,12 @@ def simulate(
     >>> run.finished, bool(run.error_position[-1] < 1e-9)
     (True, True)
     """
-    work = simulating(arm, law, reference, q0, settings)
-    while True:
-        try:
-            next(work)
-        except StopIteration as done:
-            run: Run = done.value
-            return run
+    return result_of(simulating(arm, law, reference, q0, settings))
 
 
 def simulating(
     arm: Arm, law: str, reference: Reference, q0: ArrayLike | None = None, settings: Settings | None = None
-) -> Generator[None, None, Run]:
+) -> Work[Run]:
     """Do the same as `simulate` in pieces of some 20 ms, and return the run at the end."""
     given = settings or Settings()
     kind, plant = control_law(law), given.plant
@@ -184,7 +179,7 @@ def _start(arm: Arm, reference: Reference, q0: ArrayLike | None) -> Floats:
 
 def _joint_aims(
     kind: ControlLaw, task: ScaledTask, reference: Reference, tool: ToolAims, times: Floats, q0: Floats, step: float
-) -> Generator[None, None, tuple[JointAims | None, str]]:
+) -> Work[tuple[JointAims | None, str]]:
     """Return the wanted joint values at all times of the grid, where the law or the reference has any, and a reason."""
     own = reference.joints(task.arm, times)
     if own is not None or kind.space == "tool":
@@ -243,7 +238,7 @@ class _Loop:
         self._q[0] = q0
         self._at = 0
 
-    def go(self) -> Generator[None, None, None]:
+    def go(self) -> Work[None]:
         """Take all steps, or stop at the first that has no answer."""
         held = (self._none, self._none, 0.0, False)
         q, h = self._q[0], self._step

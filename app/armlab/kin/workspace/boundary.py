@@ -13,12 +13,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.kin.work import Work, result_of
 from armlab.kin.workspace.around import Arcs
 from armlab.kin.workspace.faces import Faces, finding_faces
 from armlab.kin.workspace.met import BINS
 from armlab.kin.workspace.outline import Outline
 from armlab.kin.workspace.section_grid import Grid
-from armlab.kin.workspace.work import Work, result_of
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]

@@ -8,9 +8,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.kin.work import Work
 from armlab.kin.workspace.around import Arcs
 from armlab.kin.workspace.section_grid import Grid
-from armlab.kin.workspace.work import Work
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]

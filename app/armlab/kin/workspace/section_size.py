@@ -8,6 +8,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.kin.work import Work, result_of
 from armlab.kin.workspace.boundary import lonely, with_axis
 from armlab.kin.workspace.crossings import fineness
 from armlab.kin.workspace.extremes import Objective, climbed
@@ -15,7 +16,6 @@ from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.outline import Outline
 from armlab.kin.workspace.section import Section
 from armlab.kin.workspace.section_grid import PLANAR_FINER, random_configurations
-from armlab.kin.workspace.work import Work, result_of
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]

@@ -17,8 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 from armlab.kin.arm import Arm
 from armlab.kin.ik.screws import rotation, screws_of
 from armlab.kin.lines import PARALLEL_ANGLE
+from armlab.kin.work import Work, result_of
 from armlab.kin.workspace.first_joint import FULL_TURN
-from armlab.kin.workspace.work import Work, result_of
 from armlab.kin.wrist import wrist_centre
 
 Floats = NDArray[np.float64]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Generator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -23,6 +22,7 @@ from armlab.kin.control.record import Run
 from armlab.kin.control.reference import CircleReference, FixedPose, JointReference, LineReference, Reference
 from armlab.kin.control.run import Settings, simulating
 from armlab.kin.control.scaled_task import ScaledTask
+from armlab.kin.work import Work, result_of
 
 Floats = NDArray[np.float64]
 
@@ -115,7 +115,7 @@ class Outcome:
     predicted: Floats | None = None
 
 
-def making(question: Question, known: Planned | None = None) -> Generator[None, None, Outcome]:
+def making(question: Question, known: Planned | None = None) -> Work[Outcome]:
     """Make a run in pieces of some 20 ms; ``known`` is its motion if that has been planned."""
     try:
         return (yield from _made(question, known))
@@ -125,16 +125,10 @@ def making(question: Question, known: Planned | None = None) -> Generator[None, 
 
 def outcome_of(question: Question, known: Planned | None = None) -> Outcome:
     """Return the result of a run, at once."""
-    work = making(question, known)
-    while True:
-        try:
-            next(work)
-        except StopIteration as done:
-            outcome: Outcome = done.value
-            return outcome
+    return result_of(making(question, known))
 
 
-def _made(question: Question, known: Planned | None) -> Generator[None, None, Outcome]:
+def _made(question: Question, known: Planned | None) -> Work[Outcome]:
     arm, setup = question.arm, question.setup
     reference, start = yield from _reference(question, known)
     refuse_steps(reference.duration, setup.step)
@@ -145,7 +139,7 @@ def _made(question: Question, known: Planned | None) -> Generator[None, None, Ou
     return Outcome(question, thin, figures_of(run), predicted=_predicted(setup, thin))
 
 
-def _reference(question: Question, known: Planned | None) -> Generator[None, None, tuple[Reference, Floats]]:
+def _reference(question: Question, known: Planned | None) -> Work[tuple[Reference, Floats]]:
     """Return the reference, and the joint values at its start."""
     arm, setup, start = question.arm, question.setup, np.array(question.setup.start)
     if question.plan is not None:
@@ -176,7 +170,7 @@ def reference_points(arm: Arm, setup: Setup) -> Floats:
     return p[None]
 
 
-def _planned(question: PlanQuestion) -> Generator[None, None, Planned]:
+def _planned(question: PlanQuestion) -> Work[Planned]:
     planned: Planned | None = None
     for found in planning(question):
         planned = found

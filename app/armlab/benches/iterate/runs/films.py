@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import count
@@ -20,6 +19,7 @@ from armlab.kin.ik.iterate.loop import march
 from armlab.kin.ik.iterate.problem import Problem
 from armlab.kin.ik.iterate.record import TOLERANCE, Limits, checked_vector, filmed, unfit
 from armlab.kin.transforms import as_pose
+from armlab.kin.work import Work, result_of
 
 Floats = NDArray[np.float64]
 
@@ -124,16 +124,10 @@ class Film:
 
 def film_of(question: Question) -> Film:
     """Return the film of a run; a run that cannot begin has one picture, with the reason."""
-    work = making(question)
-    while True:
-        try:
-            next(work)
-        except StopIteration as done:
-            film: Film = done.value
-            return film
+    return result_of(making(question))
 
 
-def making(question: Question) -> Generator[None, None, Film]:
+def making(question: Question) -> Work[Film]:
     """Make a film in pieces of some 30 ms at most, and return it at the end."""
     try:
         if methods()[question.method].flow:
@@ -148,7 +142,7 @@ def target_of(question: Question) -> Floats:
     return np.frombuffer(question.target).reshape(4, 4).copy()
 
 
-def _steps(question: Question) -> Generator[None, None, Film]:
+def _steps(question: Question) -> Work[Film]:
     """Do the same as `armlab.kin.ik.iterate.iterate`, with rests."""
     arm, method = question.arm, iteration_method(question.method)
     vector, values = checked_vector(arm, question.task), method.values(dict(question.parameters))
@@ -183,7 +177,7 @@ def _steps(question: Question) -> Generator[None, None, Film]:
     )
 
 
-def _flow(question: Question) -> Generator[None, None, Film]:
+def _flow(question: Question) -> Work[Film]:
     """Do the same as `armlab.kin.ik.iterate.transpose_flow`, with rests."""
     arm, parameters, vector = question.arm, dict(question.parameters), question.task or TaskVector(question.arm.task)
     work = flowing(

@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
+from armlab.kin.work import Work
 from armlab.kin.workspace.measures import measure_named
 from armlab.kin.workspace.section import Section
 from armlab.kin.workspace.section_grid import random_configurations
 from armlab.kin.workspace.section_size import Reach, Size, reaching, sizing
 from armlab.kin.workspace.sections import sections
-from armlab.kin.workspace.work import Work
 
 Floats = NDArray[np.float64]
 T = TypeVar("T")

@@ -8,7 +8,7 @@ V never rises, so the scheme is stable; but it comes to rest wherever J^T K e = 
 from __future__ import annotations
 
 import math
-from collections.abc import Generator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -25,6 +25,7 @@ from armlab.kin.ik.iterate.record import TOLERANCE, checked_tolerance, checked_v
 from armlab.kin.ik.iterate.task_vector import TaskVector
 from armlab.kin.ik.verdict import checked_locks, joint_values
 from armlab.kin.transforms import as_pose
+from armlab.kin.work import Work, result_of
 
 MOST_STEPS = 20_000
 """Largest number of steps of the integration."""
@@ -108,13 +109,9 @@ def transpose_flow(
     Notes 4.127-4.129. In 4.127 q(t + dt) should be q(t), and with a gain matrix V has K in it, too. That V falls does
     not mean that e goes to zero: the stretched 2R pulled along its own line stays where it is.
     """
-    work = flowing(arm, T, q0, gain=gain, duration=duration, dt=dt, tolerance=tolerance, locked=locked, task=task)
-    while True:
-        try:
-            next(work)
-        except StopIteration as done:
-            flow: Flow = done.value
-            return flow
+    return result_of(
+        flowing(arm, T, q0, gain=gain, duration=duration, dt=dt, tolerance=tolerance, locked=locked, task=task)
+    )
 
 
 def flowing(
@@ -128,7 +125,7 @@ def flowing(
     tolerance: tuple[float, float] = TOLERANCE,
     locked: Sequence[bool] | None = None,
     task: TaskVector | str | None = None,
-) -> Generator[None, None, Flow]:
+) -> Work[Flow]:
     """Do the same as `transpose_flow`, with a rest after each step; arguments, result and errors are its own."""
     vector = checked_vector(arm, task)
     start, pair = joint_values(arm, q0, "q0"), checked_tolerance(tolerance)
