@@ -84,6 +84,15 @@ class Section:
         """Return the configurations (k, n) of filled cells, given by row (k,) and column (k,)."""
         return np.asarray(self.configurations[self.row[i, j]])
 
+    @property
+    def blur(self) -> float:
+        """Distance from the boundary below which a point may be told wrong, metres.
+
+        A cell, and one and a half of those `Grid.coarser` times as large in which s is counted where joint 1 is
+        limited.
+        """
+        return self.step * (1.0 if self.arcs is None else 1.5 * self.grid.coarser)
+
     @cached_property
     def covered(self) -> Floats:
         """Covered range of s at each cell, (Nu, Nv), rad when joint 1 is revolute and m when prismatic."""
@@ -107,8 +116,7 @@ class Section:
     def holds(self, points: ArrayLike) -> Bools:
         """Return which points of the world, shape (..., 3), are reached inside the limits; none with NaN is.
 
-        Points nearer than a cell to the boundary may be told wrong; where joint 1 is limited and s is counted in cells
-        `Grid.coarser` times as large, nearer than one and a half of those.
+        Points nearer than `blur` to the boundary may be told wrong.
 
         Raises
         ------

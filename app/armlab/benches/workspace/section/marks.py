@@ -34,18 +34,10 @@ def tool_measured(state: State) -> Measured | None:
     The arm has its tool in the workspace: a boundary that leaves it outside by no more than its own error, as it cuts
     off corners and is thinner than a cell where it is all there is, goes through it.
     """
-    found = _measured(state, np.asarray(state[Joints].tool_pose[:3, 3], dtype=np.float64))
-    if found is None or found.to.distance >= 0.0 or -found.to.distance > _blur(state):
+    seen, found = found_of(state), _measured(state, np.asarray(state[Joints].tool_pose[:3, 3], dtype=np.float64))
+    if seen is None or found is None or found.to.distance >= 0.0 or -found.to.distance > seen.section.blur:
         return found
     return Measured(found.point, To(0.0, found.point))
-
-
-def _blur(state: State) -> float:
-    """Return how far the boundary of the section may be off, metres; see `Section.holds`."""
-    found = found_of(state)
-    assert found is not None
-    section = found.section
-    return section.step * (1.0 if section.arcs is None else 1.5 * section.grid.coarser)
 
 
 def target_measured(state: State) -> Measured | None:
