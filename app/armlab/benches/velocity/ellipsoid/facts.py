@@ -10,8 +10,8 @@ from armlab.benches.velocity.ellipsoid.state import Manipulability, PlacedEllips
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 
-ALIKE = 1e-6
-"""Difference of half axes, relative to the longest, up to which an ellipse is a circle; sine that counts as 0."""
+LEVEL = 1e-6
+"""Sine of the angle between a plane and that of x and y of the world, up to which they are one."""
 
 
 def _seen(state: State) -> PlacedEllipsoid:
@@ -39,11 +39,11 @@ def _tilt(state: State) -> float | None:
 
     None where it is a circle, or where its plane is not that of x and y of the world: there is no such angle.
     """
-    seen, sigma = _seen(state), _sigma(state)
-    if len(sigma) != 2 or seen.ellipsoid.rank == 0 or sigma[0] - sigma[1] <= ALIKE * sigma[0]:
+    seen = _seen(state)
+    if len(seen.ellipsoid.sigma) != 2 or seen.is_round:
         return None
     x, y, _ = seen.axes[:, 0]
-    if np.abs(seen.axes[2, :2]).max() > ALIKE:
+    if np.abs(seen.axes[2, :2]).max() > LEVEL:
         return None
     angle = math.atan2(float(y), float(x))
     return angle - math.pi * math.ceil(angle / math.pi - 0.5)

@@ -36,6 +36,10 @@ DRAWN, DRAWN_FORCE = 0.2, 0.15
 forces."""
 
 
+ALIKE = 1e-6
+"""Difference of half axes, relative to the longest, up to which no direction is that of the longest."""
+
+
 @dataclass(frozen=True)
 class VelocityBlock:
     """Rows of the geometric Jacobian that have one unit and that belong to the arm's task.
@@ -168,6 +172,12 @@ class PlacedEllipsoid:
         half = np.zeros(3)
         half[: len(self.ellipsoid.sigma)] = self.force.half_axes
         return half
+
+    @property
+    def is_round(self) -> bool:
+        """Whether it is a circle or a sphere, of velocities and of forces; half axes that are all 0 are alike, too."""
+        sigma = self.ellipsoid.sigma
+        return bool(sigma[0] - sigma[-1] <= ALIKE * sigma[0])
 
     @property
     def lost(self) -> tuple[int, ...]:

@@ -13,9 +13,6 @@ from armlab.ui.html import Markup, joined, tag
 HALF = r"1/\sigma_i"
 NAMES = {"translation": "force", "rotation": "moment"}
 
-ALIKE = 1e-6
-"""Difference of the half axes, relative to the longest, up to which no direction is stronger than another."""
-
 
 def force_axes(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
     """Return the half axes of the force ellipsoid with bars relative to the longest finite one."""
@@ -46,7 +43,7 @@ def force_verdict(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, st
     weak = direction(found.axes[:, 0])
     if block.m == 1:
         return "ok", "One direction", f"{word.capitalize()} {weak}: {weakest}."
-    if halves[-1] - halves[0] <= ALIKE * halves[-1]:
+    if found.is_round:
         return "ok", "Equally strong", f"{every(block)}: {strongest}."
     strong = direction(found.axes[:, block.m - 1])
     return "ok", "Slow is strong", f"Most {word} {strong}, {strongest}; least {word} {weak}, {weakest}."
