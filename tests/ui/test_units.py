@@ -170,14 +170,14 @@ def test_an_angle_at_its_bound_up_to_the_rounding_of_its_field_is_the_bound():
 
 @pytest.mark.parametrize("angle", ["rad", "deg"])
 @pytest.mark.parametrize(("text", "quarters"), [("1.5708", 1), ("−3.14159", -2), ("4,7124", 3), ("1.570796 rad", 1)])
-def test_an_angle_of_a_table_whose_field_shows_quarter_turns_is_these(angle, text, quarters):
+def test_an_angle_whose_field_shows_quarter_turns_is_these(angle, text, quarters):
     units = Units(Notation(angle=angle))
     typed = text if angle == "rad" or "rad" in text else f"{text} rad"
-    assert units.read(typed, True, "α", quarters=True) == quarters * math.pi / 2
-    assert units.read(typed, True, "q") != quarters * math.pi / 2, "a joint value is as it is typed"
+    assert units.read(typed, True, "α") == quarters * math.pi / 2
+    assert units.read(f"{typed}/s", True, "ω", per="/s") != quarters * math.pi / 2, "a speed is as it is typed"
     for other in ("1.57 rad", "1.571 rad", "1.57084 rad", "1.5709 rad", "0.00004 rad"):
-        assert units.read(other, True, "α", quarters=True) == float(other.removesuffix(" rad"))
-    assert units.read("0.3 m", False, "a", quarters=True) == 0.3
+        assert units.read(other, True, "α") == float(other.removesuffix(" rad"))
+    assert units.read("0.3 m", False, "a") == 0.3
 
 
 def test_what_is_no_number_is_refused_with_the_unit_expected():

@@ -198,9 +198,11 @@ class Units:
         per: str = "",
         within: Range | None = None,
         why: str = "",
-        quarters: bool = False,
     ) -> float:
         """Return radians or metres from a typed text: a number in the unit on screen, or with π or a unit.
+
+        An angle in radians that is the rounding of quarter turns, and whose field shows these, is these: 3.1416 is π.
+        Axes are parallel or not, and half a turn has no other sense.
 
         Parameters
         ----------
@@ -215,9 +217,6 @@ class Units:
             is that one: 3.1416 rad is as far as π.
         why : str
             End of the sentence of the error for a value beyond these.
-        quarters : bool
-            Whether an angle in radians that is the rounding of quarter turns, and whose field shows these, is these:
-            3.1416 is π. Axes of a table are parallel or not, and half a turn has no other sense.
 
         Raises
         ------
@@ -248,7 +247,7 @@ class Units:
             value = factor * evaluate(plain)
         except InputError:
             raise InputError(f"{where}: expected a number in {unit}, got {text.strip()[:40]!r}") from None
-        if quarters and factor == 1.0:
+        if revolute and factor == 1.0 and not per:
             value = quarter_turn(value, rounding_of(plain), self._half_a_digit)
         if bare:
             remark_on_radians(value)

@@ -130,7 +130,7 @@ class Draft:
             text = without_symbol(text) if is_variable(row, name) else text.strip()
             try:
                 turns = name in ANGLES
-                value = self.units.read(text or "0", turns, NAMES[name], within=widest(turns), quarters=turns)
+                value = self.units.read(text or "0", turns, NAMES[name], within=widest(turns))
             except InputError as error:
                 typed.wrong, typed.where = str(error), name
                 return None

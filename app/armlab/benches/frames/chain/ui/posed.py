@@ -70,7 +70,7 @@ def _row(
 
     def field(k: int, name: str) -> Markup:
         def taken(text: str) -> Command:
-            return action(k, units.read(text, turns, name, within=(-most, most), quarters=turns))
+            return action(k, units.read(text, turns, name, within=(-most, most)))
 
         return form.field(f"{cell} {k}", units.entry(float(values[k]), turns), f"{name} in {unit}", taken)
 

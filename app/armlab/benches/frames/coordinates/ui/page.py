@@ -104,8 +104,8 @@ def _field(
 
     def taken(text: str) -> Command:
         if name == "phi":
-            return action(name, units.read(text, True, letter, within=(0.0, math.pi), why=BEYOND, quarters=True))
-        return action(name, units.read(text, turns, letter, quarters=turns))
+            return action(name, units.read(text, True, letter, within=(0.0, math.pi), why=BEYOND))
+        return action(name, units.read(text, turns, letter))
 
     return form.field(f"{kind.lower()} {name}", units.entry(value, turns), f"{letter}, {kind}", taken)
 

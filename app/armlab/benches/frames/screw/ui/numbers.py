@@ -54,7 +54,7 @@ def screw_form(form: Form, state: State) -> Inside:
     angle, distance = screw.angle, screw.distance
 
     def turned(text: str) -> Command:
-        typed = units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED), quarters=True)
+        typed = units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED))
         return MakeScrew(tuple(direction), tuple(point.tolist()), typed, distance)
 
     def slid(text: str) -> Command:

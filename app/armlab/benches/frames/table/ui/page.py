@@ -74,7 +74,7 @@ def _table(form: Form, state: State) -> Inside:
     ]
 
     def turned(text: str) -> Command:
-        return TurnTable(units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED), quarters=True))
+        return TurnTable(units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED)))
 
     turn = form.field("turn", units.entry(part.turn, True), f"Angle of the table in {units.angle_unit}", turned)
     return (
@@ -91,7 +91,7 @@ def _object(form: Form, state: State) -> Inside:
         return SetHeight(units.read(text, False, "h", within=(0.0, HIGHEST)))
 
     def spun(text: str) -> Command:
-        return SpinTool(units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED), quarters=True))
+        return SpinTool(units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED)))
 
     height = form.field("height", units.entry(part.height, False), f"Height h in {units.length_unit}", raised)
     spin = form.field(

@@ -86,7 +86,7 @@ def _robot_b(form: Form, state: State) -> Inside:
         return Set(TwoRobots, "link", units.read(text, False, "l", within=(SHORTEST, LONGEST)))
 
     def between(text: str) -> Command:
-        typed = units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED), quarters=True)
+        typed = units.read(text, True, "angle", within=(-MOST_TURNED, MOST_TURNED))
         return Set(TwoRobots, "between", typed)
 
     length = form.field("link", units.entry(part.link, False, MORE), "Length of the links of B", link)
@@ -121,7 +121,7 @@ def _base(form: Form, part: TwoRobots, robot: str, units: Units) -> Markup:
     def field(cell: str, name: str, value: float, turns: bool) -> Markup:
         def taken(text: str) -> Command:
             most = MOST_TURNED if turns else FARTHEST
-            typed = units.read(text, turns, name, within=(-most, most), quarters=turns)
+            typed = units.read(text, turns, name, within=(-most, most))
             return TurnRobotBase(robot, typed) if turns else SetRobotBase(robot, "xy".index(name), typed)
 
         label = f"{name} of the base of {ROBOTS[robot]} in {units.unit(turns)}"

@@ -53,7 +53,7 @@ class DhEditor:
             text = without_symbol(text) or "0"
         where = f"row {i + 1}, {self._units.book.symbols[field]}"
         turns = field in ANGLES
-        return SetCell(i, field, self._units.read(text, turns, where, within=widest(turns), quarters=turns))
+        return SetCell(i, field, self._units.read(text, turns, where, within=widest(turns)))
 
     def _limit_typed(self, i: int, arm: Arm, name: str, text: str) -> Wish:
         revolute, (low, high) = arm.rows[i].revolute, arm.limits[i].tolist()

@@ -55,7 +55,7 @@ def _typed(state: State, which: str, axis: str, units: Units, text: str) -> Wish
         return None
     turns = axis in ANGLES
     where = f"{'tool point' if which == 'point' else which}, {axis}"
-    value = units.read(text, turns, where, within=None if turns else widest(turns), quarters=turns)
+    value = units.read(text, turns, where, within=None if turns else widest(turns))
     if which == "point":
         x, y, z = (value if name == axis else was for name, was in zip("xyz", state[Point].xyz, strict=True))
         return SetPoint((x, y, z))

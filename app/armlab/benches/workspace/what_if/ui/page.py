@@ -107,7 +107,7 @@ def exact_markup(form: Form, part: WhatIf, units: Units) -> Markup:
     thought = units.entry(value_of(part.other, part.row, part.field), angle)
 
     def typed(text: str) -> Suppose:
-        return Suppose(part.row, part.field, units.read(text, angle, name, quarters=part.field in ANGLES))
+        return Suppose(part.row, part.field, units.read(text, angle, name))
 
     field = form.field("value", thought, f"{name}, {NAMED[part.field]}, in {units.unit(angle)}", typed)
     now = f"now {with_unit(value_of(part.arm, part.row, part.field), angle, units)}"
