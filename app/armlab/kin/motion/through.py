@@ -22,8 +22,9 @@ SAME_PLACE = 1e-9
 """Difference in s below which a waypoint lies at a corner."""
 
 STEEPEST = 3.0
-"""Angular speed at a waypoint, relative to the slower turn beside it, up to which a cubic does not swing beyond its
-ends (Fritsch and Carlson, *Monotone Piecewise Cubic Interpolation*, 1980, for one angle)."""
+"""Angular speed at a waypoint, relative to the slower turn beside it, up to which turns in one sense about one axis do
+not swing beyond their ends (Fritsch and Carlson, *Monotone Piecewise Cubic Interpolation*, 1980). Where the sense
+changes they may, as a spline of positions does."""
 
 NEAR, TERMS = 1.0, 10
 """Square of the angle up to which the coefficients of `_coefficients` are sums of powers, and the number of powers;
