@@ -7,6 +7,9 @@ import time
 import pytest
 
 from armlab.session.session import Session
+from armlab.ui.pace import Pace
+from armlab.ui.spread import Spread
+from armlab.window.pieces import Pieces
 from support import at_rest
 
 pytestmark = pytest.mark.browser
@@ -42,6 +45,31 @@ def held_up(monkeypatch):
         await send(*arguments, **options)
 
     monkeypatch.setattr(at_rest, "_send", send_late)
+
+
+@pytest.fixture
+def put_off(monkeypatch):
+    """Let the pieces of a page wait for their turn until this time, as where others have much to be shown."""
+    go_on, until = Spread._go_on, [0.0]
+
+    def late(spread, with_last):
+        for key in [each for each in spread._waiting if not isinstance(each, Pieces)]:
+            spread._waiting.pop(key)()
+        if time.monotonic() > until[0]:
+            go_on(spread, with_last)
+
+    monkeypatch.setattr(Spread, "_go_on", late)
+    monkeypatch.setattr(Pace, "browsers", property(lambda _: 2, lambda *_: None), raising=False)
+    return until
+
+
+def test_what_has_its_turn_late_is_waited_for(visit, put_off):
+    lab = visit("robot/panda")
+    lab.open_tab("Robot")
+    put_off[0] = time.monotonic() + LATE
+    lab.press("trainer")
+    assert lab.says("Not for this arm")
+    assert time.monotonic() > put_off[0]
 
 
 @pytest.mark.usefixtures("held_up")

@@ -104,8 +104,12 @@ def _ask(lab: Any) -> Told:
         done = lab.worker.idle and not lab._due and all(itertools.starmap(_is_sent, buffers))
         making = any(view._making is not None for view in lab._views.values())
         aside = any(each.get_loop() is lab.loop for each in list(ASIDE))
-        idle = done and lab.runner.idle and not (making or aside or soon)
-        return Told(traffic, done and (plays or not soon), idle)
+        # A page is built in pieces, and what is shown has its turn after others.
+        late = (
+            lab.pace.spread._waiting or lab.pace.spread._last or any(map(asyncio.Lock.locked, lab._building.values()))
+        )
+        idle = done and lab.runner.idle and not (making or aside or soon or late)
+        return Told(traffic, done and (plays or not (soon or late)), idle)
 
     return asyncio.run_coroutine_threadsafe(look(), lab.loop).result(WAIT)
 
