@@ -186,11 +186,16 @@ def test_the_lab_knows_strangers_by_their_address_and_students_by_themselves(ope
         await asyncio.sleep(SENSELESS_AT_ADDRESS / 5.0 * 0.1 + 0.2)
         await honest.close()
         again = await student(url, honest.cookie)
-        newcomer = await student(url, cookie_of(url))
+        newcomer = asyncio.create_task(student(url, cookie_of(url)))
+        patience = Patience()
+        # Not once its page is open: a newcomer is forgiven after seconds, in which a slow machine does not open it.
+        while {price(new) for new in tuple(lab.lab.pace.manners._known) if new not in (token, other)} != {DEAR}:
+            assert patience.left()
+            await asyncio.sleep(0.01)
+        assert price(token) == 1.0
+        newcomer = await newcomer
         sending.cancel()
         await stranger.close()
-        (new,) = lab.lab._of_session.keys() - {token, other}
-        assert (price(token), price(new)) == (1.0, DEAR)
         assert again.controls.keys()
         assert newcomer.controls.keys()
         await again.close()
