@@ -12,7 +12,7 @@ from armlab import check_lesson, resources
 from armlab.content.check import check_types
 from armlab.content.lesson_folder import sources_of
 from armlab.content.lessons import lesson as variant_of
-from armlab.content.lessons import lessons, parse_lesson
+from armlab.content.lessons import folders_of_the_lab, lessons, parse_lesson
 from armlab.content.observation import Observation
 from armlab.content.quantities import read_quantity
 from armlab.content.questions.matrix import MatrixQuestion
@@ -87,7 +87,7 @@ def test_the_wheel_takes_the_lessons():
     assert project["tool"]["hatch"]["build"]["targets"]["wheel"]["force-include"]["lessons"] == "armlab/_data/lessons"
 
 
-@pytest.mark.parametrize("key", lessons().lessons)
+@pytest.mark.parametrize("key", [source.key for place in folders_of_the_lab() for source in sources_of(place)[0]])
 def test_three_digits_of_the_right_answer_are_enough_where_no_number_of_them_is_asked_for(key):
     for number in range(4):
         for step in variant_of(key, number).steps:

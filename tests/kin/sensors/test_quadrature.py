@@ -4,8 +4,6 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
 from armlab.errors import InputError
 from armlab.kin.sensors.quadrature import (
@@ -115,24 +113,19 @@ def test_counts_are_right_after_any_sequence_of_reversals(key, rng):
         assert abs(decoder.count(signals.levels)[-1] - way) <= 1.0 + decoder.unevenness + 1e-6
 
 
-# Of a slow machine it would say that the data are made too slowly.
-@settings(
-    derandomize=True, database=None, deadline=None, max_examples=300, suppress_health_check=[HealthCheck.too_slow]
-)
-@given(
-    start=st.integers(-200, 200),
-    moves=st.lists(st.integers(-500, 500), max_size=40),
-    finer=st.sampled_from([1, 4, 7]),
-    pulses=st.integers(1, 64),
-)
-def test_what_goes_and_comes_back_counts_what_is_left(start, moves, finer, pulses):
+def test_what_goes_and_comes_back_counts_what_is_left(rng):
     """Moves are whole parts of a quarter, so that many reversals lie on an edge; the edges passed are known exactly."""
-    part = 2.0 * math.pi / (4 * pulses * finer)
-    motion = Motion((start + 0.5) * part, tuple(move * part for move in moves), 1.0)
-    first, last = (math.floor((each + 0.5) / finer) for each in (start, start + sum(moves)))
-    counted = DECODERS["x4"].count(motion.signals(pulses).levels)
-    assert counted[-1] == last - first
-    assert lost(motion.signals(pulses).levels) == 0
+    for _ in range(600):
+        pulses, finer, start = int(rng.integers(1, 65)), int(rng.choice([1, 4, 7])), int(rng.integers(-200, 201))
+        most = int(rng.choice([1, 3, 20, 500]))
+        moves = rng.integers(-most, most + 1, size=rng.integers(0, 41)).tolist()
+        part = 2.0 * math.pi / (4 * pulses * finer)
+        motion = Motion((start + 0.5) * part, tuple(move * part for move in moves), 1.0)
+        first, last = (math.floor((each + 0.5) / finer) for each in (start, start + sum(moves)))
+        levels = motion.signals(pulses).levels
+        made = f"{pulses} pulses, parts of 1/{finer}, from {start} by {moves}"
+        assert DECODERS["x4"].count(levels)[-1] == last - first, made
+        assert lost(levels) == 0, made
 
 
 def test_edges_come_in_time_and_where_the_disk_is(rng):
