@@ -17,7 +17,8 @@ def lesson_followed(before: State, now: State) -> State:
     was, part, panels = before[LessonPart], now[LessonPart], now[Panels]
     if part.lesson is None or (part.open, part.name) == (was.open, was.name):
         return now
-    there = [key for key in pages() if key not in part.hidden]
+    hidden = part.hidden
+    there = [key for key in pages() if key not in hidden]
     if part.open == was.open:
         step = part.step
         wanted = part.bench if part.bench != was.bench or (step is not None and step.panel) else ""
