@@ -11,8 +11,8 @@ import pytest
 from armlab import check_lesson, resources
 from armlab.content.check import check_types
 from armlab.content.lesson_folder import sources_of
-from armlab.content.lessons import lesson as variant_of
 from armlab.content.lessons import folders_of_the_lab, lessons, parse_lesson
+from armlab.content.lessons import lesson as variant_of
 from armlab.content.observation import Observation
 from armlab.content.quantities import read_quantity
 from armlab.content.questions.matrix import MatrixQuestion
