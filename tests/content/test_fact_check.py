@@ -95,6 +95,21 @@ def test_the_sentence_says_what_is_and_what_is_asked():
     assert both.says(seen((0.0,))) == "The thing, component 1: 0. Required: at least 1 and at most 2."
 
 
+@pytest.mark.parametrize(
+    ("body", "value", "unit", "says"),
+    [
+        ("at_least_deg = 60", math.radians(59.96), "rad", "a little less than 60.0°. Required: at least 60.0°."),
+        ("at_most = 0.25", 0.2501, "m", "a little more than 0.250 m. Required: at most 0.250 m."),
+        ("value = 2\ntolerance = 0.5", 1.49999, "N", "a little less than 1.5 N. Required: 2 N ± 0.5 N."),
+        ("value = 2", 2.00001, "", "a little more than 2. Required: 2."),
+        ("at_least_deg = 60", math.radians(59.94), "rad", "59.9°. Required: at least 60.0°."),
+        ("at_least_deg = 60", math.radians(60), "rad", "60.0°."),
+    ],
+)
+def test_a_number_that_misses_its_end_by_less_than_is_shown_says_so(body, value, unit, says):
+    assert check(body).says(seen(value, unit)) == f"The thing: {says}"
+
+
 def test_a_key_is_told_in_words():
     fact = SeenFact("the thing", "", "one", names={"one": "the first", "two": "the second"})
     now = Observation.of(ROBOT.arm, [0, 0], facts={WORD: fact})

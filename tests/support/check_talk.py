@@ -137,8 +137,8 @@ FACTS: tuple[tuple[str, Value | None], ...] = (
     *(("value = 2\ntolerance = 0.5", value) for value in (None, 1.0)),
     *(("at_least = 2\nat_most = 3", value) for value in (1.0, 4.0)),
     *(
-        ("at_most = 3", 4.0),
-        ("at_least = 3", 1.0),
+        *(("at_most = 3", value) for value in (4.0, 3.00001)),
+        *(("at_least = 3", value) for value in (1.0, 2.99999)),
         ("value = true", False),
         ("value = false", True),
         ('value = "one"', "other"),

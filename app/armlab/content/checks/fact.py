@@ -76,9 +76,12 @@ class FactIs:
         title = self.titled(seen.title if seen else self.fact)
         if seen is None or value is None:
             return f"{_begun(title)}: {_why_unknown(seen)}."
+        told = f"{_begun(title)}: "
+        now = self._said(seen.named(value), seen.unit, words)
+        if self.is_met(observation):
+            return _ended(f"{told}{now}")
         required = replace(self, value=seen.named(self.value)).asked(seen.unit, words)
-        asked = "" if self.is_met(observation) else _ended(f" Required: {required}")
-        return _ended(f"{_begun(title)}: {self._said(seen.named(value), seen.unit, words)}") + asked
+        return _ended(f"{told}{self._missed(value, seen.unit, words)}{now}") + _ended(f" Required: {required}")
 
     def titled(self, title: str) -> str:
         """Return the subject of the check, by the title of the fact."""
@@ -91,6 +94,19 @@ class FactIs:
             return f"{self._said(self.value, unit, words)}{within}"
         ends = (("at least", self.at_least), ("at most", self.at_most))
         return " and ".join(f"{name} {self._said(end, unit, words)}" for name, end in ends if end is not None)
+
+    def _missed(self, value: Value, unit: str, words: Words) -> str:
+        """Return what stands before a number whose words are those of the end that it misses; else nothing."""
+        if isinstance(value, (str, bool, tuple)) or isinstance(self.value, (str, bool, tuple)):
+            return ""
+        within = self.tolerance or 0.0
+        low, high = (self.at_least, self.at_most) if self.value is None else (self.value - within, self.value + within)
+        now = self._said(value, unit, words)
+        if low is not None and value < low and self._said(low, unit, words) == now:
+            return "a little less than "
+        if high is not None and value > high and self._said(high, unit, words) == now:
+            return "a little more than "
+        return ""
 
     def _said(self, value: Value | None, unit: str, words: Words) -> str:
         """Return a value in words: an angular speed in the unit in which the file gives it."""
