@@ -1,6 +1,7 @@
 """The page of statics, and what the page of the ellipsoids says of forces, through the protocol and as markup."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -38,6 +39,25 @@ from support.student import run, student
 
 def put(key):
     return apply(State.initial(catalogue()["puma560"]), PutInPlace(f"statics/{key}"))
+
+
+TORQUES, FORCES = r"A full bar or arc is [\d.]+ N m\.", r"For a prismatic joint a full bar or arrow is 50 N\."
+
+
+@pytest.mark.parametrize(
+    ("robot", "force", "says"),
+    [
+        ("planar_2r", 50.0, TORQUES),
+        ("scara", 50.0, f"{TORQUES} {FORCES}"),
+        ("cartesian_3p", 50.0, FORCES),
+        ("scara", 0.0, TORQUES),
+        ("cartesian_3p", 0.0, ""),
+    ],
+)
+def test_a_full_bar_is_told_for_the_joints_there_are(robot, force, says):
+    state = apply(State.initial(catalogue()[robot]), Set(Statics, "force", (force, 0.0, 0.0)))
+    state = apply(state, Set(Statics, "moment", (0.0, 0.0, 5.0)))
+    assert re.search(rf'<p class="dim">{says}</p>', str(torques_markup(state)))
 
 
 def test_fields_and_buttons_become_commands():

@@ -73,7 +73,7 @@ class _Scene:
         full = part.full_torque(self._arm)
         for i, (mark, value) in enumerate(zip(self._joints, found.torques.tolist(), strict=True)):
             turns = bool(self._arm.revolute[i])
-            whole = full if turns else part.full_force or full
+            whole = full if turns else part.full_force
             nothing = abs(value) <= float(found.least[i])
             name = "" if nothing and self._arm.n > FEW else torque_name(i, turns, value, float(found.least[i]))
             mark.show(value / whole if whole else 0.0, name)

@@ -50,7 +50,7 @@ def torques_markup(state: State) -> Markup:
     rows = []
     for i, value in enumerate(found.torques.tolist()):
         turns = bool(arm.revolute[i])
-        unit, whole = ("N m", full) if turns else ("N", part.full_force or full)
+        unit, whole = ("N m", full) if turns else ("N", part.full_force)
         none = abs(value) <= float(found.least[i])
         share = 0.0 if none or not whole else max(-50.0, min(50.0, 50.0 * value / whole))
         shown = tag("b.zero", "0") if none else tag("b", number(value, _decimals(full)))
@@ -58,10 +58,10 @@ def torques_markup(state: State) -> Markup:
         bar = tag("u", style=f"--left:{left:.1f}%;--width:{abs(share):.1f}%;--c:{colour}")
         rows.append((tag("span", dot(colour), subscript("τ", i + 1)), bar, shown, tag("i", unit)))
     title = tag("h3", "Torques ", tag("small", mathml(LAW), "⟦, notes 5.163⟧"))
-    scale = f"A full bar or arc is {trimmed(full, 6)} N m." if full else ""
-    if full and not arm.revolute.all():
-        scale += f" Prismatic joints: {trimmed(part.full_force or full, 6)} N."
-    return joined(title, tag("div.st-bars", rows), tag("p.dim", scale))
+    scales = [f"A full bar or arc is {trimmed(full, 6)} N m."] if full and arm.revolute.any() else []
+    if part.full_force and not arm.revolute.all():
+        scales.append(f"For a prismatic joint a full bar or arrow is {trimmed(part.full_force, 6)} N.")
+    return joined(title, tag("div.st-bars", rows), tag("p.dim", " ".join(scales)))
 
 
 def _decimals(full: float) -> int:
