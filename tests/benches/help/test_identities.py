@@ -257,7 +257,12 @@ def test_what_cannot_be_is_refused_in_words_and_the_old_sides_stay(command, told
 @pytest.mark.parametrize(
     ("text", "latex"),
     [
-        ("2 sin(x)^2/(1 - y)", r"\frac{2\,{\sin(x)}^{2}}{1-y}"),
+        ("2 sin(x)^2/(1 - y)", r"\frac{2\,\sin^{2}(x)}{1-y}"),
+        ("sin(x^2)", r"\sin({x}^{2})"),
+        ("(cos(x)^2)^3", r"{(\cos^{2}(x))}^{3}"),
+        ("sin(x)^-1", r"{(\sin(x))}^{-1}"),
+        ("atan2(y, x)^2", r"{(\mathrm{atan2}(y,x))}^{2}"),
+        ("sqrt(x)^2", r"{\sqrt{x}}^{2}"),
         ("-x^2", "-{x}^{2}"),
         ("(a - b) - (c - d)", "a-b-(c-d)"),
         ("a (-b)", r"a\,(-b)"),

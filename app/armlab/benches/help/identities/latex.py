@@ -7,7 +7,7 @@ from typing import NamedTuple
 from armlab.content.expressions import Expression
 from armlab.content.identity import GREEK
 
-_SUM, _SIGNED, _PRODUCT, _POWER, _ATOM = range(5)
+_SUM, _SIGNED, _PRODUCT, _POWER, _CALL, _ATOM = range(6)
 
 _GREEK = frozenset(GREEK.values())
 
@@ -16,10 +16,11 @@ _OWN = frozenset({"sin", "cos", "tan", "sec", "csc", "cot", "sinh", "cosh", "tan
 
 
 class _Printed(NamedTuple):
-    """A part of a formula in LaTeX, and how strongly it holds together."""
+    """A part of a formula in LaTeX, how strongly it holds together, and the function of `_OWN` that it begins with."""
 
     text: str
     binding: int
+    function: str = ""
 
 
 class _Latex:
@@ -52,7 +53,7 @@ class _Latex:
         if operation == "/":
             return _Printed(rf"\frac{{{arguments[0].text}}}{{{arguments[1].text}}}", _POWER)
         if operation == "^":
-            return _Printed(f"{{{_held(arguments[0], _ATOM)}}}^{{{arguments[1].text}}}", _POWER)
+            return _power(*arguments)
         return _function(operation, [each.text for each in arguments])
 
 
@@ -63,9 +64,17 @@ def latex_of(formula: Expression) -> str:
     --------
     >>> from armlab.content.identity import read_formula
     >>> print(latex_of(read_formula("2 sin(x)^2/(1 - y)")))
-    \frac{2\,{\sin(x)}^{2}}{1-y}
+    \frac{2\,\sin^{2}(x)}{1-y}
     """
     return formula.folded(_Latex()).text
+
+
+def _power(base: _Printed, exponent: _Printed) -> _Printed:
+    r"""Return a power; of a function as in textbooks, but for \sin^{-1}, which would be the inverse function."""
+    if base.function and exponent.text.isdigit():
+        inside = base.text.removeprefix(base.function)
+        return _Printed(f"{base.function}^{{{exponent.text}}}{inside}", _POWER)
+    return _Printed(f"{{{_held(base, _ATOM)}}}^{{{exponent.text}}}", _POWER)
 
 
 def _held(part: _Printed, least: int) -> str:
@@ -96,4 +105,4 @@ def _function(name: str, inside: list[str]) -> _Printed:
     if name == "rad":
         return _Printed(rf"{inside[0]}°" if inside[0].replace(".", "").isdigit() else f"({inside[0]})°", _ATOM)
     shown = rf"\{name}" if name in _OWN else rf"\mathrm{{{name}}}"
-    return _Printed(f"{shown}{_bracketed(','.join(inside))}", _ATOM)
+    return _Printed(f"{shown}{_bracketed(','.join(inside))}", _CALL, shown if name in _OWN else "")
