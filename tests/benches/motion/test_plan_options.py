@@ -22,6 +22,7 @@ from armlab.benches.motion.plan.points import (
     ShiftWaypoint,
 )
 from armlab.benches.motion.plan.state import Plan, planned_now
+from armlab.benches.motion.plan.words import judged
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import path_types
@@ -142,6 +143,13 @@ def test_a_circle_for_the_half_arc_that_is_left_over_is_refused_in_a_sentence():
     assert laid(state) == [("1 → 3", "circle"), ("3 → 4", "line")]
     with pytest.raises(InputError, match=r"move 3 → 4: Circle through three points takes 3 waypoints .* there are 2"):
         apply(state, SetMove(3, path="circle"))
+
+
+def test_a_move_that_is_straight_for_want_of_waypoints_says_so():
+    lines = judged(planned_now(with_planned(arcs(3)))).lines
+    takes = "takes 3 waypoints with moves of one kind between them"
+    assert f"move 3 → 4: a straight line here: Circle through three points {takes}" in lines
+    assert not [line for line in judged(planned_now(with_planned(arcs(4)))).lines if "straight line" in line]
 
 
 def test_a_circle_behind_half_an_arc_is_that_of_the_chosen_move():

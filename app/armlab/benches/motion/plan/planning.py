@@ -66,9 +66,18 @@ def _laid(question: Question, stretch: Stretch, q: Floats) -> Leg:
     """Return a leg with its path in joint space, or with the reason why there is none."""
     lay = _in_space if stretch.move.space == "cartesian" else _in_joints
     try:
-        return lay(question, stretch, q)
+        leg = lay(question, stretch, q)
     except InputError as refusal:
         return Leg(stretch, 0.0, np.zeros((0, 3)), np.zeros(0, dtype=int), None, str(refusal))
+    return replace(leg, remarks=(*_too_short(question, stretch), *leg.remarks))
+
+
+def _too_short(question: Question, stretch: Stretch) -> tuple[str, ...]:
+    """Return a sentence on a move that is straight since it has too few waypoints for the path that was chosen."""
+    chosen = question.moves[stretch.first].kind
+    if chosen is stretch.move.kind:
+        return ()
+    return (f"a straight line here: {chosen.title} takes {chosen.least} waypoints with moves of one kind between them",)
 
 
 def _timed(question: Question, leg: Leg) -> Leg:
