@@ -20,7 +20,7 @@ from armlab.content.held import held_assignment, held_lesson
 from armlab.content.lesson import Lesson as Lesson
 from armlab.content.lesson import Step as Step
 from armlab.content.lesson_file import parse_lesson as parse_lesson
-from armlab.content.lesson_folder import Source, lesson_of, sources_of
+from armlab.content.lesson_folder import Source, Stamp, glance, lesson_of, sources_of
 from armlab.content.lesson_head import front_line
 from armlab.content.lesson_lines import LessonError
 from armlab.content.lesson_reading import Good, Reading, Readings
@@ -150,8 +150,6 @@ class Library:
         The first is the lab's own.
     catalogue : Catalogue, optional
         The robots there are; those of the lab when left out.
-    pause : callable, optional
-        Called after each lesson of the first reading with the processor time that it took, seconds.
     readings : Readings, optional
         What has been read of them already, and where it is kept what is read.
     """
@@ -169,6 +167,7 @@ class Library:
         self._good: dict[str, Good] = {}
         self._courses, self._assignments = CourseFiles(), AssignmentFiles()
         self._said: list[str] = []  # problems of the folders themselves
+        self._seen: list[Stamp | None] = []
         self._lessons = Lessons({}, ())
         self._folders += _labelled(folders)
         self.changed()
@@ -233,6 +232,10 @@ class Library:
         read when no file has another time or size.
         """
         with self._lock:
+            # Looked at first: what changes while the files are read differs at the next look.
+            seen = [glance(folder) for folder, _ in self._folders]
+            if seen == self._seen and None not in seen:
+                return frozenset()
             found: dict[str, Reading] = {}
             problems: list[ContentError] = []
             changed: set[str] = set()
@@ -249,6 +252,7 @@ class Library:
             if changed or any(others) or [str(each) for each in problems] != self._said:
                 self._said = [str(each) for each in problems]
                 self._lessons = self._listed(problems)
+            self._seen = seen
             return frozenset(changed)
 
     def _sources(self, problems: list[ContentError]) -> list[Source]:
