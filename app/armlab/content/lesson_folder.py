@@ -212,9 +212,9 @@ def _stamp(files: Iterable[Traversable]) -> Stamp:
 
 
 def glance(folder: Traversable) -> Stamp | None:
-    """Return a value that changes whenever a file of a folder, or of a folder in it, changes; None if it is no folder.
+    """Return a value that changes whenever a file of a folder, or of a folder in it, changes; None if there is none.
 
-    It takes a tenth of the time of reading what the files are. An archive never changes.
+    An archive never changes.
     """
     if not isinstance(folder, Path):
         return ()

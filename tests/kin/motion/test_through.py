@@ -87,6 +87,14 @@ def test_from_corner_to_corner_it_turns_about_one_axis(rng):
     assert np.abs(jumps[0]).max() < 1e-8 < 0.1 < np.abs(jumps[1]).max()
 
 
+def test_the_angular_velocity_at_a_waypoint_is_that_of_the_parabola_through_it_and_its_neighbours():
+    """Of a turn by s^2 about one axis it is 2 s, however uneven the places are."""
+    places, axis = np.array([0.0, 0.1, 0.4, 0.55, 1.0]), np.array([2.0, -1.0, 2.0]) / 3.0
+    way = Through(Rotation.from_rotvec(places[:, None] ** 2 * axis).as_matrix(), places)
+    omega, _ = way.angular(places[1:-1])
+    np.testing.assert_allclose(omega, 2.0 * places[1:-1, None] * axis, rtol=0, atol=1e-12)
+
+
 def test_the_same_orientation_at_two_waypoints_is_kept_in_between(rng):
     a, b, c = waypoints(rng, 3)
     orientation = Through([a, b, b, c], [0.0, 0.3, 0.6, 1.0])
