@@ -95,6 +95,15 @@ def test_the_angular_velocity_at_a_waypoint_is_that_of_the_parabola_through_it_a
     np.testing.assert_allclose(omega, 2.0 * places[1:-1, None] * axis, rtol=0, atol=1e-12)
 
 
+def test_turns_in_one_sense_about_one_axis_never_go_back(rng):
+    axis = np.array([1.0, 2.0, 2.0]) / 3.0
+    for _ in range(20):
+        angles = np.cumsum(np.pi * 10.0 ** rng.uniform(-4.0, 0.0, 6))
+        way = Through(Rotation.from_rotvec(angles[:, None] * axis).as_matrix(), random_places(rng, 6))
+        omega, _ = way.angular(np.linspace(0.0, 1.0, 2001))
+        assert (omega @ axis).min() >= -1e-12 * np.abs(omega).max()
+
+
 def test_the_same_orientation_at_two_waypoints_is_kept_in_between(rng):
     a, b, c = waypoints(rng, 3)
     orientation = Through([a, b, b, c], [0.0, 0.3, 0.6, 1.0])
