@@ -9,6 +9,7 @@ from armlab.benches.velocity.ellipsoid.facts import FACTS
 from armlab.benches.velocity.ellipsoid.state import (
     LookAtBlock,
     Manipulability,
+    PlacedEllipsoid,
     VelocityBlock,
     blocks_of,
     placed,
@@ -19,6 +20,7 @@ from armlab.content.robots import catalogue, own_robot
 from armlab.errors import UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
+from armlab.kin.ellipsoid import velocity_ellipsoid
 from armlab.kin.transforms import transform
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.robot import ChooseRobot
@@ -158,3 +160,19 @@ def test_the_direction_of_an_ellipse_is_a_fact_in_the_plane_of_x_and_y_alone():
     assert told(Arm.from_dh(rows, base=upright), 0.4, 0.0) is None
     # With these links the ellipse is a circle, which has no longest axis.
     assert told(Arm.from_dh([Row("R", np.sqrt(0.5), 0.0), Row("R", 0.5, 0.0)]), 0.4, 0.75 * np.pi) is None
+
+
+@pytest.mark.parametrize(
+    ("half_axes", "is_round"),
+    [
+        ([2, 2, 2], True),
+        ([2, 2, 1], False),
+        ([2, 1, 1], False),
+        ([1, 1 - 1e-9], True),
+        ([2, 1.9999], False),
+        ([0, 0], True),
+    ],
+)
+def test_it_is_round_where_all_half_axes_are_alike(half_axes, is_round):
+    found = velocity_ellipsoid(np.diag(np.array(half_axes, dtype=float)))
+    assert PlacedEllipsoid(np.zeros(3), np.eye(3), np.zeros(3), found).is_round is is_round
