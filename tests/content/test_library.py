@@ -109,6 +109,14 @@ def test_what_changes_is_read_again(lab):
     assert found.changed() == frozenset()
 
 
+def test_what_changes_beside_a_link_that_leads_nowhere_is_read_again(lab):
+    (lab / "broken.md").symlink_to(lab / "gone.md")
+    found = Library([lab])
+    assert found.changed() == frozenset()
+    (lab / "first.md").write_text(text("Another title"), encoding="utf-8")
+    assert found.changed() == {"first"}
+
+
 def test_a_file_written_again_as_it_was_has_not_changed(lab):
     found = Library([lab])
     before = found.lesson("first")
