@@ -109,6 +109,21 @@ def test_what_changes_is_read_again(lab):
     assert found.changed() == frozenset()
 
 
+def test_what_changes_while_the_files_are_read_is_seen_at_the_next_look(lab, monkeypatch):
+    found, read = Library([lab]), module.Readings.read
+
+    def read_and_meanwhile(readings, source):
+        reading = read(readings, source)
+        (lab / "first.md").write_text(text("Later"), encoding="utf-8")
+        return reading
+
+    (lab / "second.md").write_text(text("Second"), encoding="utf-8")
+    with monkeypatch.context() as patch:
+        patch.setattr(module.Readings, "read", read_and_meanwhile)
+        assert found.changed() == {"second"}
+    assert found.changed() == {"first"}
+
+
 def test_what_changes_beside_a_link_that_leads_nowhere_is_read_again(lab):
     (lab / "broken.md").symlink_to(lab / "gone.md")
     found = Library([lab])
