@@ -60,6 +60,16 @@ def test_a_full_bar_is_told_for_the_joints_there_are(robot, force, says):
     assert re.search(rf'<p class="dim">{says}</p>', str(torques_markup(state)))
 
 
+def test_the_bar_of_a_slide_is_its_part_of_the_full_force():
+    state = apply(State.initial(catalogue()["scara"]), Set(Statics, "force", (0.0, 0.0, -40.0)))
+    part, found = state[Statics], state.derived(balance)
+    assert part.full_force == 50.0
+    np.testing.assert_allclose(np.abs(part.shares(state[Joints].arm, found.torques)), [0, 0, 0.8, 0], rtol=0, atol=1e-9)
+    assert re.findall(r"--width:([\d.]+)%", str(torques_markup(state))) == ["0.0", "0.0", "40.0", "0.0"]
+    none = apply(state, Set(Statics, "force", (0.0, 0.0, 0.0)))
+    assert none[Statics].shares(state[Joints].arm, found.torques)[2] == 0.0
+
+
 def test_fields_and_buttons_become_commands():
     state = put("along")
 

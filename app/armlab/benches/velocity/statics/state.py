@@ -131,6 +131,11 @@ class Statics(FieldPart):
         """Return the torque that is drawn in full size, N m: about the largest that the full wrench can need."""
         return round_above(self.full_force * 2.0 * arm.length_scale + self.full_moment)
 
+    def shares(self, arm: Arm, torques: Array) -> Array:
+        """Return torques (n,), of slides forces, over those that are drawn in full size; 0 where none can be needed."""
+        whole = np.where(arm.revolute, self.full_torque(arm), self.full_force)
+        return np.divide(torques, whole, out=np.zeros(arm.n), where=whole > 0.0)
+
 
 PART = PartType(Statics, order=26)
 

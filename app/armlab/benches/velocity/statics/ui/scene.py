@@ -70,13 +70,11 @@ class _Scene:
         found = balance_at(part, self._arm, q)
         move(self._root, found.tool[:3, 3])
         self._draw_wrench(part, found)
-        full = part.full_torque(self._arm)
-        for i, (mark, value) in enumerate(zip(self._joints, found.torques.tolist(), strict=True)):
-            turns = bool(self._arm.revolute[i])
-            whole = full if turns else part.full_force
-            nothing = abs(value) <= float(found.least[i])
-            name = "" if nothing and self._arm.n > FEW else torque_name(i, turns, value, float(found.least[i]))
-            mark.show(value / whole if whole else 0.0, name)
+        shares = part.shares(self._arm, found.torques).tolist()
+        for i, (mark, value, share) in enumerate(zip(self._joints, found.torques.tolist(), shares, strict=True)):
+            turns, least = bool(self._arm.revolute[i]), float(found.least[i])
+            name = "" if abs(value) <= least and self._arm.n > FEW else torque_name(i, turns, value, least)
+            mark.show(share, name)
         self._draw_free(q)
 
     def _draw_wrench(self, part: Statics, found: Balance) -> None:

@@ -48,11 +48,11 @@ def torques_markup(state: State) -> Markup:
     part = state[Statics]
     full = part.full_torque(arm)
     rows = []
+    shares = np.clip(50.0 * part.shares(arm, found.torques), -50.0, 50.0)
     for i, value in enumerate(found.torques.tolist()):
-        turns = bool(arm.revolute[i])
-        unit, whole = ("N m", full) if turns else ("N", part.full_force)
+        unit = "N m" if arm.revolute[i] else "N"
         none = abs(value) <= float(found.least[i])
-        share = 0.0 if none or not whole else max(-50.0, min(50.0, 50.0 * value / whole))
+        share = 0.0 if none else float(shares[i])
         shown = tag("b.zero", "0") if none else tag("b", number(value, _decimals(full)))
         left, colour = 50.0 + min(share, 0.0), css(joint_colour(i))
         bar = tag("u", style=f"--left:{left:.1f}%;--width:{abs(share):.1f}%;--c:{colour}")
