@@ -6,7 +6,7 @@ import threading
 import pytest
 
 from armlab.content import lesson_reading as module
-from armlab.content.lesson_folder import MOST_LESSONS, MOST_TEXT, glance
+from armlab.content.lesson_folder import MOST_LESSONS, MOST_TEXT
 from armlab.content.lesson_reading import MOST_VARIANTS
 from armlab.content.lessons import Library, lesson, lessons, library
 from armlab.content.pictures import MOST_PICTURES
@@ -398,45 +398,3 @@ def test_a_mistake_of_ours_is_a_problem_of_one_file(lab, monkeypatch, caplog):
     assert set(found.lessons.lessons) == {"first"}
     assert problems(found) == ["second.md: cannot be used: RuntimeError('ours')"]
     assert "second.md cannot be read" in caplog.text
-
-
-# --- A look that finds nothing new
-
-
-def test_a_glance_tells_every_change_of_a_folder(tmp_path):
-    folder, elsewhere = tmp_path / "lessons", tmp_path / "elsewhere.md"
-    (folder / "rich").mkdir(parents=True)
-    (folder / "rich" / "lesson.md").write_text("one")
-    (folder / "plain.md").write_text("one")
-    elsewhere.write_text("one")
-    (folder / "linked.md").symlink_to(elsewhere)
-
-    def swap():
-        (folder / "plain.md").rename(folder / "hand.md")
-        (folder / "more.md").rename(folder / "plain.md")
-
-    changes = [
-        lambda: (folder / "plain.md").write_text("three"),
-        lambda: (folder / "more.md").write_text("three"),
-        lambda: (folder / "rich" / "lesson.md").write_text("three"),
-        lambda: (folder / "rich" / "arm.svg").write_text("<svg/>"),
-        lambda: elsewhere.write_text("three"),
-        lambda: (folder / "plain.md").chmod(0o600),
-        lambda: (folder / "rich" / "arm.svg").unlink(),
-        swap,
-        lambda: (folder / "hand.md").unlink(),
-    ]
-    seen = [glance(folder)]
-    for change in changes:
-        assert glance(folder) == seen[-1]
-        change()
-        seen.append(glance(folder))
-    assert None not in seen
-    assert len(set(seen)) == len(seen)
-
-
-def test_a_folder_that_is_not_there_is_not_told_as_one_without_files(tmp_path):
-    assert glance(tmp_path) == ()
-    assert glance(tmp_path / "gone") is None
-    (tmp_path / "broken.md").symlink_to(tmp_path / "gone.md")
-    assert glance(tmp_path) is None

@@ -12,7 +12,6 @@ from armlab.session.edits import SetCell
 from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, TakePose
-from armlab.session.parts.panels import Panels
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import Target, target_pose
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline, clips, duration
@@ -393,13 +392,6 @@ def test_a_film_counts_when_it_was_played_to_its_end_in_this_step(fresh, own):
     assert observed(whole).films == {"film"}
     assert observed(done(whole, Seek(0.0))).films == {"film"}
     assert observed(done(whole, Seek(0.0), GoToStep(1))).films == frozenset()
-
-
-def test_a_lesson_that_hides_the_open_page_brings_one_to_the_front_that_is_there(fresh, own):
-    own(t=TWO_STEPS.replace("overlays", 'hidden = ["film"]\noverlays'))
-    state = done(fresh, OpenPanel("film"), OpenLesson("t"))
-    assert state[Panels].last not in ("", "film")
-    assert done(fresh, OpenPanel("table"), OpenLesson("t"))[Panels].last == "table"
 
 
 def test_the_panel_that_is_looked_at_is_seen(fresh, own):

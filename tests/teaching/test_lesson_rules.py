@@ -10,8 +10,10 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.dh import Row
 from armlab.session.edits import AddJoint, NewArm, RemoveJoint, SetCell, SetLimits
+from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
+from armlab.session.parts.panels import Panels
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import PlaceTarget, Target
 from armlab.session.session import Redo, Session, Undo
@@ -315,3 +317,10 @@ def test_the_sandbox_waits_for_the_prediction(fresh, own):
     with pytest.raises(InputError, match="answer first"):
         done(state, ToSandbox())
     assert done(state, Answer("1"), ToSandbox())[Shelf].place == "sandbox"
+
+
+def test_a_lesson_that_hides_the_open_page_brings_one_to_the_front_that_is_there(fresh, own):
+    own(t=TWO_STEPS.replace("overlays", 'hidden = ["film"]\noverlays'))
+    state = done(fresh, OpenPanel("film"), OpenLesson("t"))
+    assert state[Panels].last not in ("", "film")
+    assert done(fresh, OpenPanel("table"), OpenLesson("t"))[Panels].last == "table"
