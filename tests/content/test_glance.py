@@ -21,7 +21,6 @@ def test_a_glance_tells_every_change_of_a_folder(tmp_path):
         lambda: (folder / "rich" / "lesson.md").write_text("three"),
         lambda: (folder / "rich" / "arm.svg").write_text("<svg/>"),
         lambda: elsewhere.write_text("three"),
-        lambda: (folder / "plain.md").chmod(0o600),
         lambda: (folder / "rich" / "arm.svg").unlink(),
         swap,
         lambda: (folder / "hand.md").unlink(),
@@ -40,3 +39,16 @@ def test_a_folder_that_is_not_there_is_not_told_as_one_without_files(tmp_path):
     assert glance(tmp_path / "gone") is None
     (tmp_path / "broken.md").symlink_to(tmp_path / "gone.md")
     assert glance(tmp_path) is None
+
+
+def test_only_lessons_are_looked_into(tmp_path):
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / "notes.md").write_text("one")
+    before = glance(tmp_path)
+    (tmp_path / "other" / "notes.md").write_text("three")
+    assert glance(tmp_path) == before
+    (tmp_path / "other" / "lesson.md").write_text("one")
+    now = glance(tmp_path)
+    assert now != before
+    (tmp_path / "other" / "lesson.md").write_text("three")
+    assert glance(tmp_path) != now

@@ -212,9 +212,9 @@ def _stamp(files: Iterable[Traversable]) -> Stamp:
 
 
 def glance(folder: Traversable) -> Stamp | None:
-    """Return a value that changes whenever a file of a folder, or of a folder in it, changes; None if there is none.
+    """Return a value that changes whenever a file of a folder, or of a lesson that is a folder in it, changes.
 
-    An archive never changes.
+    None if there is no such folder. An archive never changes.
     """
     if not isinstance(folder, Path):
         return ()
@@ -228,7 +228,8 @@ def _glances(folder: str | Path, before: str, deep: bool) -> Iterator[tuple[str 
     with os.scandir(folder) as entries:
         for entry in entries:
             yield (f"{before}{entry.name}", *_of_stat(entry.stat()))
-            if deep and entry.is_dir():
+            # A teacher's folder may hold others with thousands of files; one that gets a lesson changes itself.
+            if deep and os.path.isfile(os.path.join(entry.path, LESSON)):
                 yield from _glances(entry.path, f"{entry.name}/", deep=False)
 
 
