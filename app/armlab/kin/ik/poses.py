@@ -79,8 +79,8 @@ def solve_batch(
     --------
     >>> arm = Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0), ("R", 1.0, 0.0, 0.0, 0.0)])
     >>> found = solve_batch(arm, arm.fk([[0.1, 0.5], [0.2, 0.6], [0.3, 0.7]]), q0=[0.0, 0.4], follow=True)
-    >>> found.success.all(), found.q.round(6).tolist()
-    (np.True_, [[0.1, 0.5], [0.2, 0.6], [0.3, 0.7]])
+    >>> bool(found.success.all()), found.q.round(6).tolist()
+    (True, [[0.1, 0.5], [0.2, 0.6], [0.3, 0.7]])
     """
     poses = as_floats(T, "T", "poses of shape (..., 4, 4)")
     if poses.ndim < 2 or poses.shape[-2:] != (4, 4):
