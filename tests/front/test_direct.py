@@ -2,6 +2,7 @@
 
 import asyncio
 import contextlib
+import gc
 from types import SimpleNamespace
 
 import pytest
@@ -144,15 +145,45 @@ def test_a_message_that_came_too_early_waits():
     run(main())
 
 
-def test_a_page_that_takes_no_goodbye_keeps_no_lab_from_its_end(monkeypatch):
-    class Deaf(Browser):
-        async def close(self, code=WSCloseCode.OK, message=b""):
-            await asyncio.sleep(3600.0)
+class Silent(Browser):
+    """A browser that takes no goodbye."""
 
-    async def main():
-        deaf, line = Deaf(), DirectLine(echo, Limits())
-        line._open.add(deaf)
-        await asyncio.wait_for(line.say_goodbye(), WAIT)
+    async def close(self, code=WSCloseCode.OK, message=b""):
+        await super().close(code)
+        await asyncio.Event().wait()
 
-    monkeypatch.setattr(direct, "GOODBYE", 0.05)
-    run(main())
+
+@pytest.mark.parametrize("ends", ["the visit", "the lab"])
+def test_who_is_taken_away_while_a_page_is_let_go_leaves_no_complaint(ends):
+    complaints = []
+
+    async def story():
+        loop = asyncio.get_running_loop()
+        loop.set_exception_handler(lambda _loop, context: complaints.append(context["message"]))
+        browser = Silent(message(WSMsgType.CLOSED))
+        line = Line(browser, echo, Limits())
+        line._open.add(browser)
+        work = line.serve(REQUEST, {}, Meter(Limits())) if ends == "the visit" else line.say_goodbye()
+        going = asyncio.create_task(work)
+        while not browser.closed:
+            await asyncio.sleep(0)
+        going.cancel()
+        with contextlib.suppress(asyncio.CancelledError):
+            await going
+        assert going.cancelled()
+        del going, work
+        gc.collect()
+
+    run(story())
+    assert complaints == []
+
+
+@pytest.mark.parametrize("wait", ["CLOSING", "GOODBYE"])
+def test_a_page_that_takes_no_goodbye_keeps_no_lab_from_its_end(wait, monkeypatch):
+    monkeypatch.setattr(direct, wait, 0.01)
+    browser = Silent(message(WSMsgType.CLOSED))
+    line = Line(browser, echo, Limits())
+    line._open.add(browser)
+    work = line.serve(REQUEST, {}, Meter(Limits())) if wait == "CLOSING" else line.say_goodbye()
+    run(asyncio.wait_for(work, WAIT))
+    assert len(browser.closed) == 1

@@ -158,12 +158,14 @@ class DirectLine:
         """Tell the pages that the lab ends."""
         closing = (browser.close(code=WSCloseCode.GOING_AWAY, message=b"restarting") for browser in list(self._open))
         with contextlib.suppress(TimeoutError):  # a page that does not read must not keep the lab from saving
-            await asyncio.wait_for(asyncio.gather(*closing, return_exceptions=True), GOODBYE)
+            async with asyncio.timeout(GOODBYE):
+                await asyncio.gather(*closing, return_exceptions=True)
 
 
 async def _let_go(request: web.BaseRequest, browser: web.WebSocketResponse, code: int) -> None:
     """Close a browser's connection."""
     with contextlib.suppress(TimeoutError):
-        await asyncio.wait_for(asyncio.gather(browser.close(code=code), return_exceptions=True), CLOSING)
+        async with asyncio.timeout(CLOSING):
+            await browser.close(code=code)
     if request.transport is not None:
         request.transport.abort()
