@@ -53,6 +53,7 @@ def test_a_lesson_without_variants_has_one_row(typed):
     assert status == 0
     assert [line.split(" | ")[0] for line in out.splitlines() if line.startswith("|")] == ["| variant", "| ---", "| 0"]
     assert " ±" in out
+    assert "SI units" not in out
 
 
 @pytest.mark.parametrize("found", Place().all(), ids=lambda found: found.key)
@@ -114,6 +115,7 @@ ON_BENCHES = (
     ("kernel_axis", "(joint 1, value 0.5)", "joint 0"),
     ("best_ratio", "number of teeth (wheel 1, teeth 20)", "wheel 0"),
     ("statics", "(kind force, axis x, value 3)", "axis 0"),
+    ("statics", "names no unit, quantities are in SI units and angles in radians.\n\n| variant", "SI units, angles"),
     ("two_robots", "kind of robot B: 3R, pose; solution of robot B: elbow down; length of the links", "three_links"),
     ("two_robots", "the kind of robot B: 2R, position only", "two_links"),
     ("two_orders", "(law 1, piece 1, rate, value 6 deg/s)", "what 3"),

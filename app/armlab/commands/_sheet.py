@@ -25,6 +25,9 @@ from armlab.teaching.plain_text import plain, printable
 _MEANS_SOMETHING = re.compile(r"([\\`*{}\[\]<>#|~&$]|(?<!\w)_|_(?!\w))")
 """Signs of Markdown; a line between two letters is none."""
 
+SI_UNITS = "Where what is to be done on a page names no unit, quantities are in SI units and angles in radians."
+"""A command of a page may take values of several units, and takes them as a lesson's file writes them."""
+
 
 def sheet(first: Lesson, variants: Sequence[tuple[int, Lesson]], students: Mapping[int, str], level: int = 1) -> str:
     """Return the sheet.
@@ -47,6 +50,8 @@ def sheet(first: Lesson, variants: Sequence[tuple[int, Lesson]], students: Mappi
     lines += [*_asked(first), ""]
     if level == 1 and (on_hints := _on_hints(first)):
         lines += [on_hints, ""]
+    if any(isinstance(action, BenchWord) for step in first.steps for action in step.solution):
+        lines += [SI_UNITS, ""]
     columns = _columns(first, students)
     lines += [_row(columns), _row(["---"] * len(columns))]
     lines += [_row([column(number, lesson) for column in columns.values()]) for number, lesson in variants]
