@@ -142,7 +142,7 @@ def test_what_is_claimed_about_the_axes_of_special_arms_is_true(convention, rng)
 def test_the_reason_names_the_axes():
     arms = catalogue().robots
     assert structure_of(arms["puma560"].arm).why == (
-        "Axes 4, 5 and 6 meet in one point (spherical wrist): position and orientation separate (Pieper)."
+        "Axes 4, 5 and 6 meet in one point: position and orientation separate (Pieper)."
     )
     assert structure_of(arms["ur10"].arm).why.startswith("Axes 2, 3 and 4 are parallel")
     assert structure_of(arms["scara"].arm).why == (

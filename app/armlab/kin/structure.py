@@ -243,8 +243,7 @@ def _meeting(axes: Axes) -> Structure | None:
     # Undoing the joints behind the three brings them in front of those before the three.
     others = axes.kinds[i + 2 :] + axes.kinds[: i - 1]
     most = 2 * _ways(others) if n == 6 and axes.arm.task.key == "pose" else None
-    named = f"{_axes(_three(i))} meet in one point" + (" (spherical wrist)" if last else "")
-    why = f"{named}: position and orientation separate (Pieper)."
+    why = f"{_axes(_three(i))} meet in one point: position and orientation separate (Pieper)."
     key, title = ("spherical_wrist", "Spherical wrist") if last else ("three_meeting", "Three axes through one point")
     return Structure(key, title, True, _capital(why), most, _three(i))
 
