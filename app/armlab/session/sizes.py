@@ -13,7 +13,7 @@ LONGEST = 100.0
 """Longest link, metres."""
 
 MOST_TURNED = 20.0 * math.pi
-"""Largest angle in the table, radians: ten turns."""
+"""Largest angle that can be typed, but for those of a row, radians: ten turns."""
 
 LETTERS = {"alpha": "α", "theta": "θ"}
 """Names of the angles of a row in sentences."""

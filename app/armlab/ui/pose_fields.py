@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 
 import numpy as np
@@ -12,6 +11,7 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.rotations import euler_zyx, rotation_from_sequence
 from armlab.kin.transforms import inverse
+from armlab.session.sizes import MOST_TURNED
 from armlab.ui.form import Form, Wish
 from armlab.ui.format import mathml
 from armlab.ui.html import Markup, joined, tag
@@ -22,8 +22,7 @@ AXES, ANGLES = ("x", "y", "z"), ("yaw", "pitch", "roll")
 COMPONENTS = (*AXES, *ANGLES, "phi")
 PRODUCT = r"R=R_z(yaw)\,R_y(pitch)\,R_x(roll)"
 FARTHEST = 1e3
-MOST_TURNED = 20.0 * math.pi
-"""Largest component of a position, metres, and of an angle, radians, that can be typed."""
+"""Largest component of a position that can be typed, metres."""
 
 Floats = NDArray[np.floating]
 

@@ -11,6 +11,7 @@ from armlab.kin.checks import finite_floats
 from armlab.kin.euler import SEQUENCES
 from armlab.kin.rotations import quaternion_from_rotation, rotation_from_sequence
 from armlab.session.fields import FieldPart, Table, choice, flag, own, vector
+from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Json, PartType
 
 Triple = tuple[float, float, float]
@@ -21,9 +22,6 @@ MATRIX = "body"
 
 MOST = 1e6
 """Largest number that can be typed of a quaternion, an axis or a matrix."""
-
-MOST_TURNED = 20.0 * math.pi
-"""Largest angle that can be typed, radians."""
 
 ANGLES: Triple = (math.radians(40.0), math.radians(30.0), math.radians(20.0))
 AXES = "zyx"

@@ -8,11 +8,12 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from armlab.benches.body.forms.rotation import forms_of
-from armlab.benches.body.forms.state import MOST_TURNED, Body, Triple
+from armlab.benches.body.forms.state import Body, Triple
 from armlab.benches.body.products.entry import compared
 from armlab.kin.rotation_products import PRODUCTS
 from armlab.session.counted import refuse_beyond
 from armlab.session.fields import FieldPart, Set, choice, setting, text, vector, whole
+from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Command, PartType, State
 
 LONGEST = 300

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from armlab.benches.frames.chain.state import (
     FARTHEST,
     MOST_FRAMES,
-    MOST_TURNED,
     WORLD,
     Chain,
     Frame,
@@ -27,6 +26,7 @@ from armlab.kin.nearest import nearest_rotation
 from armlab.kin.rotations import euler_zyx
 from armlab.registry import known_name
 from armlab.session.fields import put
+from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Command, State
 
 Floats = NDArray[np.float64]

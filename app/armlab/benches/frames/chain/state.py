@@ -16,7 +16,7 @@ from armlab.kin.checks import finite_floats
 from armlab.kin.rotations import rotation_from_sequence
 from armlab.kin.transforms import transform
 from armlab.session.fields import FieldPart, Table, choice, flag, own, text, vector, whole
-from armlab.session.sizes import check_size
+from armlab.session.sizes import MOST_TURNED, check_size
 from armlab.session.state import Json, PartType
 
 Floats = NDArray[np.float64]
@@ -33,9 +33,6 @@ MOST_FRAMES = 6
 
 FARTHEST = 100.0
 """Largest coordinate, metres."""
-
-MOST_TURNED = 20.0 * math.pi
-"""Largest angle that can be typed, radians."""
 
 LARGEST_ENTRY = 1e6
 """Largest entry of a matrix that can be typed."""

@@ -13,6 +13,7 @@ from armlab.errors import InputError
 from armlab.kin.coordinates import cylindrical, from_cylindrical, from_spherical, spherical
 from armlab.registry import known_name
 from armlab.session.fields import FieldPart, choice, number, put, text, vector
+from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Command, PartType, State
 
 Floats = NDArray[np.float64]
@@ -20,9 +21,6 @@ Triple = tuple[float, float, float]
 
 FARTHEST = 100.0
 """Largest coordinate, metres."""
-
-MOST_TURNED = 20.0 * math.pi
-"""Largest azimuth that can be typed, radians."""
 
 ON_AXIS = 1e-9
 """Distance from the z axis, and from the origin, metres, below which an angle is not defined."""

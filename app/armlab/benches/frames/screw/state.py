@@ -11,12 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.frames.chain.commands import angles_of
-from armlab.benches.frames.chain.state import FARTHEST, HANDLES, MOST_TURNED, Triple, triple
+from armlab.benches.frames.chain.state import FARTHEST, HANDLES, Triple, triple
 from armlab.errors import InputError
 from armlab.kin.rotations import rotation_from_axis_angle, rotation_from_sequence
 from armlab.kin.transforms import transform
 from armlab.registry import known_name
 from armlab.session.fields import FieldPart, choice, flag, put, text, vector
+from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Command, PartType, State
 
 Floats = NDArray[np.float64]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
@@ -16,7 +15,7 @@ from armlab.kin.rotations import rotation_about
 from armlab.kin.transforms import transform
 from armlab.session.fields import FieldPart, choice, flag, number, own, text, vector
 from armlab.session.parts.robot import RobotPart
-from armlab.session.sizes import check_size
+from armlab.session.sizes import MOST_TURNED, check_size
 from armlab.session.state import Json, PartType, State
 
 Floats = NDArray[np.float64]
@@ -26,9 +25,6 @@ Three = tuple[float, float, float]
 FARTHEST, HIGHEST = 10_000.0, 1_000.0
 """Largest coordinate of the table and of the object, and largest height of the tool above it, metres: what is as large
 as the largest arm that can be typed needs about half of them."""
-
-MOST_TURNED = 20.0 * math.pi
-"""Largest angle that can be typed, radians."""
 
 SHARES = (0.5, 0.35, 0.3)
 """Place of the object on the table, x and y, and height of the tool above it, at first, in length scales of the arm."""

@@ -14,6 +14,7 @@ from armlab.kin.rotations import rotation_about
 from armlab.kin.transforms import transform
 from armlab.registry import known_name
 from armlab.session.fields import FieldPart, choice, number, put, text, vector
+from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Command, PartType, State
 
 Floats = NDArray[np.float64]
@@ -39,9 +40,6 @@ FARTHEST = 50.0
 
 SHORTEST, LONGEST = 0.01, 50.0
 """Least and largest length of a link of robot B, metres."""
-
-MOST_TURNED = 20.0 * math.pi
-"""Largest angle that can be typed, radians."""
 
 LINK_A = 1.0
 """Length of both links of robot A, metres: only these give the numbers of 3.128."""

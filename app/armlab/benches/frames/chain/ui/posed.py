@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.frames.chain.state import MOST_TURNED
 from armlab.kin.nearest import nearest_rotation
+from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Command
 from armlab.ui.form import Form
 from armlab.ui.format import matrix, readable

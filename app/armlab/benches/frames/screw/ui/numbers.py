@@ -7,11 +7,12 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from armlab.benches.frames.chain.state import FARTHEST, MOST_TURNED
+from armlab.benches.frames.chain.state import FARTHEST
 from armlab.benches.frames.screw.film import Ways, part_of, ways_of
 from armlab.benches.frames.screw.state import KINDS, MakeScrew, Screw
 from armlab.kin.screw_motion import ScrewMotion
 from armlab.session.fields import Set
+from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Command, State
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, components, number, pairs, readable

@@ -19,11 +19,12 @@ from armlab.benches.frames.table.commands import (
 )
 from armlab.benches.frames.table.examples import EXAMPLES, ChooseTableExample
 from armlab.benches.frames.table.reach import Asked, asked_of
-from armlab.benches.frames.table.state import FARTHEST, HIGHEST, MOST_TURNED, NONE, TableTask, Task, corner_of, task_of
+from armlab.benches.frames.table.state import FARTHEST, HIGHEST, NONE, TableTask, Task, corner_of, task_of
 from armlab.benches.frames.table.ui.scene import corners
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
+from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form

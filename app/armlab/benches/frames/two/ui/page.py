@@ -16,7 +16,6 @@ from armlab.benches.frames.two.state import (
     FARTHEST,
     LINK_A,
     LONGEST,
-    MOST_TURNED,
     NONE,
     ROBOTS,
     SHORTEST,
@@ -29,6 +28,7 @@ from armlab.benches.frames.two.state import (
 from armlab.benches.frames.two.ui.solutions import MORE, numbers_markup, solutions_markup, verdict
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
+from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples
 from armlab.ui.eye import Facing
