@@ -274,8 +274,9 @@ def test_a_typed_r_moves_the_arm_to_the_nearest_configuration():
         SetR(3, 0.0).apply(state)
 
 
-def test_limits_beyond_half_a_turn_keep_no_arm_from_its_own_r():
-    state = opened(ChooseSpacesExample("two_arms"), SetLimits(0, 0.0, math.radians(360.0)))
+@pytest.mark.parametrize("low", [0.0, -360.0])
+def test_limits_beyond_half_a_turn_keep_no_arm_from_its_own_r_nor_turn_it_back(low):
+    state = opened(ChooseSpacesExample("two_arms"), SetLimits(0, math.radians(low), math.radians(360.0)))
     state = apply(state, MoveJoint(0, math.radians(200.0)))
     again = apply(state, SetR(0, float(fact("r", state)[0])))
     np.testing.assert_allclose(again[Joints].q, state[Joints].q, rtol=0, atol=1e-9)

@@ -27,6 +27,7 @@ from armlab.kin.task import task_named
 from armlab.kin.transforms import inverse
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
+from armlab.session.way_to_solution import nearest_copy
 
 Floats = NDArray[np.float64]
 
@@ -167,10 +168,10 @@ class SetR(Command):
         r[self.component] = self.value
         if not np.isfinite(r).all():
             raise InputError(f"r: expected finite numbers, got {r.tolist()}")
-        inside = [q for q in arms_of(joints.arm, r, described) if joints.arm.within_limits(q)]
+        inside = _copies(joints, arms_of(joints.arm, r, described))
         if not inside:
             raise InputError("No arm has this r: it is out of reach, or outside the limits of the joints.")
-        return _moved(state, min(inside, key=lambda q: float(np.abs(_apart(q, joints.q)).max())))
+        return _moved(state, min(inside, key=lambda q: float(np.abs(q - joints.q).max())))
 
 
 @dataclass(frozen=True)
@@ -181,10 +182,16 @@ class GoToTwin(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the arm there."""
-        others = [q for q in twins_of(state).others if state[Joints].arm.within_limits(q)]
+        others = _copies(state[Joints], twins_of(state).others)
         if not others:
             raise InputError("No other arm has this r inside the limits of the joints.")
         return _moved(state, others[0])
+
+
+def _copies(joints: Joints, found: Floats) -> list[Floats]:
+    """Return those of some configurations, (k, n), that are inside the limits, by whole turns next to the present."""
+    copies = (nearest_copy(joints.arm, q, joints.q) for q in found)
+    return [q for q in copies if q is not None]
 
 
 def _moved(state: State, q: Floats) -> State:
