@@ -137,6 +137,21 @@ def test_only_what_is_along_z0_is_called_a_height(alpha, label):
     assert f"<span>{label}</span>" in page
 
 
+UPRIGHT = {"alpha": 0.5 * np.pi}
+NO_SIZE = (
+    ((Row("R"), Row("R", **UPRIGHT), Row("R", **UPRIGHT)), "in one point"),
+    ((Row("R"), Row("P"), Row("R", **UPRIGHT)), "on a line"),
+    ((Row("R"), Row("R", a=0.5, **UPRIGHT), Row("R", **UPRIGHT)), "on a line"),
+    ((Row("R"), Row("R", a=0.5, **UPRIGHT), Row("R", a=1.0, alpha=0.3)), "on a surface"),
+)
+
+
+@pytest.mark.parametrize(("rows", "where"), NO_SIZE)
+def test_a_tool_that_covers_no_volume_stays_where_it_is_said(rows, where):
+    page = joined(facts(found_of_arm(*rows), units_of(State.initial(catalogue()["elbow_3r"]))))
+    assert f"none: the tool stays {where}<" in page
+
+
 def test_the_directions_across_a_sliding_joint_1_have_names():
     state = whole("cartesian_3p")
     page = joined(facts(found_of(state), units_of(state)))

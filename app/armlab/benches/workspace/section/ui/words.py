@@ -11,7 +11,7 @@ from armlab.benches.workspace.section.marks import Measured, target_measured, to
 from armlab.benches.workspace.section.state import GoToPoint, found_of
 from armlab.kin.workspace.crossings import fineness
 from armlab.kin.workspace.first_joint import FirstJoint
-from armlab.kin.workspace.section_size import has_no_size
+from armlab.kin.workspace.section_size import dimension, has_no_size
 from armlab.session.state import State
 from armlab.ui.form import Form
 from armlab.ui.format import MINUS, number, pairs
@@ -23,6 +23,9 @@ EDGE = 2.0
 
 SAME = 1e-9
 """Difference of cosines, or of lengths in reaches, below which directions and points are the same."""
+
+NO_SIZE = ("none: the tool stays in one point", "none: the tool stays on a line", "none: the tool stays on a surface")
+"""What is said of the area or volume that a tool does not cover, by the dimension of what it does."""
 
 CENTRE = "The point of axis 1 that is nearest to the origin of frame 0"
 
@@ -89,7 +92,7 @@ def _joint(value: float, revolute: bool, units: Units) -> str:
 def _size(found: Found) -> str:
     assert found.size is not None
     if found.size.value == 0.0 and has_no_size(found.section):
-        return "none: the tool stays on a line" if found.section.grid.flat else "none: the tool stays on a surface"
+        return NO_SIZE[dimension(found.section.joint)]
     return measured.with_error(found.size)
 
 
