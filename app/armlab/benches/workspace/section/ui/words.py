@@ -25,7 +25,7 @@ SAME = 1e-9
 """Difference of cosines, or of lengths in reaches, below which directions and points are the same."""
 
 NO_SIZE = ("none: the tool stays in one point", "none: the tool stays on a line", "none: the tool stays on a surface")
-"""What is said of the area or volume that a tool does not cover, by the dimension of what it does."""
+"""Sentences on the area or volume of a tool that covers none, by the dimension of what it covers."""
 
 CENTRE = "The point of axis 1 that is nearest to the origin of frame 0"
 
