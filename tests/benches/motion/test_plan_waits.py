@@ -12,9 +12,10 @@ from armlab.benches.motion.files.script import motion_script
 from armlab.benches.motion.files.table import read_table
 from armlab.benches.motion.plan.clip import CLIP
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption
+from armlab.benches.motion.plan.figures import TOOL, Binding
 from armlab.benches.motion.plan.job import with_planned
-from armlab.benches.motion.plan.limits import LastFor
-from armlab.benches.motion.plan.moves import LONGEST_WAIT, Waypoint
+from armlab.benches.motion.plan.limits import LastFor, LimitTool
+from armlab.benches.motion.plan.moves import LONGEST_WAIT, Move, Waypoint
 from armlab.benches.motion.plan.points import AddWaypoint, CopyWaypoint, SelectWaypoint, SetAtWaypoint, SetWaypointJoint
 from armlab.benches.motion.plan.seen import seen_motion
 from armlab.benches.motion.plan.state import Plan, planned_now
@@ -163,3 +164,29 @@ def test_checks_of_lessons_see_the_whole_time_and_legs_that_cannot_be_run_take_n
     assert found.boundaries == ()
     assert found.grips == ()
     assert found.leg_at(0.0) is None
+
+
+def test_a_short_move_between_long_waits_is_looked_at_as_closely_as_one_without_waits():
+    state = State.initial(catalogue()["planar_2r"])
+    points = tuple(Waypoint(q) for q in ((0.0, 0.3), (0.05, 0.3), (0.1, 0.3)))
+    state = state.replace(replace(state[Plan], waypoints=points, moves=(Move(),) * 2))
+    state = done(state, LimitTool(0.5))
+    moving = worked_out(state).duration
+    waits = [SetAtWaypoint(k, "wait", LONGEST_WAIT) for k in range(3)]
+    for rests, commands in ((0.0, []), (3.0 * LONGEST_WAIT, waits)):
+        # In seven tenths of the least time the tool is faster than its limit by the inverse of that.
+        found = worked_out(done(state, *commands, LastFor(rests + 0.7 * moving)))
+        assert found.figures.tool_speed == pytest.approx(0.5 / 0.7, rel=1e-6)
+        assert found.figures.way == pytest.approx(0.1 * np.linalg.norm(found.samples.tool[0]), rel=1e-4)
+        assert [(overrun.quantity, overrun.count) for overrun in found.overruns] == [("tool speed", 2)]
+        assert found.figures.binding == Binding(TOOL, "tool speed")
+        assert judged(found).kind == "no"
+
+
+def test_the_speeds_that_lessons_look_at_are_those_of_the_moves_whatever_the_waits():
+    state = opened("planar_2r", points=2)
+    near = done(state, SetWaypointJoint(1, 0, state[Plan].waypoints[0].q[0] + 0.02))
+    waiting = done(near, SetAtWaypoint(0, "wait", LONGEST_WAIT))
+    seen = [seen_motion(with_planned(each), False) for each in (near, waiting)]
+    assert seen[1].velocity == pytest.approx(seen[0].velocity, rel=1e-2)
+    assert seen[1].acceleration == pytest.approx(seen[0].acceleration, rel=1e-2)

@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from armlab.benches.motion.plan.figures import TOOL, Binding, Figures, Limited, Overrun
 from armlab.benches.motion.plan.question import Planned
-from armlab.benches.motion.plan.samples import too_fast
+from armlab.benches.motion.plan.samples import fastest_tool, too_fast
 from armlab.kin.motion import Motion, peaks
 
 Floats = NDArray[np.float64]
 
 AT_LIMIT = 0.995
-"""Share of a limit from which on it slows a motion; the bounds of the tool are met at samples."""
+"""Share of a limit from which on it slows a motion; the largest speed of the tool is searched, not exact."""
 
 
 def measuring(work: Iterator[Planned | None]) -> Iterator[Planned | None]:
@@ -39,7 +39,7 @@ def _figures(planned: Planned) -> Generator[None, None, Figures | None]:
         return None
     peaks_of: dict[int, list[Floats]] = {1: [], 2: []}
     times_of: dict[int, list[Floats]] = {1: [], 2: []}
-    met = []
+    met, tool = [], []
     for leg in planned.running:
         assert leg.motion is not None
         for order in (1, 2):
@@ -47,7 +47,9 @@ def _figures(planned: Planned) -> Generator[None, None, Figures | None]:
             peaks_of[order].append(found.peak)
             times_of[order].append(leg.start + found.peak_at)
             yield
-        met.append((leg.motion.duration, _met(planned, leg.start, leg.motion, peaks_of[1][-1], peaks_of[2][-1])))
+        tool.append(fastest_tool(planned.question.arm, leg.motion))
+        yield
+        met.append((leg.motion.duration, _met(planned, leg.motion, peaks_of[1][-1], peaks_of[2][-1], tool[-1])))
         yield
     velocity, velocity_at = _largest(np.array(peaks_of[1]), np.array(times_of[1]))
     acceleration, acceleration_at = _largest(np.array(peaks_of[2]), np.array(times_of[2]))
@@ -59,7 +61,7 @@ def _figures(planned: Planned) -> Generator[None, None, Figures | None]:
         velocity / np.array(limits.velocity),
         acceleration / np.array(limits.acceleration),
         float(np.linalg.norm(np.diff(samples.tool, axis=0), axis=1).sum()),
-        float(samples.tool_speed.max()),
+        max(tool),
         _longest(met),
     )
 
@@ -70,7 +72,7 @@ def _largest(values: Floats, times: Floats) -> tuple[Floats, Floats]:
     return values[leg, joints], times[leg, joints]
 
 
-def _met(planned: Planned, start: float, motion: Motion, velocity: Floats, acceleration: Floats) -> Binding | None:
+def _met(planned: Planned, motion: Motion, velocity: Floats, acceleration: Floats, tool: float) -> Binding | None:
     """Return the limit that a leg comes nearest to, if the leg meets it."""
     limits = planned.question.limits
     shares: dict[Binding, float] = {}
@@ -78,9 +80,8 @@ def _met(planned: Planned, start: float, motion: Motion, velocity: Floats, accel
     _note(shares, "acceleration", acceleration / np.array(limits.acceleration))
     if limits.jerk_time is not None:
         _note(shares, "jerk", peaks(motion, 3).peak / limits.jerk())
-    if limits.tool_speed is not None and planned.samples is not None:
-        on = (planned.samples.t >= start) & (planned.samples.t <= start + motion.duration)
-        shares[Binding(TOOL, "tool speed")] = float(planned.samples.tool_speed[on].max(initial=0.0)) / limits.tool_speed
+    if limits.tool_speed is not None:
+        shares[Binding(TOOL, "tool speed")] = tool / limits.tool_speed
     most = max(shares, key=lambda binding: shares[binding])
     return most if shares[most] >= AT_LIMIT else None
 
@@ -104,7 +105,8 @@ def _overruns(planned: Planned) -> tuple[Overrun, ...]:
     found: dict[tuple[int, Limited], list[tuple[float, float]]] = {}
     for violation in planned.violations:
         found.setdefault((violation.joint, violation.quantity), []).append((violation.start, violation.end))
-    fast = [] if planned.samples is None else too_fast(planned.samples, planned.question.limits.tool_speed)
+    question, samples = planned.question, planned.samples
+    fast = [] if samples is None else too_fast(question.arm, samples, planned.running, question.limits.tool_speed)
     if fast:
         found[TOOL, "tool speed"] = fast
     every = [Overrun.of(joint, quantity, sorted(spans)) for (joint, quantity), spans in found.items()]

@@ -200,7 +200,7 @@ def _together(question: Question, legs: Sequence[Leg]) -> Planned:
         parts.insert(0, Hold(parts[0].at(0.0), first))
     motion: Motion = parts[0] if len(parts) == 1 else Sequential(parts)
     over, samples = exceeded(question, motion), sampled(question.arm, motion, placed)
-    spans = (*spans_of(over), *too_fast(samples, question.limits.tool_speed))
+    spans = (*spans_of(over), *too_fast(question.arm, samples, placed, question.limits.tool_speed))
     drawn = [drawn_leg(question.arm, leg, spans) for leg in placed]
     every = (*drawn, *legs[len(running) :])
     waiting = first + sum(waits)

@@ -170,7 +170,7 @@ class Leg:
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """A motion at evenly spaced times, for plots and files.
+    """A motion at evenly spaced times, and at more during short legs, for plots and measures.
 
     Attributes
     ----------

@@ -43,7 +43,8 @@ def recorded_motion(question: Question) -> Iterator[Planned | None]:
     leg = Leg(None, 0.0, np.zeros((0, 3)), np.zeros(0, dtype=int), None, motion=motion)
     samples = sampled(question.arm, motion, [leg])
     yield None
-    leg = drawn_leg(question.arm, leg, (*spans_of(over), *too_fast(samples, question.limits.tool_speed)))
+    fast = too_fast(question.arm, samples, [leg], question.limits.tool_speed)
+    leg = drawn_leg(question.arm, leg, (*spans_of(over), *fast))
     yield Planned(question, (leg,), motion, samples, over, within)
 
 

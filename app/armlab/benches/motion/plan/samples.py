@@ -45,8 +45,8 @@ def exceeded(question: Question, motion: Motion) -> tuple[Violation, ...]:
 
 
 def sampled(arm: Arm, motion: Motion, legs: Sequence[Leg], count: int = PLOTTED) -> Samples:
-    """Return a motion at evenly spaced times, with the motion of the tool."""
-    t = np.linspace(0.0, motion.duration, count)
+    """Return a motion at evenly spaced times, and at more during short legs, with the motion of the tool."""
+    t = _times(motion, legs, count)
     q, qdot, qddot, qdddot = motion.derivatives(t)
     tool = np.asarray(arm.position(q), dtype=np.float64)
     v, a = tool_rates(arm, q, qdot, qddot)
@@ -57,17 +57,34 @@ def sampled(arm: Arm, motion: Motion, legs: Sequence[Leg], count: int = PLOTTED)
     return Samples(t, q, qdot, qddot, qdddot, tool, speed, _parameter(legs, t), curvature)
 
 
+def _times(motion: Motion, legs: Sequence[Leg], count: int) -> Floats:
+    """Return evenly spaced times, and `DRAWN` more of each leg that has fewer of them: beside long waits it has few."""
+    even = np.linspace(0.0, motion.duration, count)
+    short = [
+        leg.start + np.linspace(0.0, leg.motion.duration, DRAWN)
+        for leg in legs
+        if leg.motion is not None and (count - 1) * leg.motion.duration < (DRAWN - 1) * motion.duration
+    ]
+    return np.unique(np.clip(np.concatenate([even, *short]), 0.0, motion.duration))
+
+
 def fastest_tool(arm: Arm, motion: Motion) -> float:
     """Return the largest speed of the tool point, m/s, from samples, and finer ones around the largest."""
+    return fastest_moment(arm, motion)[0]
+
+
+def fastest_moment(arm: Arm, motion: Motion) -> tuple[float, float]:
+    """Return the same, and the time at which it is taken, seconds."""
     t = np.union1d(np.linspace(0.0, motion.duration, SEARCHED), motion.edges)
-    best = 0.0
+    best, best_at = 0.0, 0.0
     for _ in range(REFINEMENTS):
         q, qdot = motion.derivatives(t, (0, 1))
         speed = np.linalg.norm((arm.jacobian(q)[:, :3] @ qdot[:, :, None])[:, :, 0], axis=1)
         k = int(np.argmax(speed))
-        best = max(best, float(speed[k]))
+        if speed[k] > best:
+            best, best_at = float(speed[k]), float(t[k])
         t = np.linspace(t[max(k - 1, 0)], t[min(k + 1, len(t) - 1)], FINER)
-    return best
+    return best, best_at
 
 
 def tool_rates(arm: Arm, q: Floats, qdot: Floats, qddot: Floats) -> tuple[Floats, Floats]:
@@ -119,11 +136,19 @@ def spans_of(over: Sequence[Violation]) -> tuple[tuple[float, float], ...]:
     return tuple((violation.start, violation.end) for violation in over)
 
 
-def too_fast(samples: Samples, limit: float | None) -> list[tuple[float, float]]:
-    """Return when the tool exceeds its speed limit, from samples and straight lines between them."""
+def too_fast(arm: Arm, samples: Samples, legs: Sequence[Leg], limit: float | None) -> list[tuple[float, float]]:
+    """Return when the tool exceeds its speed limit.
+
+    From samples and the fastest moment of each leg, which may lie between two of them, and straight lines between
+    these.
+    """
     if limit is None:
         return []
-    t, over = samples.t, samples.tool_speed - limit * (1.0 + TOOL_SLACK)
+    tops = [(leg.start, *fastest_moment(arm, leg.motion)) for leg in legs if leg.motion is not None]
+    times = np.concatenate([samples.t, [start + at for start, _, at in tops]])
+    order = np.argsort(times, kind="stable")
+    t, speed = times[order], np.concatenate([samples.tool_speed, [top for _, top, _ in tops]])[order]
+    over = speed - limit * (1.0 + TOOL_SLACK)
     above = np.concatenate([[False], over > 0.0, [False]])
     first, last = np.flatnonzero(above[1:] & ~above[:-1]), np.flatnonzero(above[:-1] & ~above[1:]) - 1
     return [
