@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from armlab.benches.motion.files.commands import ReadPlan
+from armlab.benches.motion.files.commands import ReadMotion, ReadPlan
 from armlab.benches.motion.files.read import motion_csv, plan_json
 from armlab.benches.motion.files.script import motion_script
 from armlab.benches.motion.files.table import read_table
@@ -190,3 +190,20 @@ def test_the_speeds_that_lessons_look_at_are_those_of_the_moves_whatever_the_wai
     seen = [seen_motion(with_planned(each), False) for each in (near, waiting)]
     assert seen[1].velocity == pytest.approx(seen[0].velocity, rel=1e-2)
     assert seen[1].acceleration == pytest.approx(seen[0].acceleration, rel=1e-2)
+
+
+@pytest.mark.parametrize("wait", [0.0, LONGEST_WAIT])
+def test_a_motion_read_from_a_file_is_measured_as_closely_whatever_its_rests(wait):
+    points = tuple(Waypoint(q, wait=wait) for q in ((0.0, 0.3), (1.5, 1.0), (0.0, 0.3)))
+    state = State.initial(catalogue()["planar_2r"])
+    state = state.replace(replace(state[Plan], waypoints=points, moves=(Move(),) * 2))
+    own, seen = worked_out(state), seen_motion(with_planned(state), False)
+    t = np.unique(
+        [0.0, own.duration, *(leg.start + x * leg.motion.duration / 60 for leg in own.legs for x in range(61))]
+    )
+    rows = np.hstack([t[:, None], *own.motion.derivatives(t, (0, 1, 2))])
+    head = "t,q1,q2,qdot1,qdot2,qddot1,qddot2"
+    text = "\n".join([head, *(",".join(map(repr, row)) for row in rows.tolist())])
+    read = apply(state, ReadMotion(text))
+    assert worked_out(read).figures.way == pytest.approx(own.figures.way, rel=1e-4)
+    assert seen_motion(with_planned(read), False).velocity == pytest.approx(seen.velocity, rel=1e-2)

@@ -26,7 +26,7 @@ ROUNDING_S = 5e-3
 """Difference from the required time, seconds, that is rounding: two decimals are shown."""
 
 ROUNDING = 5e-4
-"""Excess over a fraction of a limit that is ignored, since the motion is examined at samples."""
+"""Excess over a fraction of a limit that is ignored: a tenth of a percent is shown."""
 
 
 @dataclass(frozen=True)

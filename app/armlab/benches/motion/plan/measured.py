@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.motion.plan.figures import TOOL, Binding, Figures, Limited, Overrun
 from armlab.benches.motion.plan.question import Planned
-from armlab.benches.motion.plan.samples import fastest_tool, too_fast
+from armlab.benches.motion.plan.samples import fastest_tool, too_fast, tool_way
 from armlab.kin.motion import Motion, peaks
 
 Floats = NDArray[np.float64]
@@ -34,12 +34,12 @@ def measuring(work: Iterator[Planned | None]) -> Iterator[Planned | None]:
 
 def _figures(planned: Planned) -> Generator[None, None, Figures | None]:
     """Return the largest values of what can be run of a planned motion, or None if there is none, with pauses."""
-    samples, limits = planned.samples, planned.question.limits
-    if planned.motion is None or samples is None:
+    arm, limits = planned.question.arm, planned.question.limits
+    if planned.motion is None:
         return None
     peaks_of: dict[int, list[Floats]] = {1: [], 2: []}
     times_of: dict[int, list[Floats]] = {1: [], 2: []}
-    met, tool = [], []
+    met, tool, way = [], [], 0.0
     for leg in planned.running:
         assert leg.motion is not None
         for order in (1, 2):
@@ -47,7 +47,8 @@ def _figures(planned: Planned) -> Generator[None, None, Figures | None]:
             peaks_of[order].append(found.peak)
             times_of[order].append(leg.start + found.peak_at)
             yield
-        tool.append(fastest_tool(planned.question.arm, leg.motion))
+        tool.append(fastest_tool(arm, leg.motion))
+        way += tool_way(arm, leg.motion)
         yield
         met.append((leg.motion.duration, _met(planned, leg.motion, peaks_of[1][-1], peaks_of[2][-1], tool[-1])))
         yield
@@ -60,7 +61,7 @@ def _figures(planned: Planned) -> Generator[None, None, Figures | None]:
         acceleration_at,
         velocity / np.array(limits.velocity),
         acceleration / np.array(limits.acceleration),
-        float(np.linalg.norm(np.diff(samples.tool, axis=0), axis=1).sum()),
+        way,
         max(tool),
         _longest(met),
     )

@@ -68,6 +68,12 @@ def _times(motion: Motion, legs: Sequence[Leg], count: int) -> Floats:
     return np.unique(np.clip(np.concatenate([even, *short]), 0.0, motion.duration))
 
 
+def tool_way(arm: Arm, motion: Motion) -> float:
+    """Return how far the tool point goes, metres, from samples, and those that a motion read from a file is made of."""
+    t = np.union1d(np.linspace(0.0, motion.duration, PLOTTED), motion.edges)
+    return float(np.linalg.norm(np.diff(arm.position(motion.at(t)), axis=0), axis=1).sum())
+
+
 def fastest_tool(arm: Arm, motion: Motion) -> float:
     """Return the largest speed of the tool point, m/s, from samples, and finer ones around the largest."""
     return fastest_moment(arm, motion)[0]

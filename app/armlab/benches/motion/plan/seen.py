@@ -63,20 +63,20 @@ def _raised(state: State) -> str:
 @lru_cache(maxsize=KEPT)
 def _facts(planned: Planned, velocity: tuple[float, ...], acceleration: tuple[float, ...]) -> SeenMotion:
     """Return the facts of a planned motion, relative to the full limits of the joints."""
-    samples = planned.samples
+    figures = planned.figures
     return SeenMotion(
         planned=True,
         whole=planned.whole,
         within=planned.whole and not planned.overruns,
         duration=planned.duration,
         fastest=planned.least if math.isfinite(planned.least) else 0.0,
-        velocity=0.0 if samples is None else _share(samples.qdot, velocity),
-        acceleration=0.0 if samples is None else _share(samples.qddot, acceleration),
+        velocity=0.0 if figures is None else _share(figures.velocity, velocity),
+        acceleration=0.0 if figures is None else _share(figures.acceleration, acceleration),
         deviation=max((leg.deviation for leg in planned.legs), default=0.0),
         trouble=planned.trouble,
     )
 
 
-def _share(rates: np.ndarray, limits: tuple[float, ...]) -> float:
+def _share(peaks: np.ndarray, limits: tuple[float, ...]) -> float:
     """Return the largest share of its limit that a joint uses."""
-    return float(np.max(np.abs(rates) / np.array(limits)))
+    return float(np.max(peaks / np.array(limits)))

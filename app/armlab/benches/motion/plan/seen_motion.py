@@ -63,7 +63,7 @@ class SeenMotion:
     fastest : float
         Least duration within the limits, seconds; 0 when it cannot be run, or not within them.
     velocity, acceleration : float
-        Largest fraction of the limits of the joints, 1 at a limit, among closely spaced samples.
+        Largest fraction of the limits of the joints, 1 at a limit.
     deviation : float
         Largest distance of the tool from its Cartesian path, between samples of the inverse kinematics, metres.
     played : bool
