@@ -1,6 +1,7 @@
 """The page of pose accuracy: AP and RP of the present arm, what the examples say, and the cloud in the scene."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,14 +11,16 @@ from armlab.benches.sensor.pose.examples import EXAMPLES, ChoosePoseExample
 from armlab.benches.sensor.pose.facts import FACTS
 from armlab.benches.sensor.pose.state import Repeats, found
 from armlab.benches.sensor.pose.ui.cloud import SEEN, around, cloud_of, magnification
-from armlab.benches.sensor.pose.ui.page import _angle
+from armlab.benches.sensor.pose.ui.page import _angle, _verdict
 from armlab.benches.sensor.pose.ui.scene import marks, words
 from armlab.content.robots import catalogue
+from armlab.kin.sensors.pose_accuracy import PoseFigures
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, TypeJoint
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.units import Units
+from support.arms import random_pose, wrist_alone
 from support.done import done
 from support.filled import Filled
 
@@ -141,6 +144,23 @@ def test_an_arm_without_errors_has_no_arrow():
     )
     assert fact(exact, "accuracy") < 1e-9
     assert np.isfinite(cloud_of(exact).points).all()
+
+
+@pytest.mark.parametrize("base", [np.eye(4), random_pose(np.random.default_rng(4))])
+def test_a_wrist_whose_tool_stays_in_place_is_not_said_to_be_without_error(base):
+    robot = replace(catalogue()["planar_3r"], arm=wrist_alone(base))
+    attained = found(State.initial(robot))
+    assert np.abs(attained.figures.turn_accuracy).max() > 1e-4
+    assert "No error of the position" in str(_verdict(attained))
+    exact = [Set(Repeats, name, 0.0) for name in ("backlash", "zero")]
+    state = done(State.initial(robot), Set(Repeats, "counts", 100_000_000), *exact)
+    assert "No error of the position" in str(_verdict(found(state)))
+
+
+def test_an_arm_whose_joints_do_not_move_is_without_error():
+    still = found(opened("planar_2r"))
+    pose = still.figures.commanded
+    assert "No error<" in str(_verdict(replace(still, figures=PoseFigures(pose, np.array([pose, pose])))))
 
 
 def test_only_fields_that_the_arm_has_are_shown():

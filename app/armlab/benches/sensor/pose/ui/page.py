@@ -33,6 +33,9 @@ Floats = NDArray[np.float64]
 MOST_TIMES_BETTER = 1000.0
 """Largest ratio of AP and RP that is written as a number."""
 
+ROUNDING = 1e-14
+"""Error of a position, in parts of the largest number of the pose, that is rounding."""
+
 SEES_PLAY = "The encoder on the link sees the play of the gears, and the joint comes to its place in spite of it."
 
 ANGLES = ("a", "b", "c")
@@ -125,7 +128,10 @@ def _verdict(attained: Attained) -> Markup:
     """Return which of the two figures is larger, and what stands in the scene."""
     scene = "The scene shows the attained positions, magnified as its label says; the arrow is AP and the ball RP."
     ap, rp = attained.figures.position.accuracy, attained.figures.position.repeatability
-    if ap == rp == 0.0:
+    if max(ap, rp) <= ROUNDING * float(np.abs(attained.figures.commanded).max()):
+        if attained.figures.turns.any():
+            turned = "No joint moves the tool point here. The orientation is off all the same, as the table says."
+            return verdict_box("ok", "No error of the position", turned)
         return verdict_box("ok", "No error", scene)
     if ap > rp:
         more = trimmed(ap / rp, 1) if rp > ap / MOST_TIMES_BETTER else "far more than a thousand"
