@@ -17,8 +17,9 @@ from armlab.benches.velocity.microscope.ui.scene import names_of
 from armlab.benches.velocity.microscope.ui.words import NAMES, components, condition_card, sigma_bars, table
 from armlab.benches.velocity.solve.found import found as solved
 from armlab.benches.velocity.solve.ui.words import singular_card
-from armlab.content.robots import catalogue
+from armlab.content.robots import catalogue, own_robot
 from armlab.errors import InputError
+from armlab.kin.arm import Arm
 from armlab.kin.rotations import rotation_from_quaternion
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, MoveJoint
@@ -241,3 +242,29 @@ def test_one_configuration_has_one_verdict_on_every_page(q2, verdict):
     assert verdict in condition_card(state.derived(looked), state.derived(near), units)
     assert verdict in singular_card(solved(state))
     assert verdict_of(block, placed(block, state[Joints].q))[1] == verdict
+
+
+LINKS = [("R", 1.0, 0.0, 0.0, 0.0), ("R", 1.0, 0.0, 0.0, 0.0), ("R", 0.5, 0.0, 0.0, 0.0)]
+"""A planar 3R, whose tool cannot move along z."""
+
+
+@pytest.mark.parametrize(
+    ("q", "verdict"), [((0.2, 0.0, 0.0), "Singular"), ((0.2, 0.1, 0.0), "Poorly"), ((0.2, 1.0, 1.0), "Well")]
+)
+def test_what_no_configuration_can_do_does_not_make_this_one_singular(q, verdict):
+    state = State.initial(own_robot(Arm.from_dh(LINKS, task="xyz"), "own"))
+    for i, value in enumerate(q):
+        state = apply(state, MoveJoint(i, value))
+    card = condition_card(state.derived(looked), state.derived(near), units_of(state))
+    assert verdict in card
+    assert verdict in singular_card(solved(state))
+    assert state.derived(looked).singular == (verdict == "Singular")
+    assert "The rank of J is at most 2 of 3 in any configuration." in card
+    assert ("Elbow: the arm is stretched" in card) == (verdict != "Well")
+
+
+def test_where_no_joint_moves_what_is_asked_nothing_is_singular():
+    turns = [("R", 0.0, -np.pi / 2, 0.0, 0.0), ("R", 0.0, np.pi / 2, 0.0, 0.0), ("R", 0.0, 0.0, 0.0, 0.0)]
+    state = State.initial(own_robot(Arm.from_dh(turns, task="xyz"), "own"))
+    assert "Rank 0 everywhere" in condition_card(state.derived(looked), state.derived(near), units_of(state))
+    assert (state.derived(looked).singular, known_places(state)) == (False, ())

@@ -217,3 +217,16 @@ def test_metres_of_a_sliding_joint_count_as_their_share_of_the_length_scale(q2, 
     found = nearest_singular_pose(task, [0.3, q2, d3])
     assert found.place == joint
     assert found.away == pytest.approx(-(q2, d3)[joint - 1], abs=1e-8)
+
+
+def test_of_an_arm_that_never_has_the_rank_of_its_task_the_poses_of_less_than_its_usual_rank_count():
+    links = [("R", 1.0, 0.0, 0.0, 0.0), ("R", 0.8, 0.0, 0.0, 0.0)]
+    flat, whole = (ScaledTask(Arm.from_dh([*links, ("R", 0.0, 0.0, 0.0, 0.0)], task=key)) for key in ("xy", "xyz"))
+    for q in ([0.3, 0.2, 0.1], [0.3, 1.5, 0.1], [0.3, 0.0, 0.1], [0.3, -3.0, 0.1]):
+        expected, found = nearest_singular_pose(flat, q), nearest_singular_pose(whole, q)
+        assert (found is None) == (expected is None)
+        if expected is not None:
+            np.testing.assert_allclose(found.q, expected.q, rtol=0, atol=1e-8)
+    poses = [[pose.q for pose in singular_poses(task, [0.3, 1.0, 0.1])] for task in (flat, whole)]
+    np.testing.assert_allclose(poses[1], poses[0], rtol=0, atol=1e-8)
+    assert len(poses[1]) == 3

@@ -7,6 +7,7 @@ divided by the arm's length scale; where only one kind occurs, everything stays 
 from __future__ import annotations
 
 import math
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,7 @@ from armlab.kin.ik.iterate.misfit import HALF_TURN_SINE, approach_error, rotatio
 from armlab.kin.ik.iterate.problem import Problem
 from armlab.kin.ik.iterate.task_vector import TaskVector
 from armlab.kin.joint_scale import jacobian_size
+from armlab.kin.velocity.singular import usual_rank
 
 Floats = NDArray[np.float64]
 
@@ -68,6 +70,11 @@ class ScaledTask:
         self._rows[self._places :, 3:] = turns[arm.task.rotation]
         self._follows_tool = arm.task.rotation == "approach"
         self._whole = bool(self.m == 6 and np.array_equal(self._rows, np.eye(6)))
+
+    @cached_property
+    def usual_rank(self) -> int:
+        """Rank of the Jacobian where the arm is not singular: less than m and n for some arms and tasks."""
+        return usual_rank(self.arm)
 
     def rows(self, R: Floats) -> Floats:
         """Return the matrix (m, 6) that takes a twist in world axes to the task; R (3, 3) is the tool's orientation."""

@@ -73,9 +73,10 @@ def nearest_singular_pose(task: ScaledTask, q: ArrayLike) -> SingularPose | None
 
     The determinant of the task Jacobian (of J J^T where it is not square) is sampled along each joint. From where it
     seems to be zero, the nearest first, Newton's method goes on with the smallest singular value, whose derivative is
-    u^T (dJ/dq_k) v. Distances are angles; one metre of a sliding joint counts as its share of the length scale. The
-    configurations lie inside the limits of the joint. Two that are nearer than half a degree to each other may be found
-    as one.
+    u^T (dJ/dq_k) v. For an arm that never reaches all components of its task these are the sum of the squared minors of
+    the usual rank, and the last singular value that is not zero everywhere. Distances are angles; one metre of a
+    sliding joint counts as its share of the length scale. The configurations lie inside the limits of the joint. Two
+    that are nearer than half a degree to each other may be found as one.
 
     Parameters
     ----------
@@ -88,6 +89,8 @@ def nearest_singular_pose(task: ScaledTask, q: ArrayLike) -> SingularPose | None
     Derivative of a singular value: Stewart and Sun, *Matrix Perturbation Theory*, 1990, section IV.2.
     """
     values = finite_floats(q, "q", (task.n,), f"{task.n} finite numbers")
+    if task.usual_rank == 0:
+        return None
     if _inverse_condition(task, values) <= SINGULAR:
         return SingularPose(values, 0, 0.0)
     best: SingularPose | None = None
@@ -120,14 +123,28 @@ def _starts(task: ScaledTask, q: Floats) -> list[tuple[float, int, float]]:
 def _volumes(task: ScaledTask, q: Floats) -> Floats:
     """Return a smooth function of configurations (k, n) that is zero only at singularities, shape (k,).
 
-    The determinant of the scaled task Jacobian, or of J J^T or J^T J where it is not square.
+    The determinant of the scaled task Jacobian, or of J J^T or J^T J where it is not square. Where the rank is lower in
+    every configuration, the sum of the squares of the minors of that rank.
     """
     poses = task.arm.fk(q) if task.arm.task.rotation == "approach" else np.empty((0, 4, 4))
     J = task.jacobians(q, np.asarray(poses))
+    if task.usual_rank < min(task.m, task.n):
+        return _squared_minors(J, task.usual_rank)
     if task.m != task.n:
         J_T = np.swapaxes(J, 1, 2)
         J = J @ J_T if task.m < task.n else J_T @ J
     return np.asarray(np.linalg.det(J))
+
+
+def _squared_minors(J: Floats, rank: int) -> Floats:
+    """Return the sums of the squared minors of a rank, (k,), of matrices (k, m, n)."""
+    squares = np.linalg.svd(J, compute_uv=False) ** 2
+    sums = np.zeros((len(J), rank + 1))
+    sums[:, 0] = 1.0
+    for square in squares.T:
+        # By Cauchy and Binet they are the elementary symmetric polynomials of the squared singular values.
+        sums[:, 1:] += square[:, None] * sums[:, :-1]
+    return np.asarray(sums[:, rank])
 
 
 @cache
@@ -170,7 +187,7 @@ def singular_poses(task: ScaledTask, q: ArrayLike) -> tuple[SingularPose, ...]:
     """
     values = finite_floats(q, "q", (task.n,), f"{task.n} finite numbers")
     found: list[SingularPose] = []
-    for k in range(task.n):
+    for k in range(task.n if task.usual_rank else 0):
         low, high = task.arm.limits[k]
         grid = np.linspace(low, high, SAMPLES)
         inverse = np.array([_inverse_condition(task, _with(values, k, float(at))) for at in grid])
@@ -193,17 +210,18 @@ def _along(task: ScaledTask, q: Floats, k: int) -> SingularPose | None:
     at, last = q.copy(), np.inf
     for step in range(STEPS):
         U, sigma, V = _decomposed(task, at)
-        if sigma[-1] <= SINGULAR * sigma[0]:
+        smallest = float(sigma[task.usual_rank - 1])
+        if smallest <= SINGULAR * sigma[0]:
             away = float(at[k] - q[k])
             return SingularPose(at, k, away) if abs(away) <= FAR * task.joint_units[k] else None
         slope = _slope(task, at, k, U, V)
-        if abs(slope) * TRIED < sigma[-1]:
+        if abs(slope) * TRIED < smallest:
             return None
-        if step > TRUSTED and sigma[-1] > HALVES * last:
+        if step > TRUSTED and smallest > HALVES * last:
             return None
-        last = float(sigma[-1])
+        last = smallest
         before = float(at[k])
-        after = before - float(sigma[-1]) / slope * float(task.joint_units[k])
+        after = before - smallest / slope * float(task.joint_units[k])
         at[k] = min(max(after, low), high)
         # A singularity may lie exactly at a limit, so a step beyond it goes on from there, once.
         stuck = at[k] == before and after != before
@@ -220,15 +238,19 @@ def _slope(task: ScaledTask, q: Floats, k: int, U: Floats, V: Floats) -> float:
 
 
 def _decomposed(task: ScaledTask, q: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return the singular vectors u (m,) and v (n,) of the smallest singular value, and all singular values."""
+    """Return the singular vectors u (m,) and v (n,) of the smallest singular value, and all singular values.
+
+    The smallest is the last that is not zero everywhere.
+    """
     U, sigma, V_T = np.linalg.svd(task.scaled(task.jacobian(q)), full_matrices=False)
-    return U[:, -1], sigma, V_T[-1]
+    last = task.usual_rank - 1
+    return U[:, last], sigma, V_T[last]
 
 
 def _inverse_condition(task: ScaledTask, q: Floats) -> float:
     sigma = np.linalg.svd(task.scaled(task.jacobian(q)), compute_uv=False)
     # The largest alone says nothing where it is the smallest as well: a task with one row.
-    return float(sigma[-1] / max(sigma[0], task.size))
+    return float(sigma[task.usual_rank - 1] / max(sigma[0], task.size))
 
 
 def _with(q: Floats, k: int, value: float) -> Floats:

@@ -15,6 +15,12 @@ def _look(state: State) -> Look:
     return state.derived(looked)
 
 
+def _inverse_condition(state: State) -> float:
+    """Return the ratio of all singular values, also of those that are 0 in every configuration."""
+    sigma = _look(state).sigma
+    return float(sigma[-1] / sigma[0]) if sigma[0] > 0.0 else 0.0
+
+
 def _joint_speed(state: State) -> float | None:
     """Return the size of the scaled joint speeds of the watched method, or None if it has no answer."""
     look = _look(state)
@@ -33,7 +39,7 @@ FACTS = Facts(
     (Microscope,),
     {
         "singular_values": Fact("the singular values of the scaled Jacobian", lambda s: _look(s).sigma, kind="numbers"),
-        "inverse_condition": Fact("the smallest singular value over the largest", lambda s: _look(s).inverse_condition),
+        "inverse_condition": Fact("the smallest singular value over the largest", _inverse_condition),
         "singular": Fact("the arm is singular", lambda s: _look(s).singular, kind="truth"),
         "away": Fact("how far one joint is from the nearest singular configuration, in rad or m", _away),
         "wish": Fact("the size of the wanted velocity, scaled", lambda s: np.linalg.norm(_look(s).wish)),

@@ -60,14 +60,24 @@ class Look:
         return self.part.task
 
     @property
+    def usual(self) -> int:
+        """The rank of J in configurations that are not singular."""
+        return self.task.usual_rank
+
+    @property
+    def smallest(self) -> float:
+        """The smallest of the singular values that are not 0 in every configuration; 0 where all are."""
+        return float(self.sigma[self.usual - 1]) if self.usual else 0.0
+
+    @property
     def inverse_condition(self) -> float:
-        """Ratio of sigma_min to sigma_max: 0 at singularities."""
-        return float(self.sigma[-1] / self.sigma[0]) if self.sigma[0] > 0.0 else 0.0
+        """Ratio of the smallest singular value to sigma_max: 0 at singularities, and where J = 0 everywhere."""
+        return self.smallest / float(self.sigma[0]) if self.sigma[0] > 0.0 else 0.0
 
     @property
     def singular(self) -> bool:
-        """Whether a direction is lost, up to rounding."""
-        return self.inverse_condition <= SINGULAR
+        """Whether a direction is lost that is not lost everywhere, up to rounding."""
+        return self.usual > 0 and self.inverse_condition <= SINGULAR
 
     @property
     def lost(self) -> Array:

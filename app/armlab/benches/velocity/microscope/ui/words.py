@@ -55,14 +55,20 @@ def joint_speed(look: Look, j: int, scaled: float, units: Units) -> str:
 
 def condition_card(look: Look, near: Near | None, units: Units) -> Markup:
     """Return how near the configuration is to being singular, and the nearest singularity."""
-    inverse, sigma = look.inverse_condition, float(look.sigma[-1])
+    if not look.usual:
+        said = "No joint moves what is asked, in any configuration: J = 0."
+        return verdict_box("warn", "Rank 0 everywhere", said)
+    inverse, short = look.inverse_condition, look.usual < len(look.sigma)
     verdict = conditioning(inverse)
     kind = {"singular": "no", "poor": "warn", "good": "ok"}[verdict]
-    ratio = "" if look.singular else (with_indices("σ_min/σ_max"), f" = {_small(inverse)} for the whole task: ")
+    name = f"σ_{look.usual}" if short else "σ_min"
+    whole = "for the whole task" if not short else "for what the joints can do"
+    ratio = "" if look.singular else (with_indices(f"{name}/σ_max"), f" = {_small(inverse)} {whole}: ")
     unit = f" {look.task.sigma_unit}" if look.task.sigma_unit else ""
-    smallest = with_indices("σ_min"), f" = {'0' if look.singular else _small(sigma)}{unit}, "
+    smallest = with_indices(name), f" = {'0' if look.singular else _small(look.smallest)}{unit}, "
     largest = with_indices("σ_max"), f" = {number(float(look.sigma[0]), 3)}{unit}. "
-    return verdict_box(kind, TITLES[verdict], ratio, smallest, largest, _which(look, near, units))
+    never = f"The rank of J is at most {look.usual} of {len(look.J)} in any configuration. " if short else ""
+    return verdict_box(kind, TITLES[verdict], ratio, smallest, largest, never, _which(look, near, units))
 
 
 def _which(look: Look, near: Near | None, units: Units) -> str:
