@@ -356,3 +356,16 @@ def _zeros_of(function, limits, samples=181):
 def _zero_of(function, limits):
     """Return the zero with both neighbours regular; there is one where the arm is stretched or folded."""
     return _zeros_of(function, limits)[0]
+
+
+@pytest.mark.parametrize("size", [1.0, 1e-2, 1e-3, 1e-4])
+def test_the_usual_rank_does_not_depend_on_the_size_of_an_arm_that_slides(size):
+    """The slide of a small arm is short, too: one of metres would leave no length that counts beside it."""
+    turn = math.pi / 2
+    table = [("R", 0, turn, 0.3, turn), ("R", 0, -1.5, 0.3, 0), ("R", 0.5, 0, 0.3, 0)]
+    table += [("P", 0.5, -turn, 0.3, 0), ("R", 1, math.pi, 0, 0), ("R", 0, 0.6, 0.2, 0.6)]
+    sized = [(kind, size * a, alpha, size * d, theta) for kind, a, alpha, d, theta in table]
+    limits = [(0.0, size) if kind == "P" else (-np.pi, np.pi) for kind, *_ in table]
+    arm = Arm.from_dh(sized, limits=limits, task="pose")
+    assert usual_rank(arm) == 6
+    assert singularities(arm, [0.3, 0.5, 0.7, 0.4 * size, 0.9, 0.2]) == ()

@@ -68,7 +68,9 @@ class Spare:
 
 def spare_joints(arm: Arm) -> Spare:
     """Return the spare joints of the task of an arm."""
-    samples = np.random.default_rng(0).uniform(-3.0, 3.0, (SAMPLES, arm.n))
+    # Slides go as far as the arm is long: metres would be beyond all measure for an arm of millimetres.
+    units = np.where(arm.revolute, 1.0, arm.length_scale)
+    samples = np.random.default_rng(0).uniform(-3.0, 3.0, (SAMPLES, arm.n)) * units
     return Spare(arm, samples, np.array([task_jacobian(arm, q) for q in samples]))
 
 
