@@ -111,31 +111,39 @@ def test_a_redundant_arm_is_never_below_zero_and_zero_when_singular():
 H = np.pi / 2
 
 
-@pytest.mark.parametrize(
-    ("rows", "key"),
-    [
-        ([("R", 1, 0, 0, 0)], "phi"),
-        ([("R", 1, 0, 0, 0)] * 2, "xy"),
-        ([("R", 1, 0, 0, 0)] * 3, "xy phi"),
-        ([("R", 1, 0, 0, 0)] * 4, "xy phi"),
-        ([("R", 0.3, 0, 0.4, 0), ("R", 0.3, np.pi, 0, 0), ("P", 0, 0, 0, 0), ("R", 0, 0, 0, 0)], "xyz phi"),
-        ([("R", 0, H, 0.6, 0), ("R", 0.8, 0, 0, 0), ("R", 0.5, 0, 0, 0)], "xyz"),
-        ([("R", 0, H, 0.5, 0), ("R", 0, H, 0, H), ("P", 0, 0, 0, 0)], "xyz"),
-        ([("P", 0, H, 0, np.pi), ("P", 0, H, 0, -H), ("P", 0, 0, 0, 0)], "xyz"),
-        ([("P", 0, 0, 0, 0)], "z"),
-        ([("P", 0, 0, 0, 0), ("R", 0, 0, 0, 0)], "z phi"),
-        ([("P", 0, H, 0, 0), ("P", 0, -H, 0, 0), ("R", 0, 0, 0, 0)], "yz phi"),
-        ([("P", 0, H, 0, 0), ("R", 1, 0, 0, 0)], "xz"),
-        ([("R", 0, H, 0.3, 0), ("R", 0.5, 0, 0, 0)], "xyz"),
-        ([("R", 0, H, 0.3, 0), *[("R", 0.5, 0, 0, 0)] * 2, ("R", 0, H, 0, 0), ("R", 0, 0, 0.1, 0)], "xyz"),
-        ([("R", 0.1, H, 0.1, 0)] * 5, "xyz approach"),
-        ([("R", 0.1, H, 0.1, 0)] * 6, "pose"),
-        ([("R", 0.1, H, 0.1, 0)] * 8, "pose"),
-        ([("R", 0.1, 0, 0, 0)] * 8, "xy phi"),
-    ],
-)
+GEOMETRIES = [
+    ([("R", 1, 0, 0, 0)], "phi"),
+    ([("R", 1, 0, 0, 0)] * 2, "xy"),
+    ([("R", 1, 0, 0, 0)] * 3, "xy phi"),
+    ([("R", 1, 0, 0, 0)] * 4, "xy phi"),
+    ([("R", 0.3, 0, 0.4, 0), ("R", 0.3, np.pi, 0, 0), ("P", 0, 0, 0, 0), ("R", 0, 0, 0, 0)], "xyz phi"),
+    ([("R", 0, H, 0.6, 0), ("R", 0.8, 0, 0, 0), ("R", 0.5, 0, 0, 0)], "xyz"),
+    ([("R", 0, H, 0.5, 0), ("R", 0, H, 0, H), ("P", 0, 0, 0, 0)], "xyz"),
+    ([("P", 0, H, 0, np.pi), ("P", 0, H, 0, -H), ("P", 0, 0, 0, 0)], "xyz"),
+    ([("P", 0, 0, 0, 0)], "z"),
+    ([("P", 0, 0, 0, 0), ("R", 0, 0, 0, 0)], "z phi"),
+    ([("P", 0, H, 0, 0), ("P", 0, -H, 0, 0), ("R", 0, 0, 0, 0)], "yz phi"),
+    ([("P", 0, H, 0, 0), ("R", 1, 0, 0, 0)], "xz"),
+    ([("R", 0, H, 0.3, 0), ("R", 0.5, 0, 0, 0)], "xyz"),
+    ([("R", 0, H, 0.3, 0), *[("R", 0.5, 0, 0, 0)] * 2, ("R", 0, H, 0, 0), ("R", 0, 0, 0.1, 0)], "xyz"),
+    ([("R", 0.1, H, 0.1, 0)] * 5, "xyz approach"),
+    ([("R", 0.1, H, 0.1, 0)] * 6, "pose"),
+    ([("R", 0.1, H, 0.1, 0)] * 8, "pose"),
+    ([("R", 0.1, 0, 0, 0)] * 8, "xy phi"),
+]
+"""Tables with the default task of each."""
+
+
+@pytest.mark.parametrize(("rows", "key"), GEOMETRIES)
 def test_the_default_task_fits_the_geometry(rows, key):
     assert Arm.from_dh(rows).task is task_named(key)
+
+
+@pytest.mark.parametrize("size", [1e-4, 1e5])
+@pytest.mark.parametrize(("rows", "key"), GEOMETRIES)
+def test_the_default_task_does_not_depend_on_the_size_of_the_arm(rows, key, size):
+    sized = [(kind, size * a, alpha, size * d, theta) for kind, a, alpha, d, theta in rows]
+    assert Arm.from_dh(sized).task is task_named(key)
 
 
 def test_the_default_task_of_a_robot_is_what_its_file_says_or_the_same(robot):

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin import formulas
 from armlab.kin.dh import Convention, Row
-from armlab.kin.graph.kernel import Kernel
 from armlab.kin.task import NAMED, Task, task_named
+
+Floats = NDArray[np.float64]
 
 SAMPLES = 16
 """Number of random configurations, with a fixed seed, that represent the generic one."""
+
+NOTHING = 1e-9
+"""Entry, or singular value, of a scaled Jacobian up to which it counts as zero."""
 
 
 def default_task(rows: Sequence[Row], convention: Convention, tool: NDArray[np.float64]) -> Task:
@@ -27,35 +30,37 @@ def default_task(rows: Sequence[Row], convention: Convention, tool: NDArray[np.f
     them has no name in the axes of frame 0: only the coordinates remain.
     """
     arm = formulas.Description(tuple(rows), convention, np.eye(4), tool, task_named("pose"))
-    J = _sampled_jacobians(arm)
-    moves = "".join(letter for k, letter in enumerate("xyz") if np.any(np.abs(J[:, k]) > 1e-9))
-    turns_only_about_z = not np.any(np.abs(J[:, 3:5]) > 1e-9)
+    J, R = _sampled(arm)
+    moves = "".join(letter for k, letter in enumerate("xyz") if np.any(np.abs(J[:, k]) > NOTHING))
+    turns_only_about_z = not np.any(np.abs(J[:, 3:5]) > NOTHING)
     if turns_only_about_z:
         spare = len(rows) > _rank(J[:, :3])
-        phi = bool(np.any(np.abs(J[:, 5]) > 1e-9)) and (spare or not moves or len(rows) == 1)
+        phi = bool(np.any(np.abs(J[:, 5]) > NOTHING)) and (spare or not moves or len(rows) == 1)
         position = "" if phi and len(rows) == 1 else moves
         return task_named(f"{position} phi".strip() if phi else position)
     if len(rows) >= 6 and _rank(J) == 6:
         return task_named("pose")
-    if len(rows) >= 5 and _manageable(arm, task_named("xyz approach")):
+    approach = np.concatenate([J[:, :3], np.swapaxes(R[:, :, :2], 1, 2) @ J[:, 3:]], axis=1)
+    if len(rows) >= 5 and _rank(approach) == 5:
         return task_named("xyz approach")
     return NAMED.get(moves, task_named("xyz"))
 
 
-def _sampled_jacobians(arm: formulas.Description) -> NDArray[np.float64]:
-    return _sampled(formulas.jacobian(arm), arm.n).reshape(SAMPLES, 6, arm.n)
+def _sampled(arm: formulas.Description) -> tuple[Floats, Floats]:
+    """Return Jacobians (SAMPLES, 6, n) and orientations of the tool (SAMPLES, 3, 3).
+
+    Lengths, those of slides too, are in halves of the sum of all constant ones: the size of an arm counts for nothing.
+    """
+    lengths = [length for row in arm.rows for length in (row.a, row.d)]
+    scale = (np.abs(lengths).sum() + float(np.linalg.norm(arm.tool[:3, 3]))) / 2.0 or 1.0
+    units = np.where([row.revolute for row in arm.rows], 1.0, scale)
+    q = np.random.default_rng(0).uniform(-3.0, 3.0, (SAMPLES, arm.n)) * units
+    kernels = formulas.jacobian(arm), formulas.pose(arm)
+    J, T = (np.array([kernel.scalar(*row) for row in q.tolist()]) for kernel in kernels)
+    J = J.reshape(SAMPLES, 6, arm.n) * units
+    J[:, :3] /= scale
+    return J, T.reshape(SAMPLES, 4, 4)[:, :3, :3]
 
 
-def _manageable(arm: formulas.Description, task: Task) -> bool:
-    """Return whether the arm can move in all components of a task somewhere."""
-    w = _sampled(formulas.manipulability(replace(arm, task=task)), arm.n)
-    return bool(np.any(w > 1e-9))
-
-
-def _sampled(kernel: Kernel, n: int) -> NDArray[np.float64]:
-    rng = np.random.default_rng(0)
-    return np.array([kernel.scalar(*rng.uniform(-3.0, 3.0, n).tolist()) for _ in range(SAMPLES)])
-
-
-def _rank(J: NDArray[np.float64]) -> int:
-    return max(int(np.linalg.matrix_rank(matrix, tol=1e-9)) for matrix in J)
+def _rank(J: Floats) -> int:
+    return max(int(np.linalg.matrix_rank(matrix, tol=NOTHING)) for matrix in J)
