@@ -21,10 +21,11 @@ from armlab.benches.velocity.solve.ui.pictures import (
 )
 from armlab.benches.velocity.solve.ui.torus import HIGH, WIDE, pressed, projected, torus_markup, torus_style
 from armlab.benches.velocity.solve.ui.words import dotted
-from armlab.content.robots import catalogue
+from armlab.content.robots import catalogue, own_robot
 from armlab.errors import InputError
+from armlab.kin.arm import Arm
 from armlab.session.fields import Set
-from armlab.session.parts.joints import Joints
+from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.state import State, apply
@@ -99,6 +100,15 @@ def test_the_determinant_of_the_pictures_has_its_unit():
     state = example("one")
     assert f"det J = {math.sin(math.radians(55.0)):.4f} m²" in pictures.norm_markup(state, UNITS)
     assert ">det J, m²</text>" in pictures.norm_markup(state, UNITS)
+
+
+@pytest.mark.parametrize("size", [1e-7, 100.0])
+def test_the_determinant_of_the_pictures_is_zero_where_the_two_lines_are_parallel(size):
+    links = [("R", size, 0.0, 0.0, 0.0)] * 2
+    state = State.initial(own_robot(Arm.from_dh(links), "own"))
+    for q2, zero in ((0.7, False), (math.pi, True)):
+        said = pictures.norm_markup(apply(state, MoveJoint(1, q2)), UNITS)
+        assert ("Here det J = 0 m²" in said, " = 0. The ratio" in said) == (zero, zero)
 
 
 def test_the_arm_is_marked_in_both_charts_where_the_numbers_say():

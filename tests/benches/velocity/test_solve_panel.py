@@ -124,6 +124,17 @@ def test_a_wrist_that_never_moves_its_centre_is_not_called_poorly_conditioned():
     assert "onditioned" not in said
 
 
+@pytest.mark.parametrize("size", [1e-4, 1e-2, 1.0, 100.0])
+@pytest.mark.parametrize(("q", "regular"), [((0.3, 0.5, 0.4), True), ((0.3, math.pi, math.pi), False)])
+def test_a_determinant_is_zero_where_the_arm_is_singular_whatever_its_size(size, q, regular):
+    for n in (2, 3):
+        arm = Arm.from_dh([("R", size, 0.0, 0.0, 0.0)] * n, task="xy")
+        said = measures_markup(found_at(arm, np.array(q[:n]), (0.1, 0.1)))
+        values = re.findall(r"<(?:span|td)>([^<]+) m[²⁴]</", said)
+        assert len(values) == (1 if n == 2 else 4)
+        assert [value != "0" for value in values] == [regular] * len(values)
+
+
 def test_determinants_and_minors_have_values_and_units():
     one = measures_markup(found(example("one")))
     assert f"{math.sin(math.radians(55.0)):.4f} m²" in one

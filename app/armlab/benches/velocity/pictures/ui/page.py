@@ -135,14 +135,15 @@ def _on_torus(x: float, y: float, drag: int) -> Wish:
 def norm_markup(state: State, units: Units) -> Markup:
     """Return the curve of the norm, with the point of the arm on it."""
     found, curve = flat(state), norm_curve(state)
-    sigma = found.answer.spaces.sigma
-    ratio = float(sigma[1] / sigma[0]) if sigma[0] > 0.0 else 0.0
+    sigma, regular = found.answer.spaces.sigma, found.answer.spaces.rank == 2
+    determinant = small(found.determinant) if regular else "0"
+    ratio = small(float(sigma[1] / sigma[0])) if regular else "0"
     here = found.determinant, float(np.linalg.norm(found.answer.qdot)) if found.answer.verdict == "one" else math.inf
     second = units.variable(state[Solve].pair[1], bool(state[Joints].arm.revolute[state[Solve].pair[1]]))
     said = (
-        f"Here det J = {small(found.determinant)} m², ",
+        f"Here det J = {determinant} m², ",
         with_indices("σ_min/σ_max"),
-        f" = {small(ratio)}. The ratio tells how near a singularity is; det J alone does not, it changes with the unit "
+        f" = {ratio}. The ratio tells how near a singularity is; det J alone does not, it changes with the unit "
         "of length.",
     )
     aside = tag("small", f"while {second} goes through its range⟦ (1.20–1.24)⟧")

@@ -24,6 +24,9 @@ Array = NDArray[np.float64]
 MOST_LISTED = 8
 """Largest number of minors, or null vectors, that are written out."""
 
+ROUNDING = 1e-12
+"""Minor of the scaled matrix, over the same power of its largest singular value, that counts as zero."""
+
 OVER = 1.0 + 1e-9
 """Ratio to its limit above which a joint speed is marked."""
 
@@ -226,9 +229,13 @@ def _product(found: Found) -> tuple[Markup, str]:
     mixed = _mixed_joints(found) if m < n else 0 < found.p < m
     if mixed:
         name = r"\det(\bar{J}\,\bar{J}^T)" if m < n else r"\det(\bar{J}^T\bar{J})"
-        return mathml(name), small(float(np.prod(found.spaces.sigma) ** 2)) + _unit_of_sigma(found, 2 * min(m, n))
+        return mathml(name), _product_of(found) + _unit_of_sigma(found, 2 * min(m, n))
     value = tests.wide if m < n else tests.tall
     return mathml(r"\det(J\,J^T)" if m < n else r"\det(J^T J)"), _value(value or 0.0, found, 2)
+
+
+def _product_of(found: Found) -> str:
+    return "0" if _is_short(found) else small(float(np.prod(found.spaces.sigma) ** 2))
 
 
 def _mixed_joints(found: Found) -> bool:
@@ -236,9 +243,17 @@ def _mixed_joints(found: Found) -> bool:
 
 
 def _value(value: float, found: Found, times: int) -> str:
-    """Return a determinant, to a power, with the unit of the first choice of columns or rows."""
+    """Return a determinant, to a power, with the unit of the first choice of columns or rows.
+
+    It is zero where the rank says so: its size depends on that of the arm.
+    """
     chosen = tuple(range(1, min(found.J.shape) + 1))
-    return f"{small(value)}{_power(times * _metres(found, chosen))}"
+    return f"{'0' if _is_short(found) else small(value)}{_power(times * _metres(found, chosen))}"
+
+
+def _is_short(found: Found) -> bool:
+    """Return whether the rank is less than the number of rows and that of columns."""
+    return bool(found.spaces.rank < min(found.J.shape))
 
 
 def _power(power: int) -> str:
@@ -259,14 +274,12 @@ def _unit_of_sigma(found: Found, times: int = 1) -> str:
 
 def small(value: float) -> str:
     """Return a number with four decimals, or with a power of ten if it is too small or too large for them."""
-    if abs(value) < 1e-12:
-        return "0"
     return number(value, 4) if 1e-3 <= abs(value) < 1e4 else scientific(value, 2)
 
 
 def _sigma(found: Found) -> str:
     sigma = found.spaces.sigma_min
-    return f"{'0' if found.spaces.rank < len(found.spaces.sigma) else small(sigma)}{_unit_of_sigma(found)}"
+    return f"{'0' if _is_short(found) else small(sigma)}{_unit_of_sigma(found)}"
 
 
 def _minors(found: Found, symbolic: bool) -> Markup | None:
@@ -280,13 +293,20 @@ def _minors(found: Found, symbolic: bool) -> Markup | None:
     formulas = {}
     if symbolic and m < n and found.formula is not None:
         formulas = {minor.joints: mathml(minor.latex) for minor in found.formula.minors}
-    lines = []
+    lines, flat = [], found.scaled if m < n else found.scaled.T
     for minor in shown:
-        name, value = ", ".join(map(str, minor.chosen)), f"{small(minor.value)}{_power(_metres(found, minor.chosen))}"
+        square = flat[:, [k - 1 for k in minor.chosen]]
+        size = "0" if _is_rounding(square, found) else small(minor.value)
+        name, value = ", ".join(map(str, minor.chosen)), f"{size}{_power(_metres(found, minor.chosen))}"
         lines.append(line(formulas.get(minor.chosen), value, name=name))
     more = f", the {MOST_LISTED} largest" if tests.count > MOST_LISTED else ""
     aside = f"{tests.count} choices of {what}{more}; singular where all are 0⟦ (5.92–5.98)⟧"
     return joined(tag("h3", "Minors ", tag("small", aside)), tag("table.so-table.so-minors", lines))
+
+
+def _is_rounding(square: Array, found: Found) -> bool:
+    """Return whether a minor of the scaled matrix is zero but for rounding."""
+    return abs(float(np.linalg.det(square))) <= ROUNDING * float(found.spaces.sigma[0]) ** len(square)
 
 
 def _metres(found: Found, chosen: tuple[int, ...]) -> int:
