@@ -146,7 +146,15 @@ def test_determinants_and_minors_have_values_and_units():
     assert "1.2628" in wide
     puma = measures_markup(found(example("wrist")))
     assert "metres are divided by L" in puma
-    assert "fractions of their limits" in measures_markup(found(example("rrp_upright")))
+    assert "fractions of their limits." in measures_markup(found(example("rrp_upright")))
+
+
+def test_joints_without_a_speed_limit_are_not_said_to_have_one():
+    slides = [("R", 0.3, math.pi / 2, 0.0, 0.0), ("P", 0.0, 0.0, 0.3, 0.0)]
+    for limits, known in (([2.0, 0.5], True), ([2.0, math.inf], False), (None, False)):
+        seen = found_at(Arm.from_dh(slides, speed_limits=limits), np.array([0.3, 0.5]), (0.1, 0.1))
+        for said in (speeds_markup(seen, UNITS), measures_markup(seen)):
+            assert ("or of 1 rad/s or 1 m/s where none is known" in said) == (not known)
 
 
 @pytest.mark.parametrize(

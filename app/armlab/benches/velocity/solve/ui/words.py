@@ -9,6 +9,7 @@ from armlab.benches.velocity.solve.found import Found
 from armlab.kin.arm import Arm
 from armlab.kin.conditioning import TITLES, conditioning
 from armlab.kin.ellipsoid import RANK_TOLERANCE
+from armlab.kin.joint_scale import DEFAULT_SPEED
 from armlab.kin.task import Task
 from armlab.kin.velocity.answer import full_rank_inverse
 from armlab.ui.colours import BLUE, GREEN, VERDICT, css, joint_colour
@@ -115,7 +116,7 @@ def speeds_markup(found: Found, units: Units) -> Markup:
         kind, hint = ("b.no", "Faster than the joint can") if over[i] else ("b", None)
         speed = tag(kind, speed_text(float(qdot[i]), bool(arm.revolute[i]), units), title=hint)
         bars.append((name, _bar(float(qdot[i] / scale[i]), i), speed))
-    limits = "Bars: fractions of the speed limits." if np.isfinite(arm.speed_limits).any() else ""
+    limits = "Bars: fractions of the speed limits." if np.isfinite(arm.speed_limits).all() else ""
     aside = tag("small", "the shortest that comes nearest⟦ (5.123, 5.128)⟧")
     return joined(
         tag("h3", "q̇ = J", tag("sup", "#"), "v ", aside),
@@ -130,9 +131,15 @@ def _size(found: Found, units: Units) -> str:
         return f"‖q̇‖ = {speed_text(float(np.linalg.norm(qdot)), True, units)}."
     if not arm.revolute.any():
         return f"‖q̇‖ = {speed_text(float(np.linalg.norm(qdot)), False, units)}."
-    return (
-        f"‖q̇‖ = {trimmed(float(np.linalg.norm(qdot / found.spaces.speeds)), 3)}, each speed as a fraction of its limit."
-    )
+    size = trimmed(float(np.linalg.norm(qdot / found.spaces.speeds)), 3)
+    return f"‖q̇‖ = {size}, each speed as a fraction of its limit{_without_limit(arm)}."
+
+
+def _without_limit(arm: Arm) -> str:
+    """Return what stands for the speed limits that are not known, if some are not."""
+    if np.isfinite(arm.speed_limits).all():
+        return ""
+    return f", or of {DEFAULT_SPEED:g} rad/s or {DEFAULT_SPEED:g} m/s where none is known"
 
 
 def _bar(part: float, i: int) -> Markup:
@@ -324,7 +331,7 @@ def _scaling(found: Found) -> Markup:
     if (spaces.lengths != 1.0).any():
         said.append(f"For σ and rank metres are divided by L = {trimmed(arm.length_scale, 3)} m, half the reach.")
     if not arm.revolute.all() and arm.revolute.any():
-        said.append("Joint speeds are fractions of their limits.")
+        said.append(f"Joint speeds are fractions of their limits{_without_limit(arm)}.")
     if found.J.shape[0] == found.J.shape[1]:
         said.append(
             "The size of det J says little, since it depends on the unit of length; the ratio of the σ does not."
