@@ -252,6 +252,8 @@ def test_where_metres_meet_radians_the_size_of_an_arm_changes_nothing(method):
     assert large.length == pytest.approx(1000 * small.length)
     assert "lengths are divided by" in small.scaling
     assert f"{small.length:.3f} m" in small.scaling
+    tiny = Arm.from_dh([("R", 1e-4, 0.0, 0.0, 0.0)] * 3, task="xy phi")
+    assert "divided by 0.000150 m" in ik.iterate(tiny, tiny.fk([0.1, 0.2, 0.3]), [0, 0, 0.5], most=0).scaling
 
 
 def test_only_metres_or_only_radians_are_left_as_they_are():

@@ -14,7 +14,14 @@ from armlab.benches.velocity.microscope.state import Microscope
 from armlab.benches.velocity.microscope.ui.bars import bars, scale_of
 from armlab.benches.velocity.microscope.ui.page import damping_markup, head_markup, speed_unit, wish_markup
 from armlab.benches.velocity.microscope.ui.scene import names_of
-from armlab.benches.velocity.microscope.ui.words import NAMES, components, condition_card, sigma_bars, table
+from armlab.benches.velocity.microscope.ui.words import (
+    NAMES,
+    components,
+    condition_card,
+    scales_words,
+    sigma_bars,
+    table,
+)
 from armlab.benches.velocity.solve.found import found as solved
 from armlab.benches.velocity.solve.ui.words import singular_card
 from armlab.content.robots import catalogue, own_robot
@@ -268,3 +275,9 @@ def test_where_no_joint_moves_what_is_asked_nothing_is_singular():
     state = State.initial(own_robot(Arm.from_dh(turns, task="xyz"), "own"))
     assert "Rank 0 everywhere" in condition_card(state.derived(looked), state.derived(near), units_of(state))
     assert (state.derived(looked).singular, known_places(state)) == (False, ())
+
+
+@pytest.mark.parametrize(("size", "told"), [(1e-4, "0.00015 m"), (1.0, "1.5 m")])
+def test_the_length_by_which_others_are_divided_is_not_rounded_away(size, told):
+    arm = Arm.from_dh([("R", size, 0.0, 0.0, 0.0)] * 3, task="xy phi")
+    assert f"divided by {told}" in scales_words(State.initial(own_robot(arm, "own")).derived(looked))

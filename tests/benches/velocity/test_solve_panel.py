@@ -157,6 +157,12 @@ def test_joints_without_a_speed_limit_are_not_said_to_have_one():
             assert ("or of 1 rad/s or 1 m/s where none is known" in said) == (not known)
 
 
+def test_the_length_that_counts_as_a_radian_is_told_of_an_arm_of_a_millimetre_too():
+    for size, told in ((1e-4, "L = 0.00015 m"), (1.0, "L = 1.5 m")):
+        arm = Arm.from_dh([("R", size, 0.0, 0.0, 0.0)] * 3, task="xy phi")
+        assert told in measures_markup(found_at(arm, np.array([0.3, 0.5, 0.4]), (0.1, 0.1, 0.1)))
+
+
 @pytest.mark.parametrize(
     ("key", "rows", "units"),
     [

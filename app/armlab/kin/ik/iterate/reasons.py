@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -155,7 +157,9 @@ def at_limits(problem: Problem, q: NDArray[np.float64]) -> tuple[int, ...]:
 def scaling(problem: Problem) -> str:
     """Return in words how metres and radians are combined in one number for the error."""
     if problem.mixed:
-        return f"pure numbers: lengths are divided by {problem.length:.3f} m, half the reach, where they meet radians"
+        # As many figures for an arm of a millimetre as for one of a metre.
+        length = f"{problem.length:.{max(3, 2 - math.floor(math.log10(problem.length)))}f}"
+        return f"pure numbers: lengths are divided by {length} m, half the reach, where they meet radians"
     return "metres and radians as they are: only one kind occurs"
 
 

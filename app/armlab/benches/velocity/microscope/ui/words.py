@@ -14,7 +14,7 @@ from armlab.kin.task import Task
 from armlab.session.fields import Set
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
-from armlab.ui.format import dot, number, scientific, subscript, trimmed
+from armlab.ui.format import dot, number, readable, scientific, subscript
 from armlab.ui.html import Markup, joined, tag
 from armlab.ui.markup import verdict_box
 from armlab.ui.symbols import with_indices
@@ -169,10 +169,12 @@ def _reached(look: Look, answer: Compared, units: Units) -> str:
 def scales_words(look: Look) -> str:
     """Return in words the scaling of the singular values and of the damping."""
     if not look.task.sigma_unit and look.part.arm.task.rotation != "none" and look.part.arm.task.position:
-        return f"Metres and radians are mixed: lengths are divided by {trimmed(look.task.length, 3)} m, half the reach."
+        return (
+            f"Metres and radians are mixed: lengths are divided by {readable(look.task.length, 3)} m, half the reach."
+        )
     if look.task.length != 1.0:
         return (
-            f"Revolute and prismatic joints: lengths are divided by {trimmed(look.task.length, 3)} m, half the reach."
+            f"Revolute and prismatic joints: lengths are divided by {readable(look.task.length, 3)} m, half the reach."
         )
     return ""
 

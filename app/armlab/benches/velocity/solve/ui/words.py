@@ -13,7 +13,7 @@ from armlab.kin.joint_scale import DEFAULT_SPEED
 from armlab.kin.task import Task
 from armlab.kin.velocity.answer import full_rank_inverse
 from armlab.ui.colours import BLUE, GREEN, VERDICT, css, joint_colour
-from armlab.ui.format import dot, mathml, number, pairs, scientific, trimmed
+from armlab.ui.format import dot, mathml, number, pairs, readable, scientific, trimmed
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import verdict_box
 from armlab.ui.symbols import with_indices
@@ -329,7 +329,7 @@ def _scaling(found: Found) -> Markup:
     spaces, arm = found.spaces, found.arm
     said = [f"σ counts as 0 below {scientific(RANK_TOLERANCE, 0)} σ₁."]
     if (spaces.lengths != 1.0).any():
-        said.append(f"For σ and rank metres are divided by L = {trimmed(arm.length_scale, 3)} m, half the reach.")
+        said.append(f"For σ and rank metres are divided by L = {readable(arm.length_scale, 3)} m, half the reach.")
     if not arm.revolute.all() and arm.revolute.any():
         said.append(f"Joint speeds are fractions of their limits{_without_limit(arm)}.")
     if found.J.shape[0] == found.J.shape[1]:
