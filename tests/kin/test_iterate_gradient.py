@@ -169,3 +169,22 @@ def test_bad_gains_and_times_are_refused():
     for duration, dt in ((1.0, 0.0), (-1.0, 0.1), (1e9, 1e-3), (math.inf, 0.1)):
         with pytest.raises(InputError, match="duration"):
             ik.transpose_flow(TWO_R, at(1, 1), [0, 1], duration=duration, dt=dt)
+
+
+@pytest.mark.parametrize(
+    ("method", "reason"),
+    [
+        ("gauss_newton", "closest point from here: Jᵀe = 0, and J has no more rank in other configurations"),
+        ("dls_constant", "closest point from here: Jᵀe = 0, and J has no more rank in other configurations"),
+        ("newton", "no step: J is singular in every configuration, and Newton has to invert it"),
+    ],
+)
+def test_what_is_lost_in_every_configuration_is_not_put_down_to_a_singular_one(method, reason):
+    """The tool of a planar arm never leaves its plane."""
+    arm = Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0)] * 3, task="xyz")
+    T = arm.fk([0.3, 0.5, 0.4])
+    T[2, 3] = 0.3
+    assert ik.iterate(arm, T, [0.1, 0.9, 0.4], method, most=200).reason == reason
+    # Stretched, and pulled along its own line, it is singular indeed.
+    stretched = ik.iterate(arm, transform(position=[2.0, 0.0, 0.0]), [0.0, 0.0, 0.0], method, most=200).reason
+    assert "singular configuration" in stretched or "the configuration is singular" in stretched

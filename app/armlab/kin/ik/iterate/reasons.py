@@ -16,6 +16,9 @@ from armlab.kin.ik.rest import AT
 NEARLY = 1e-6
 """Smallest singular value, relative to the largest, up to which a configuration is called singular."""
 
+OTHERS = 8
+"""Number of random configurations, with a fixed seed, that represent the generic one."""
+
 FEW = 10
 """Smallest number of steps from which an iteration may be said to oscillate."""
 
@@ -59,7 +62,7 @@ def verdict(
         held = at_limits(problem, last.q[0]) if problem.clamp and not is_flat(last)[0] else ()
         if fate == Fate.STUCK and held:
             return "limit", f"stopped at the limits of {_joints(held)}"
-        return _stuck(method, fate, last)
+        return _stuck(problem, method, fate, last)
     if fate == Fate.REPRESENTATION:
         text = "the Euler angles are singular here: the first and the third axis coincide"
         return "representation", f"{text}; choose another sequence, or the rotation vector as error"
@@ -97,17 +100,32 @@ def _grown(last: Point, k: int) -> str:
     return f"{'almost singular, ' if nearly else ''}even the first step would exceed all bounds"
 
 
-def _stuck(method: IterationMethod, fate: Fate, last: Point) -> tuple[Status, str]:
-    nearly = bool(last.sigma_min[0] <= NEARLY * last.sigma_max[0])
+def _stuck(problem: Problem, method: IterationMethod, fate: Fate, last: Point) -> tuple[Status, str]:
     if last.sigma_max[0] == 0.0:
         return "stuck", "stuck: no joint changes the task vector, J = 0"
+    nearly = bool(last.sigma_min[0] <= NEARLY * last.sigma_max[0])
+    everywhere = nearly and _has_usual_rank(problem, last)
     if not is_flat(last)[0]:
+        if fate == Fate.SINGULAR and everywhere:
+            return "singular", f"no step: J is singular in every configuration, and {method.title} has to invert it"
         if fate == Fate.SINGULAR:
             return "singular", f"no step: the configuration is singular, and {method.title} has to invert J"
         return "stuck", "stuck: no step of this method brings the tool closer"
+    if everywhere:
+        return "stuck", "closest point from here: Jᵀe = 0, and J has no more rank in other configurations"
     if nearly:
         return "stuck", "stuck at a singular configuration: Jᵀe = 0, although the error e is not 0"
     return "stuck", "closest point from here: Jᵀe = 0, with more task components than joints"
+
+
+def _has_usual_rank(problem: Problem, last: Point) -> bool:
+    """Return whether J has the rank here that it has elsewhere: what is lost is lost in every configuration."""
+    q = np.repeat(last.q, OTHERS, axis=0)
+    turns = np.where(problem.arm.revolute, 1.0, problem.arm.length_scale)
+    drawn = np.random.default_rng(0).uniform(-3.0, 3.0, q.shape) * turns
+    q[:, problem.free] = drawn[:, problem.free]
+    here, there = (np.sum(sigma > NEARLY * sigma[:, :1], axis=1) for sigma in (last.sigma, problem.at(q).sigma))
+    return bool(here[0] >= there.max())
 
 
 def _unfinished(problem: Problem, points: Point, cost: Floats, jumps: tuple[int, ...]) -> tuple[Status, str]:
