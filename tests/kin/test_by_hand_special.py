@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
+from armlab.kin.arm import Arm
 from armlab.kin.ik.branches import branch_names
 from armlab.kin.ik.by_hand import derived, every_derivation, method_of
 from armlab.kin.transforms import inverse, transform
@@ -187,3 +188,17 @@ def test_the_borders_of_reach_belong_to_it():
     for far, case in ((2.0, "merged"), (2.0 + 5e-7, "merged"), (2.0 + 2e-6, "none"), (2.0 - 1e-6, "two")):
         step = derived(arm, moved_to(far, 0.0), np.zeros(2)).steps[0]
         assert step.case == case
+
+
+def test_a_target_beside_the_plane_of_an_arm_has_no_joint_values():
+    """The axes of this modified table are oblique to frame 0, so that its task is the whole position."""
+    table = [("R", 0.0, math.radians(40.0), 0.0, 0.0), ("R", 1.0, 0.0, 0.0, 0.0)]
+    arm = Arm.from_dh(table, convention="modified", tool=transform(position=[0.8, 0.0, 0.0]))
+    T = arm.fk([0.3, 0.7])
+    assert derived(arm, T, [0.3, 0.7]).q is not None
+    beside = T.copy()
+    beside[2, 3] += 0.2
+    for found in every_derivation(arm, beside, [0.3, 0.7]):
+        assert found.q is None
+        assert found.failed.gap == pytest.approx(0.2 * math.cos(math.radians(40.0)))
+        assert "beside the plane" in found.failed.note

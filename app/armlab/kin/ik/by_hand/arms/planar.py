@@ -21,6 +21,7 @@ from armlab.kin.ik.by_hand.turning import MARK
 from armlab.kin.ik.by_hand.work import Work
 from armlab.kin.ik.closed._plane import ALONG, Plane, heading, plane_of
 from armlab.kin.ik.closed_form import closed_form_of
+from armlab.kin.ik.problem import REACHED_M
 from armlab.kin.ik.screws import screws_of
 from armlab.kin.ik.trig import wrap
 
@@ -53,6 +54,8 @@ def write(work: Work) -> None:
     height = float(plane.n @ (work.T[:3, 3] - plane.home[:3, 3]))
     for joint, sense in plane.lifts:
         _lift(work, plane, joint, sense, height)
+    if not plane.lifts and len(work.arm.task.coordinates) == 3 and abs(height) > REACHED_M:
+        _beside(work, plane, height)
     at = work.T[:3, 3]
     angle = heading(plane, work.T) if len(plane.flats) == 3 else math.nan
     name = "the tool point"
@@ -103,6 +106,23 @@ def _lift(work: Work, plane: Plane, joint: int, sense: float, height: float) -> 
         index=joint,
         branches=(Branch("", value),),
         shapes=(Segment(top - height * plane.n, top, "q", "found"), Point(top, "", "wanted")),
+    )
+
+
+def _beside(work: Work, plane: Plane, height: float) -> None:
+    """Write the step that has no value: without a lift the tool never leaves its plane."""
+    at = np.asarray(work.T[:3, 3])
+    work.add(
+        "h",
+        "h",
+        "No joint moves the tool out of its plane, so the target must lie in it",
+        "distance from the plane",
+        {"h": Quantity("h", abs(height))},
+        (),
+        case="none",
+        note="Out of reach: the target is {gap} beside the plane in which the arm moves.",
+        gap=abs(height),
+        shapes=(Segment(at - height * plane.n, at, "h", "found"), Point(at, "", "wanted")),
     )
 
 
