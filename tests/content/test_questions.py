@@ -221,6 +221,11 @@ def test_units_of_a_row_without_commas():
     assert read_matrix("2 m/s² -3 m/s^2", (1, 2), "m/s^2").tolist() == [[2.0, -3.0]]
 
 
+def test_powers_in_a_matrix_may_be_raised():
+    assert read_matrix("3·10⁻² 2²; 4×10⁻²⁰ 10²⁰", (2, 2)).tolist() == [[0.03, 4.0], [4e-20, 1e20]]
+    assert read_matrix("2 m s⁻², -3·10⁻² m/s²", (1, 2), "m/s^2").tolist() == [[2.0, -0.03]]
+
+
 def test_an_acceleration_is_no_other_quantity():
     question = NumberQuestion("", 0.5, "rad/s^2", 0.001)
     assert question.judge("0.5").right

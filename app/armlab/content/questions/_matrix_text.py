@@ -16,9 +16,10 @@ from armlab.errors import InputError
 LONGEST = 2000
 """Longest matrix, in characters."""
 
-_SIGNS = str.maketrans(
-    {**dict.fromkeys(MINUS_SIGNS, "-"), **dict.fromkeys("\u00a0\u2007\u2009\u202f\u200a\t", " "), "²": "^2"}
-)
+_SIGNS = str.maketrans({**dict.fromkeys(MINUS_SIGNS, "-"), **dict.fromkeys("\u00a0\u2007\u2009\u202f\u200a\t", " ")})
+_SQUARE = re.compile("(?<![⁺⁻⁰¹²³⁴-⁹])²(?![⁰¹²³⁴-⁹])")
+"""The square of a unit such as m/s²; no part of another power such as 10⁻² or 10²⁰."""
+
 _UNIT = "|".join(map(re.escape, [*filter(None, UNITS), "°", "°/s", "°/s^2"]))
 _MADE_BY = re.compile(r"\b(?:np\.|numpy\.|sp\.|sympy\.)?(?:array|matrix|Matrix)\s*\(")
 
@@ -60,7 +61,7 @@ def read_matrix(text: str, shape: tuple[int, int], unit: str = "") -> NDArray[np
 
 def _lines(text: str) -> list[str]:
     """Return the rows without enclosing brackets."""
-    source = text.translate(_SIGNS).strip()
+    source = _SQUARE.sub("^2", text.translate(_SIGNS).strip())
     made = _MADE_BY.match(source)
     if made:
         source = source[made.end() :].rstrip().removesuffix(")")
