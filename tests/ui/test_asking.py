@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 
 from armlab.content.question import Choices, Field, Grid
+from armlab.content.questions.matrix import MatrixQuestion
+from armlab.content.questions.number import NumberQuestion
 from armlab.teaching.lesson_commands import Answer
 from armlab.ui.asking import CHECK, CHOICE, ENTRY, Draft
 from support.lab import running_lab
@@ -176,6 +178,28 @@ def test_the_entries_of_a_grid_stay_apart():
 
 def test_a_unit_stays_with_its_number():
     assert filled(["500 mm", "2 (m)"], ["1 000", "90 °"]) == "500mm 2(m); (1,000) 90°"
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "unit"),
+    [
+        ("1/2 sqrt(3)", 0.8660254, ""),
+        ("(1/2) √3", 0.8660254, ""),
+        ("3 cos(60°)", 1.5, ""),
+        ("2 π", 6.2831853, "rad"),
+        ("2 π rad", 6.2831853, "rad"),
+        ("½ π", 1.5707963, "rad"),
+        ("0.5 N·m", 0.5, "Nm"),
+        ("0.5 * m", 0.5, "m"),
+        ("2 m s^-1", 2.0, "m/s"),
+        ("2 m s⁻²", 2.0, "m/s^2"),
+        ("3·10⁻²", 0.03, ""),
+        ("30 deg s^-1", 0.52359878, "rad/s"),
+    ],
+)
+def test_a_field_of_a_grid_takes_the_products_and_units_of_a_single_field(text, value, unit):
+    assert NumberQuestion("", value, unit, 1e-6).judge(text).right
+    assert MatrixQuestion("", np.array([[value], [1.0]]), 1e-6, unit).judge(filled([text], ["1"])).right
 
 
 # -- formulas ----------------------------------------------------------------------------------------------------

@@ -162,7 +162,8 @@ def _without_unit(source: str, asked: str) -> tuple[str, str | None]:
     *before, last = terms
     if unit in ("deg", "rad") and (units_in(last) > 1 or any(units_in(term) or is_in_radians(term) for term in before)):
         return source, "rad" if any(units_in(term) == 1 for term in terms) else None
-    return source[: found.start()].strip() or "1" * found[0].startswith("/"), unit
+    number = source[: found.start()].strip().removesuffix("*").rstrip()
+    return number or "1" * found[0].startswith("/"), unit
 
 
 def _powers(written: str) -> frozenset[tuple[str, int]]:

@@ -41,8 +41,10 @@ MISSING = "?"
 _NEEDLESS = re.compile(r"\s+(?![\w.])|(?<![\w.)])\s+")
 """Spaces that do not separate two words."""
 
-_UNIT = re.compile(r"(?<=[\d.)])\s+([a-zA-Z°][\w/^°]*)(?:\s+([a-zA-Z][\w/^]*))?$")
-"""Spaces between a number and its unit, of one word or two: N m."""
+_PRODUCT = re.compile(r"(?<=[\w.)°])\s+(?=[^\W\d]|°)")
+"""Spaces of a product: before a unit, a function or π, as in 2 N m or 1/2 sqrt(3)."""
+
+_LETTER = re.compile(r"[^\W\d]")
 
 _DECIMAL = re.compile(r"(?<=\d),(?=\d)")
 _SEVERAL_VALUES = re.compile(r"(atan2|min|max)\s*\(", re.IGNORECASE)
@@ -133,14 +135,21 @@ def _entry(text: str) -> str:
 
     >>> _entry(" 1 / 2 "), _entry("sqrt(0,5)"), _entry("atan2(1, 2)"), _entry("1 0; 0 1"), _entry("2 N m")
     ('1/2', 'sqrt(0.5)', 'atan2(1,2)', '(1,0,0,1)', '2N*m')
+    >>> _entry("1/2 sqrt(3)"), _entry("2 π rad"), _entry("2 m s^-1")
+    ('1/2sqrt(3)', '2π*rad', '2m*s^-1')
     """
-    text = _UNIT.sub(lambda unit: "*".join(filter(None, unit.groups())), _NEEDLESS.sub("", text.strip()))
+    text = _PRODUCT.sub(_times, _NEEDLESS.sub("", text.strip()))
     if not _SEVERAL_VALUES.search(text):
         text = _DECIMAL.sub(".", text)
     if _PARTING.search(_IN_BRACKETS.sub("", text)):
         # Several numbers in one field: kept together, so that the verdict names this field.
         text = f"({_PARTING.sub(',', text)})"
     return text
+
+
+def _times(space: re.Match[str]) -> str:
+    """Return the sign of a product for a space, none between a number and the first word behind it."""
+    return "*" if _LETTER.search(space.string, 0, space.start()) else ""
 
 
 def asked(
