@@ -221,6 +221,21 @@ def test_units_of_a_row_without_commas():
     assert read_matrix("2 m/s² -3 m/s^2", (1, 2), "m/s^2").tolist() == [[2.0, -3.0]]
 
 
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("90 Deg", (90.0, "deg")),
+        ("2 Rad", (2.0, "rad")),
+        ("90 DEGREES", (90.0, "deg")),
+        ("90 Deg/s", (90.0, "deg/s")),
+        ("Deg(pi/2) - 30", (60.0, None)),
+    ],
+)
+def test_a_unit_of_angles_may_have_large_letters(text, expected):
+    number, unit = read_quantity(text, "m")
+    assert (pytest.approx(number), unit) == expected
+
+
 def test_powers_in_a_matrix_may_be_raised():
     assert read_matrix("3·10⁻² 2²; 4×10⁻²⁰ 10²⁰", (2, 2)).tolist() == [[0.03, 4.0], [4e-20, 1e20]]
     assert read_matrix("2 m s⁻², -3·10⁻² m/s²", (1, 2), "m/s^2").tolist() == [[2.0, -0.03]]

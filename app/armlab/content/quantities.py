@@ -75,8 +75,8 @@ _UNIT = re.compile(
 )
 """A product of powers of units at the end of a quantity: m/s^2, rad s^-2, N*m, 1/s."""
 
-_WORD = re.compile(r"(?<![a-zA-Z])(deg|rad)(?:rees?|ians?)(?![a-zA-Z])")
-"""A unit of angles written out."""
+_WORD = re.compile(r"(?<![a-zA-Z])(deg|rad)(?:rees?|ians?)?(?![a-zA-Z])", re.IGNORECASE)
+"""A unit of angles, short or written out, with small letters or large ones as formulas take it."""
 
 _PART = re.compile(rf"(?P<over>/)?[\s*]*(?P<name>{_NAME})(?:\s*\^?\s*\(?(?P<power>[+-]?[1-3]))?")
 
@@ -119,7 +119,7 @@ def read_formula(text: str, asked: str = "") -> tuple[Expression, str | None]:
     """
     if len(text) > LONGEST:
         raise _unreadable(text, asked)
-    source = _WORD.sub(r"\1", plain_symbols(text).strip())
+    source = _WORD.sub(lambda word: word[1].lower(), plain_symbols(text).strip())
     source, unit = _without_unit(source, asked)
     source = with_decimal_points(source)
     try:
