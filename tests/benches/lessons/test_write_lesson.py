@@ -131,3 +131,18 @@ def test_joint_values_have_no_crumbs_of_rounding():
     text = lesson_text("T", robot, [1.0471975511965979, math.radians(30.1) + 1e-16])
     assert "60.0000" not in text
     assert re.search(r"^q_deg = \[60, 30\.1\]$", text, re.MULTILINE)
+
+
+@pytest.mark.parametrize("size", [2.0, 0.1, 0.02, 1e-3])
+@pytest.mark.parametrize("kinds", ["RR", "PRP"])
+def test_the_place_that_a_task_tells_meets_its_check_for_small_arms_too(size, kinds):
+    turned = [("R", size, 0.0, 0.0, 0.0), ("R", 0.7 * size, 0.0, 0.0, 0.0)]
+    rows = turned if kinds == "RR" else [("P", 0.0, math.pi / 2, 0.0, 0.0), *turned[:1], ("P", 0.0, 0.0, 0.0, 0.0)]
+    limits = [[-size, size] if kind == "P" else [-math.pi, math.pi] for kind in kinds]
+    robot = own_robot(Arm.from_dh(rows, limits=limits), "Small", ROBOTS["planar_2r"])
+    q = np.where(robot.arm.revolute, 0.713, 0.37123 * size)
+    text = lesson_text("A goal", robot, q)
+    told = re.search(r"Bring the hand to \((.*?)\) m", text)
+    goal, within = (re.search(rf"{key} = (.*)", text)[1] for key in ("position", "tolerance_m"))
+    place = [float(each.replace("−", "-")) for each in told[1].split(",")]
+    assert np.linalg.norm(np.subtract(place, [float(each) for each in goal[1:-1].split(",")])) < 0.5 * float(within)

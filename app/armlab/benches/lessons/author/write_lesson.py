@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.content import robots
 from armlab.content.arithmetic import shortest
-from armlab.content.check import PLAIN
+from armlab.content.check import PLAIN, signed
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_file import parse_lesson
 from armlab.content.observation import Observation
@@ -41,6 +41,9 @@ NEAR = 0.02
 """Distance of every joint from the goal, relative to its range, below which a start is too near."""
 
 _DECIMALS = 6
+_SHOWN_DECIMALS = 3
+"""Least decimals of lengths in the text of a task; an arm of centimetres needs more, or its text misses its goal."""
+
 _JOINT_DECIMALS = 11
 """Decimals of joint values in degrees: the rest is 1e-13 rad, the rounding of conversions."""
 
@@ -180,9 +183,9 @@ def _pose_task(robot: Robot, goal: Vector) -> tuple[str, list[str], str]:
     """Return task text, lines of the check, and a hint, for the controlled part of the tool pose."""
     arm = robot.arm
     T = np.asarray(arm.fk(goal), dtype=np.float64)
-    within = shortest(float(f"{PART_OF_REACH * 2.0 * arm.length_scale:.2g}"))
-    check = [f"position = {_numbers(T[:3, 3])}", f"tolerance_m = {within}"]
-    place = ", ".join(PLAIN.length(float(x)).removesuffix(" m") for x in T[:3, 3])
+    within = float(f"{PART_OF_REACH * 2.0 * arm.length_scale:.2g}")
+    check = [f"position = {_numbers(T[:3, 3])}", f"tolerance_m = {shortest(within)}"]
+    place = ", ".join(_length(float(x), within) for x in T[:3, 3])
     hint = (
         "The hand is at {{px:m}}, {{py:m}}, {{pz:m}}. Move one joint at a time and watch which of the three it changes."
     )
@@ -204,14 +207,19 @@ def _joints_task(robot: Robot, goal: Vector) -> tuple[str, list[str], str]:
     """Return task text, lines of the check, and a hint, for the joint values, when the tool does not move."""
     revolute = robot.arm.revolute
     check = ['kind = "joints_at"', _joint_values(robot, goal)]
+    within = min(WITHIN_M, PART_OF_REACH * 2.0 * robot.arm.length_scale)
     check += [f"tolerance_deg = {shortest(WITHIN_DEG)}"] if revolute.any() else []
-    if not revolute.all():
-        check += [f"tolerance_m = {shortest(min(WITHIN_M, PART_OF_REACH * 2.0 * robot.arm.length_scale))}"]
+    check += [] if revolute.all() else [f"tolerance_m = {shortest(within)}"]
     values = [
-        PLAIN.angle(float(value)) if turns else PLAIN.length(float(value))
+        PLAIN.angle(float(value)) if turns else f"{_length(float(value), within)} m"
         for value, turns in zip(goal, revolute, strict=True)
     ]
     return f"Bring the joints to {', '.join(values)}.", check, "Joint 1 is at {{q1}}."
+
+
+def _length(value: float, within: float) -> str:
+    """Return a length in metres with so many decimals that a point written with them lies well within a tolerance."""
+    return signed(value, max(_SHOWN_DECIMALS, math.ceil(math.log10(2.0 * math.sqrt(3.0) / within))))
 
 
 def _question(number: int, asked: NumberAsked) -> Iterator[str]:
