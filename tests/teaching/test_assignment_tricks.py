@@ -12,7 +12,7 @@ from armlab.session.example_links import LookAt
 from armlab.session.panel_commands import hidden_panels
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.session import Redo, Session, StartFresh, Undo
-from armlab.teaching.assignment_commands import HandIn, OpenAssignment, OpenTask, TakeUp
+from armlab.teaching.assignment_commands import HandIn, LookAtClock, OpenAssignment, OpenTask, TakeUp
 from armlab.teaching.hand_in import hand_in
 from armlab.teaching.hand_in_assignment import judge_assignment
 from armlab.teaching.hand_in_open import OpenWork
@@ -110,6 +110,17 @@ def test_saved_work_gives_no_time_and_no_look_ahead(fresh, folder):
     ahead = done(fresh, OpenWork(json.dumps({**file, "handed_in": NOON + 9e6, "begun": NOON + 8e6})), at=NOON + 5)
     assert ahead[LessonPart].work.begun == NOON + 5
     refused(fresh, OpenWork(json.dumps(file)), f"The assignment {named('Homework')} opens on", NOON - 100)
+
+
+def test_work_that_the_clock_closed_is_told_so_at_another_computer(fresh, folder):
+    rewritten(folder, "homework", ("late_percent", "minutes = 20\nlate_percent"))
+    begun = done(fresh, SignAs("Ada"), OpenAssignment("homework", 3))
+    closed = done(begun, LookAtClock(), at=NOON + 1300)
+    there = done(fresh, OpenWork(hand_in(closed)), at=NOON + 1400)
+    assert there[LessonPart].work == closed[LessonPart].work
+    assert there[LessonPart].work.by_clock
+    goes_on = done(done(begun, CloseLesson()), OpenWork(hand_in(closed)), at=NOON + 60)
+    assert not goes_on[LessonPart].work.by_clock
 
 
 def test_a_file_of_an_earlier_attempt_changes_nothing_of_a_later_one(fresh):

@@ -98,7 +98,8 @@ def _with_assignment(state: State, data: Json) -> State:
     begun = min(handed.begun, state.at, *([] if here is None else [here.begun]))
     # What is answered here now was not in the file when that was handed in.
     when = None if here is not None and here.handed is None else handed.handed
-    work = Work(data["variant"], begun, when, handed.attempt, handed.left)
+    by_clock = when is not None and handed.by_clock
+    work = Work(data["variant"], begun, when, handed.attempt, handed.left, by_clock)
     student, works = part.student or signed(data["student"]), MappingProxyType({**part.works, found.key: work})
     ready = replace(part, progress_of=MappingProxyType(known), student=student, works=works)
     return OpenAssignment(found.key).apply(state.replace(ready))
