@@ -170,3 +170,40 @@ def test_an_observation_is_of_the_tool():
     arm = catalogue()["puma560"].arm
     q = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
     np.testing.assert_array_equal(Observation.of(arm, q).tool_pose, arm.fk(q))
+
+
+@pytest.mark.parametrize("kind", ["joint_at", "joints_at", "joints_found"])
+def test_a_joint_on_the_edge_of_its_tolerance_is_within_it(kind):
+    for value in range(-90, 91, 5):
+        asked = f"joint = 1\nvalue_deg = {value}" if kind == "joint_at" else f"q_deg = [{value}, 0]"
+        one = check(f'kind = "{kind}"\n{asked}\ntolerance_deg = 1')
+        assert one.is_met(seen([value + 1, 0]))
+        assert one.is_met(seen([value - 1, 0]))
+        assert not one.is_met(seen([value + 1.0001, 0]))
+
+
+def test_a_slide_on_the_edge_of_its_tolerance_is_within_it():
+    slide = catalogue()["cartesian_3p"]
+    for tenth in range(4, 9):
+        one = check(f'kind = "joint_at"\njoint = 1\nvalue_m = 0.{tenth}\ntolerance_m = 0.1', "cartesian_3p")
+        edges = [Observation.of(slide.arm, [value, 0.3, 0.5]) for value in (0.1 * (tenth + 1), 0.1 * (tenth - 1))]
+        assert [one.is_met(edge) for edge in edges] == [True, True]
+        assert not one.is_met(Observation.of(slide.arm, [0.1 * (tenth + 1) + 1e-6, 0.3, 0.5]))
+
+
+ON_EDGE = {
+    "tool_at": "position = {place}",
+    "tool_pose": "position = {place}\nrotation = [[0, 0, 1], [0, 1, 0], [-1, 0, 0]]\ntolerance_deg = 1",
+    "on_line": "point = {place}\ndirection = [1, 0, 0]",
+}
+
+
+@pytest.mark.parametrize("kind", list(ON_EDGE))
+def test_a_tool_on_the_edge_of_its_tolerance_is_within_it(kind):
+    arm = catalogue()["cartesian_3p"].arm
+    for height in (0.3, 0.5, 0.6, 0.7):
+        for away in (0.1, 0.05, 0.01):
+            place = f"[0.4, 0.2, {height + away}]"
+            one = check(f'kind = "{kind}"\n{ON_EDGE[kind].format(place=place)}\ntolerance_m = {away}', "cartesian_3p")
+            assert one.is_met(Observation.of(arm, [height, 0.2, 0.4]))
+            assert not one.is_met(Observation.of(arm, [height - 1e-6, 0.2, 0.4]))

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from html import escape
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,9 +18,12 @@ from numpy.typing import NDArray
 from armlab.content import checks as _folder
 from armlab.content.joint_limits import outside
 from armlab.content.observation import Observation
+from armlab.content.quantities import ROUNDING
 from armlab.content.reader import Table, joint_values
 from armlab.content.robots import Robot
 from armlab.plugins import discover_in_benches
+
+Tolerance = TypeVar("Tolerance", float, NDArray[np.float64])
 
 LARGEST_PART = 0.2
 """Largest tolerance of a length, relative to the arm's reach: with a larger one a random pose would do."""
@@ -287,6 +290,11 @@ def angle_tolerance(table: Table, default_deg: float | None = None) -> float:
     if value > LARGEST_ANGLE_DEG:
         raise table.fail("tolerance_deg", f"{value:g} is met by chance; expected at most {LARGEST_ANGLE_DEG:g} degrees")
     return math.radians(value)
+
+
+def with_edge(tolerance: Tolerance) -> Tolerance:
+    """Return a tolerance a little wider, so that what is on its edge is within it: computed, 0.4 - 0.3 is above 0.1."""
+    return tolerance * (1.0 + ROUNDING)
 
 
 def turn_between(angle: float, other: float) -> float:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.content.check import Words, angle_tolerance, length_tolerance
+from armlab.content.check import Words, angle_tolerance, length_tolerance, with_edge
 from armlab.content.checks._position import point, position_mistake, refuse_out_of_reach
 from armlab.content.reader import Table
 from armlab.content.robots import Robot
@@ -55,13 +55,13 @@ class PoseGoal:
         return " ".join(says)
 
     def _is_there(self, pose: Matrix) -> bool:
-        return bool(np.linalg.norm(pose[:3, 3] - self.position) <= self.within)
+        return bool(np.linalg.norm(pose[:3, 3] - self.position) <= with_edge(self.within))
 
     def _is_turned(self, R: Matrix) -> bool:
         return self.rotation is None or self._near(R, self.rotation)
 
     def _near(self, R: Matrix, other: NDArray[np.floating]) -> bool:
-        return float(axis_angle(R.T @ other)[1]) <= self.turned_within
+        return float(axis_angle(R.T @ other)[1]) <= with_edge(self.turned_within)
 
     def _turn_mistake(self, R: Matrix, words: Words) -> str:
         """Return the mistake that explains an orientation, or the axis with the largest deviation."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from armlab.content.check import PLAIN, CheckType, Words, angle_tolerance, length_tolerance, turn_between
+from armlab.content.check import PLAIN, CheckType, Words, angle_tolerance, length_tolerance, turn_between, with_edge
 from armlab.content.checks._joint import joint_mistake
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
@@ -23,7 +23,7 @@ class JointAt:
 
     def is_met(self, observation: Observation) -> bool:
         """Return whether the joint is within the tolerance."""
-        return self.number <= len(observation.q) and abs(self._missing(observation)) <= self.within
+        return self.number <= len(observation.q) and abs(self._missing(observation)) <= with_edge(self.within)
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return a sentence with actual and required value; it names a wrong sign, and degrees taken for radians."""

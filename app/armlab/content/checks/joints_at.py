@@ -8,7 +8,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.content.check import PLAIN, CheckType, Words, angle_tolerance, configuration, length_tolerance
+from armlab.content.check import PLAIN, CheckType, Words, angle_tolerance, configuration, length_tolerance, with_edge
 from armlab.content.checks._joint import joint_mistake
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
@@ -48,7 +48,7 @@ class JointsAt:
         return q.shape == self.q.shape and not self._off(q).any()
 
     def _off(self, q: Vector) -> NDArray[np.bool_]:
-        return np.asarray(self._missing(q) > self.within)
+        return np.asarray(self._missing(q) > with_edge(self.within))
 
     def _missing(self, q: Vector) -> Vector:
         return np.asarray(np.abs(self.q - q)) if self.turns else self._up_to_turns(q)
@@ -60,7 +60,7 @@ class JointsAt:
 
     def _mistake(self, observation: Observation) -> str:
         q = observation.q
-        if not (self._up_to_turns(q) > self.within).any():
+        if not (self._up_to_turns(q) > with_edge(self.within)).any():
             return "The pose is the right one, but a joint is a whole turn away."
         if self._is_at(-q):
             return "All joint values have the right size and the wrong sign."

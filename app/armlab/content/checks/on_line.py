@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.content.check import PLAIN, CheckType, Words, length_tolerance, tolerance
+from armlab.content.check import PLAIN, CheckType, Words, length_tolerance, tolerance, with_edge
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import Robot
@@ -36,13 +36,13 @@ class OnLine:
 
     def is_met(self, observation: Observation) -> bool:
         """Return whether the tool point is near enough."""
-        return self.distance(observation.tool_pose[:3, 3]) <= self.within
+        return self.distance(observation.tool_pose[:3, 3]) <= with_edge(self.within)
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return a sentence on the distance of the tool and the direction towards the place."""
         p = observation.tool_pose[:3, 3]
         distance, way = self.distance(p), self.place.nearest(p) - p
-        if distance <= self.within:
+        if distance <= with_edge(self.within):
             return f"The tool is on the {self.place.name}."
         k = int(np.argmax(np.abs(way)))
         more = "larger" if way[k] > 0.0 else "smaller"

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar, get_args
 
-from armlab.content.check import PLAIN, CheckType, Words, angle_tolerance, length_tolerance, turn_between
+from armlab.content.check import PLAIN, CheckType, Words, angle_tolerance, length_tolerance, turn_between, with_edge
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import Robot
@@ -84,8 +84,8 @@ class TableIs:
     def _same(self, name: str, row: Row, got: Row) -> bool:
         expected, value = getattr(row, name), getattr(got, name)
         if CELLS[name] == "length":
-            return bool(abs(value - expected) <= self.within)
-        return abs(turn_between(expected, value)) <= self.turned_within
+            return bool(abs(value - expected) <= with_edge(self.within))
+        return abs(turn_between(expected, value)) <= with_edge(self.turned_within)
 
     def _is_shifted(self, got: tuple[Row, ...]) -> bool:
         """Return whether the links are in the rows of the other convention, everything else being right."""

@@ -8,7 +8,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.content.check import PLAIN, CheckType, Goal, Words, angle_tolerance, length_tolerance, turn_between
+from armlab.content.check import (
+    PLAIN,
+    CheckType,
+    Goal,
+    Words,
+    angle_tolerance,
+    length_tolerance,
+    turn_between,
+    with_edge,
+)
 from armlab.content.checks._branches import other_elbow
 from armlab.content.checks._position import point, position_mistake, refuse_out_of_reach
 from armlab.content.observation import Observation
@@ -37,15 +46,15 @@ class ToolAt:
     def is_met(self, observation: Observation) -> bool:
         """Return whether position and angle are within their tolerances."""
         turned = self._turn_missing(observation)
-        return self._distance(observation) <= self.within and (turned is None or abs(turned) <= self.phi_within)
+        return self._is_there(observation) and self._is_turned(turned)
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return a sentence on the distance of the tool and the wrong coordinate, or on its angle."""
         distance, turned = self._distance(observation), self._turn_missing(observation)
-        if distance > self.within:
+        if not self._is_there(observation):
             mistake = position_mistake(observation.tool_pose[:3, 3], self.position, self.within, words)
             return f"The tool is {words.length(distance)} away from {point(self.position, words)}: {mistake}."
-        if turned is None or abs(turned) <= self.phi_within:
+        if turned is None or self._is_turned(turned):
             return "The tool is where it should be."
         way = "counter-clockwise" if turned > 0 else "clockwise"
         says = f"The position is right; the angle φ is not: rotate the tool {words.angle(abs(turned))} {way}."
@@ -53,6 +62,12 @@ class ToolAt:
         if other is not None and self.is_met(Observation.of(observation.arm, other)):
             says += " The arm stands in the mirror branch: bend the elbow the other way."
         return says
+
+    def _is_there(self, observation: Observation) -> bool:
+        return self._distance(observation) <= with_edge(self.within)
+
+    def _is_turned(self, missing: float | None) -> bool:
+        return missing is None or abs(missing) <= with_edge(self.phi_within)
 
     def _distance(self, observation: Observation) -> float:
         return float(np.linalg.norm(observation.tool_pose[:3, 3] - self.position))
