@@ -139,7 +139,7 @@ def test_the_default_task_fits_the_geometry(rows, key):
     assert Arm.from_dh(rows).task is task_named(key)
 
 
-@pytest.mark.parametrize("size", [1e-4, 1e5])
+@pytest.mark.parametrize("size", [1e-10, 1e-4, 1e5, 1e10])
 @pytest.mark.parametrize(("rows", "key"), GEOMETRIES)
 def test_the_default_task_does_not_depend_on_the_size_of_the_arm(rows, key, size):
     sized = [(kind, size * a, alpha, size * d, theta) for kind, a, alpha, d, theta in rows]

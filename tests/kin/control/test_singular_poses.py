@@ -102,6 +102,24 @@ def test_all_that_is_found_is_singular_and_inside_the_limits(robot, rng):
                 raise AssertionError(f"{robot.key}: nothing found beside joint {pose.place + 1}")
 
 
+@pytest.mark.parametrize("key", ["elbow_3r", "irb140", "tx60", "ur5e"])
+def test_wherever_the_determinant_changes_its_sign_over_the_range_of_a_joint_a_pose_is_found(key, rng):
+    arm = catalogue()[key].arm
+    task = ScaledTask(arm)
+    crossings = 0
+    for q in rng.uniform(*np.clip(arm.limits.T, -3.0, 3.0), (4, arm.n)):
+        found = singular_poses(task, q)
+        for k in range(arm.n):
+            along = np.tile(q, (4000, 1))
+            along[:, k] = np.linspace(*arm.limits[k], 4000)
+            sizes = np.linalg.det(task.jacobians(along, arm.fk(along)))
+            signed = np.where(np.abs(sizes) < 1e-12, 0.0, sizes)
+            for i in np.flatnonzero(signed[:-1] * signed[1:] < 0.0).tolist():
+                crossings += 1
+                assert any(pose.place == k and along[i, k] <= pose.q[k] <= along[i + 1, k] for pose in found)
+    assert crossings > 8
+
+
 def test_nonsense_is_refused():
     task = ScaledTask(catalogue()["planar_2r"].arm)
     for call in (nearest_singular_pose, singular_poses):
@@ -221,8 +239,12 @@ def test_metres_of_a_sliding_joint_count_as_their_share_of_the_length_scale(q2, 
 
 def test_of_an_arm_that_never_has_the_rank_of_its_task_the_poses_of_less_than_its_usual_rank_count():
     links = [("R", 1.0, 0.0, 0.0, 0.0), ("R", 0.8, 0.0, 0.0, 0.0)]
-    flat, whole = (ScaledTask(Arm.from_dh([*links, ("R", 0.0, 0.0, 0.0, 0.0)], task=key)) for key in ("xy", "xyz"))
-    for q in ([0.3, 0.2, 0.1], [0.3, 1.5, 0.1], [0.3, 0.0, 0.1], [0.3, -3.0, 0.1]):
+    # No sample of a range falls on a singular pose by chance.
+    limits = [(-3.1, 3.3), (-3.2, 3.4), (-3.0, 3.0)]
+    flat, whole = (
+        ScaledTask(Arm.from_dh([*links, ("R", 0.0, 0.0, 0.0, 0.0)], task=key, limits=limits)) for key in ("xy", "xyz")
+    )
+    for q in ([0.3, 0.237, 0.1], [0.3, 1.5, 0.1], [0.3, 0.0, 0.1], [0.3, -2.951, 0.1]):
         expected, found = nearest_singular_pose(flat, q), nearest_singular_pose(whole, q)
         assert (found is None) == (expected is None)
         if expected is not None:

@@ -22,10 +22,6 @@ TRUSTED, HALVES = 2, 0.5
 """Number of steps after which each further step must bring the singular value down to at most this fraction, else there
 is no zero: at a zero that is only touched a step leaves a quarter."""
 
-NEAR_ENOUGH = 0.05
-"""Inverse condition at a sampled minimum from which Newton's method is tried."""
-
-SAMPLES = 49
 DIFFERENCE = 1e-5
 """Step of the central differences of the Jacobian, radians or length scales."""
 
@@ -33,8 +29,12 @@ FAR = 0.6
 """Distance, radians or length scales, beyond which a singular configuration is not near."""
 
 BESIDE, PARTS, POINTS = 13, 12, 6
-"""Samples of one joint from -FAR to FAR about its present value; parts into which the interval between two samples is
-divided, half a degree each; and samples per interpolating polynomial."""
+"""Samples of one joint from -FAR to FAR about its present value, or in an interval of the same length of its range;
+parts into which the interval between two samples is divided, half a degree each; and samples per interpolating
+polynomial."""
+
+MOST_INTERVALS = 128
+"""Largest number of intervals into which the range of a joint is divided; those of a longer range are longer."""
 
 NEWTON = 2.0 * FAR / (BESIDE - 1) / PARTS
 """Largest correction of a start by Newton's method, radians or length scales."""
@@ -112,12 +112,21 @@ def _starts(task: ScaledTask, q: Floats) -> list[tuple[float, int, float]]:
     The nearest first.
     """
     low, high = (np.clip(q + side * FAR * task.joint_units, *task.arm.limits.T) for side in (-1.0, 1.0))
-    sampled = np.tile(q, (task.n, BESIDE, 1))
-    joints = np.arange(task.n)
-    sampled[joints, :, joints] = np.linspace(low, high, BESIDE, axis=1)
-    volumes = _volumes(task, sampled.reshape(-1, task.n)).reshape(task.n, BESIDE) @ _between().T
-    places = [(k, float(low[k] + part * (high[k] - low[k]))) for k, part in _zeros(volumes)]
+    places = _seen_between(task, q, np.arange(task.n), low, high)
     return sorted((float(abs(at - q[k]) / task.joint_units[k]), k, at) for k, at in places)
+
+
+def _seen_between(
+    task: ScaledTask, q: Floats, joints: NDArray[np.intp], low: Floats, high: Floats
+) -> list[tuple[int, float]]:
+    """Return where a joint alone seems to meet a singularity in an interval: the joint, and its value there.
+
+    Of r intervals, each with its joint, (r,), and its ends, (r,) rad or m.
+    """
+    sampled = np.tile(q, (len(joints), BESIDE, 1))
+    sampled[np.arange(len(joints)), :, joints] = np.linspace(low, high, BESIDE, axis=1)
+    volumes = _volumes(task, sampled.reshape(-1, task.n)).reshape(len(joints), BESIDE) @ _between().T
+    return [(int(joints[r]), float(low[r] + part * (high[r] - low[r]))) for r, part in _zeros(volumes)]
 
 
 def _volumes(task: ScaledTask, q: Floats) -> Floats:
@@ -176,8 +185,8 @@ def _zeros(volumes: Floats) -> list[tuple[int, float]]:
 def singular_poses(task: ScaledTask, q: ArrayLike) -> tuple[SingularPose, ...]:
     """Return the singular configurations that each joint meets in its range while the others are as in q.
 
-    In the order of the joints. A joint whose motion changes no singular value meets none. Two that are closer to each
-    other than a sample of the range may be found as one.
+    In the order of the joints. A joint whose motion changes no singular value meets none. They are sought as the
+    nearest one is, in intervals of the range. Two that are nearer than half a degree to each other may be found as one.
 
     Parameters
     ----------
@@ -189,14 +198,13 @@ def singular_poses(task: ScaledTask, q: ArrayLike) -> tuple[SingularPose, ...]:
     found: list[SingularPose] = []
     for k in range(task.n if task.usual_rank else 0):
         low, high = task.arm.limits[k]
-        grid = np.linspace(low, high, SAMPLES)
-        inverse = np.array([_inverse_condition(task, _with(values, k, float(at))) for at in grid])
-        if inverse.max() <= SINGULAR:
+        intervals = min(max(int(np.ceil((high - low) / (2.0 * FAR * task.joint_units[k]))), 1), MOST_INTERVALS)
+        grid = np.linspace(low, high, 2 * intervals + 1)
+        if max(_inverse_condition(task, _with(values, k, float(at))) for at in grid) <= SINGULAR:
             continue
-        walled = np.concatenate([[np.inf], inverse, [np.inf]])
-        dips = np.flatnonzero((inverse < walled[:-2]) & (inverse <= walled[2:]) & (inverse < NEAR_ENOUGH))
-        same = 0.5 * (high - low) / (SAMPLES - 1)
-        for at in grid[dips].tolist():
+        ends = grid[::2]
+        same = NEWTON * float(task.joint_units[k])
+        for _, at in sorted(_seen_between(task, values, np.full(intervals, k), ends[:-1], ends[1:])):
             pose = _along(task, _with(values, k, at), k)
             if pose is None or any(one.place == k and abs(one.q[k] - pose.q[k]) < same for one in found):
                 continue
