@@ -14,7 +14,7 @@ from armlab.benches.motion.plan.clip import CLIP
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption
 from armlab.benches.motion.plan.figures import TOOL, Binding
 from armlab.benches.motion.plan.job import with_planned
-from armlab.benches.motion.plan.limits import LastFor, LimitTool
+from armlab.benches.motion.plan.limits import LastFor, LimitTool, UseShare
 from armlab.benches.motion.plan.moves import LONGEST_WAIT, Move, Waypoint
 from armlab.benches.motion.plan.points import AddWaypoint, CopyWaypoint, SelectWaypoint, SetAtWaypoint, SetWaypointJoint
 from armlab.benches.motion.plan.seen import seen_motion
@@ -173,6 +173,7 @@ def test_a_short_move_between_long_waits_is_looked_at_as_closely_as_one_without_
     state = done(state, LimitTool(0.5))
     moving = worked_out(state).duration
     waits = [SetAtWaypoint(k, "wait", LONGEST_WAIT) for k in range(3)]
+    lasted = []
     for rests, commands in ((0.0, []), (3.0 * LONGEST_WAIT, waits)):
         # In seven tenths of the least time the tool is faster than its limit by the inverse of that.
         found = worked_out(done(state, *commands, LastFor(rests + 0.7 * moving)))
@@ -181,6 +182,23 @@ def test_a_short_move_between_long_waits_is_looked_at_as_closely_as_one_without_
         assert [(overrun.quantity, overrun.count) for overrun in found.overruns] == [("tool speed", 2)]
         assert found.figures.binding == Binding(TOOL, "tool speed")
         assert judged(found).kind == "no"
+        lasted.append([end - begin for begin, end in found.overruns[0].spans])
+    assert lasted[1] == pytest.approx(lasted[0], rel=1e-3)
+
+
+def test_a_tool_that_is_too_fast_only_between_two_samples_is_told():
+    state = State.initial(catalogue()["planar_2r"])
+    points = (Waypoint((0.0, 0.3), wait=0.337), Waypoint((1.0, 0.3)))
+    state = state.replace(replace(state[Plan], waypoints=points, moves=(Move(),)))
+    # The speed is a triangle, whose top lies between two samples.
+    free = done(state, SetMove(1, law="trapezoidal"), UseShare(acceleration=0.2))
+    found = worked_out(free)
+    limit = found.figures.tool_speed / 1.0005
+    assert found.samples.tool_speed.max() < limit
+    (overrun,) = worked_out(done(free, LimitTool(limit), LastFor(found.duration))).overruns
+    assert (overrun.joint, overrun.quantity, overrun.count) == (TOOL, "tool speed", 1)
+    top = found.legs[0].start + 0.5 * found.legs[0].motion.duration
+    assert overrun.spans[0][0] < top < overrun.spans[0][1]
 
 
 def test_the_speeds_that_lessons_look_at_are_those_of_the_moves_whatever_the_waits():
