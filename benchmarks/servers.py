@@ -16,16 +16,20 @@ from support.fake_browser import FakeBrowser, cookie_of
 HERE = Path(__file__).resolve().parent
 LAB = """
 import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
 sys.path[:0] = {paths!r}
 from armlab.ui.plugin import panels
 from support.lab import open_lab
-lab = open_lab(None, "puma560", {labs})
-if lab.lab is not None and not {tiny}:
-    panels()  # as the command does when its first page is open
-print(lab.port, flush=True)
-sys.stdin.read()
-lab.stop()
+with TemporaryDirectory() as folder:
+    lab = open_lab(Path(folder), "puma560", {labs})
+    if lab.lab is not None and not {tiny}:
+        panels()  # as the command does when its first page is open
+    print(lab.port, flush=True)
+    sys.stdin.read()
+    lab.stop()
 """
+"""A lab that saves what its students do, as the command does."""
 
 
 @dataclass(frozen=True)

@@ -52,6 +52,24 @@ def test_an_arm_that_was_made_small_comes_back_from_disk(tmp_path):
     assert [row.a for row in again.state[RobotPart].robot.arm.rows] == [0.04, 0.025, 0.02]
 
 
+def test_only_what_has_changed_is_put_into_words_again_and_the_file_is_that_of_the_whole_state(tmp_path, monkeypatch):
+    monkeypatch.setattr(module, "MOST_TEXT", 700)  # the longest parts are not kept
+    store = Store(tmp_path, catalogue()["puma560"])
+    session = store.get("a")
+    encoded, put = [], json.dumps
+    monkeypatch.setattr(json, "dumps", lambda value, *args: encoded.append(value) or put(value, *args))
+    counts = []
+    for command in (ChooseRobot("scara"), MoveJoint(0, 0.2), MoveJoint(1, -0.1)):
+        session.apply(command, 0)
+        encoded.clear()
+        store.save()
+        counts.append(sum(isinstance(value, dict) for value in encoded))
+        (path,) = tmp_path.glob("*.json")
+        assert path.read_text() == put({"format": 1, "parts": session.state.to_json()})
+    assert counts[0] > 50
+    assert counts[1] == counts[2] < 12
+
+
 def test_a_session_in_memory_is_the_same_object():
     store = Store(None, PUMA)
     assert store.get("a") is store.get("a")
@@ -153,24 +171,17 @@ def broken_store(folder, data):
     next(folder.glob("*.json")).write_bytes(data)
 
 
-class Unwritable(State):
-    """A state that cannot be written down."""
+class Broken(Joints):
+    """A part that cannot be written down."""
 
     def to_json(self):
         raise RuntimeError("the part is broken")
 
 
-class HalfWritten(State):
-    """A state whose writing fails in the middle of the file."""
-
-    def to_json(self):
-        return {"joints": object()}
-
-
 def test_a_session_that_cannot_be_saved_holds_up_no_other_and_is_logged_once(tmp_path, caplog):
     store = Store(tmp_path, PUMA)
     bad, good = store.get("bad"), store.get("good")
-    bad.state = Unwritable({})
+    bad.state = State([Broken.initial(PUMA)])
     good.apply(TakePose("zero"), 0.0)
     assert store.save() == 1
     assert Store(tmp_path, PUMA).get("good").state[Joints].q.tolist() == [0.0] * 6
@@ -181,9 +192,10 @@ def test_a_session_that_cannot_be_saved_holds_up_no_other_and_is_logged_once(tmp
     assert store.save() == 1
 
 
-def test_a_writing_that_fails_leaves_no_file(tmp_path):
+def test_a_writing_that_fails_leaves_no_file(tmp_path, monkeypatch):
     store = Store(tmp_path, PUMA)
-    store.get("a student").state = HalfWritten({})
+    store.get("a student").apply(MoveJoint(0, 0.25), 0.0)
+    FullDisk(monkeypatch)
     assert store.save() == 0
     assert list(tmp_path.iterdir()) == []
 

@@ -17,7 +17,7 @@ from armlab.content.robots import Robot
 from armlab.session.salvage import Lost, salvaged, told
 from armlab.session.session import Session
 from armlab.session.share import state_of_parts
-from armlab.session.state import Json, State
+from armlab.session.state import Json, Part, State
 from armlab.session.weight import weight
 
 log = logging.getLogger(__name__)
@@ -51,6 +51,9 @@ UNREADABLE = (
     "kept beside the others: whoever runs the lab finds it by the name {name}."
 )
 
+MOST_TEXT = 16 << 10
+"""Largest length of the text of a part that is kept for the next time it is written, characters."""
+
 MOST_FILES = 20_000
 """Largest number of students whose work is kept, the latest visitors; a number, as clocks may be wrong."""
 
@@ -75,6 +78,7 @@ class Store:
         self._live: dict[str, Session] = {}
         self._visited: dict[str, float] = {}  # longest ago first
         self._saved: dict[str, State] = {}
+        self._texts: dict[str, dict[str, tuple[Part, str]]] = {}
         self._weights: dict[str, tuple[State, int]] = {}
         self._failing: dict[str, str] = {}
         self._unread: set[str] = set()
@@ -112,6 +116,7 @@ class Store:
                 if self._folder is None or self._is_saved(token):
                     del self._live[token], self._visited[token]
                     self._saved.pop(token, None)
+                    self._texts.pop(token, None)
             histories = [session.history for session in self._live.values()]
         while sum(history.held for history in histories) > MOST_HELD:
             max(histories, key=lambda history: history.held).forget_half()
@@ -153,7 +158,7 @@ class Store:
 
     def _save_one(self, token: str, state: State) -> bool:
         try:
-            self._write(token, {"format": FORMAT, "parts": state.to_json()})
+            self._write(token, self._text(token, state))
         except Exception as error:
             # A full disk fails for everybody every second: the log needs to hear of it once.
             if repr(error) not in self._failing.values():
@@ -169,12 +174,22 @@ class Store:
         assert self._folder is not None
         return self._folder / f"{hashlib.sha256(token.encode()).hexdigest()[:40]}.json"
 
-    def _write(self, token: str, data: Json) -> None:
+    def _text(self, token: str, state: State) -> str:
+        """Return the text of the file of a state: a hand that drags changes two parts of eighty."""
+        known, texts = self._texts.get(token, {}), {}
+        for part in state:
+            if part.saved:
+                kept = known.get(part.key)
+                texts[part.key] = kept if kept and kept[0] is part else (part, json.dumps(part.to_json()))
+        self._texts[token] = {key: kept for key, kept in texts.items() if len(kept[1]) <= MOST_TEXT}
+        parts = ", ".join(f"{json.dumps(key)}: {text}" for key, (_, text) in texts.items())
+        return f'{{"format": {FORMAT}, "parts": {{{parts}}}}}'
+
+    def _write(self, token: str, text: str) -> None:
         handle, temporary = tempfile.mkstemp(dir=self._folder, prefix=".writing-")
         try:
             with os.fdopen(handle, "w", encoding="utf-8") as file:
-                # In one piece: `json.dump` writes each number by itself, and is three times as slow.
-                file.write(json.dumps(data))
+                file.write(text)
             if token in self._unread:
                 self._keep(token)
             os.replace(temporary, self._path(token))

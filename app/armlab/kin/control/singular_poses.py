@@ -121,7 +121,7 @@ def _seen_between(
 ) -> list[tuple[int, float]]:
     """Return where a joint alone seems to meet a singularity in an interval: the joint, and its value there.
 
-    Of r intervals, each with its joint, (r,), and its ends, (r,) rad or m.
+    There are r intervals, each with its joint, (r,), and its ends, (r,) rad or m.
     """
     sampled = np.tile(q, (len(joints), BESIDE, 1))
     sampled[np.arange(len(joints)), :, joints] = np.linspace(low, high, BESIDE, axis=1)
